@@ -75,7 +75,7 @@ void exchange_release_cycles(exchange_t *self, uint32_t taken);
  * For control: up to where the recorder has released, where that was last believable; another value
  * says that it lives.
  *
- * @satisfies SWR-EXCH-021
+ * @satisfies SWR-EXCH-025
  */
 uint32_t exchange_cycles_released(exchange_t *self);
 

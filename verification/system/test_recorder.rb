@@ -76,6 +76,19 @@ class TestRecorder < SystemTest
     assert_operator texts.sum { |text| recorded(text) }, :>, last
   end
 
+  def test_SWR_REC_030_SWR_REC_031_a_recorder_that_is_started_again_goes_on_with_the_run_to_its_end
+    last = record(1000) do
+      boresight.kill('recorder', 'KILL')
+      boresight.wait_until('there is a second recording') { boresight.recording_files.size == 2 }
+    end
+    text, code = replay(boresight.recordings)
+    run, final = text.match(/^Run (\S+): cycles 0 to (\d+), its last, in 2 recordings\.$/)&.captures
+    assert_operator final.to_i, :>=, last, text
+    boresight.recording_files.each { |file| assert_includes replay(file).first, "Run #{run}: " }
+    assert_includes text, 'every output equal'
+    assert_equal 0, code, text
+  end
+
   def test_SWR_REC_001_a_full_disk_is_said_once_and_recording_goes_on_when_there_is_room
     skip 'prlimit is missing' unless system('command -v prlimit > /dev/null')
     record(500) do
