@@ -239,8 +239,12 @@ uint32_t exchange_lane_damages(const exchange_t *self, command_source_t source);
  * up. */
 bool exchange_push_answer(exchange_t *self, const answer_t *answer);
 
-/** For the one who asks as `source`: its next answer since it opened the exchange; false when there
- * is none. */
+/**
+ * For the one who asks as `source`: its next answer since it opened the exchange; false when there
+ * is none.
+ *
+ * @satisfies SWR-EXCH-023
+ */
 bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *answer);
 
 /** Answers that found the lane full or were for nobody, since the start. */

@@ -124,8 +124,8 @@ bool act_desk_recall(act_desk_t *self, uint32_t page, uint32_t id, command_t *co
 bool act_desk_send(act_desk_t *self, uint32_t page, const command_t *command);
 
 /**
- * Takes answers, and releases what pages have whose session has ended; to be called several times a
- * second.
+ * Takes answers, releases what pages have whose session has ended, and publishes the pages again;
+ * to be called several times a second.
  *
  * @satisfies SWR-HTTP-025
  */

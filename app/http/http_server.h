@@ -98,8 +98,12 @@ bool http_server_prepare_logins(http_server_t *self, char *error, size_t error_s
  */
 http_server_result_t http_server_start(http_server_t *self);
 
-/** Sends the present state to the streams, and ends what belongs to sessions that have ended;
- * called at 20 Hz. */
+/**
+ * Sends the present state to the streams, ends what belongs to sessions that have ended, and writes
+ * again what a neighbour may have damaged in the exchange; called at 20 Hz.
+ *
+ * @satisfies SWR-EXCH-023
+ */
 void http_server_tick(http_server_t *self);
 
 #endif

@@ -18,8 +18,8 @@
 /**
  * Listens on the address of `console` and serves from a thread of its own until the process ends.
  * The port is the one noted in the exchange, so that pages go on after a restart, or else a free
- * one; it is then noted. Only the page of `console` may ask, or who is no page. TLS leads to a
- * second port (`front`, NULL: none). To be called once.
+ * one; it is noted in each turn, as a neighbour may have damaged it. Only the page of `console` may
+ * ask, or who is no page. TLS leads to a second port (`front`, NULL: none). To be called once.
  *
  * @return the port; 0 when there is none, and stops pass by the console's port alone
  *

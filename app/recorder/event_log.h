@@ -40,6 +40,7 @@ void event_log_open(event_log_t *self, const char *directory, exchange_t *exchan
  *
  * @satisfies SWR-EVENT-008
  * @satisfies SWR-EVENT-015
+ * @satisfies SWR-EXCH-023
  * @satisfies SWR-REC-010
  */
 void event_log_drain(event_log_t *self);

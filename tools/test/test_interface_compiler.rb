@@ -374,6 +374,24 @@ class TestInterfaceCompiler < Minitest::Test
     assert_equal layout({ 'more.h' => type }, 'more.h'), layout({ 'more.h' => more }, 'more.h')
   end
 
+  def test_SWR_EXCH_022_the_fields_that_every_process_may_write_are_listed_with_their_counts
+    segment = <<~C
+      typedef struct {
+          struct {
+              uint32_t count SEGMENT_ON_LINE; /**< Of beats; not listed. */
+          } beats[PROCESSES];
+          uint64_t stops SEGMENT_ON_LINE; /**< A semicolon; in words. */
+          uint32_t files[3] SEGMENT_ON_LINE;
+          segment_note_t note;
+      } segment_others_t;
+    C
+    in_folder('more.h' => segment) do |folder, output|
+      run_tool(folder, output, 'more.h')
+      listed = File.read(File.join(output, 'segment_fields.h'))[/#define SEGMENT_OTHERS_FIELDS.*/m].scan(/^    FIELD\((.*?)\)/).flatten
+      assert_equal ['beats, PROCESSES', 'stops, 1U', 'files, 3', 'note, 1U'], listed
+    end
+  end
+
   def test_SWR_TOOL_013_layout_is_the_same_when_words_differ
     assert_equal layout, layout('colours.yml' => COLOURS.gsub('The last.', 'The very last.').gsub('tin.', 'can.'))
   end
