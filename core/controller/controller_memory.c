@@ -22,13 +22,6 @@ typedef struct {
     size_t to;
 } range_t;
 
-/* Charts without timers carry all of themselves twice; when and how one came to its state decides
- * nothing. */
-static const range_t axis_range = {offsetof(axis_t, encoder),
-                                   offsetof(axis_t, supervision.stall.now_us)};
-/* A report, and that one came, decides only in its cycle. */
-static const range_t link_range = {offsetof(link_t, sent), sizeof(link_t)};
-
 static const range_t mode_range = {offsetof(controller_t, mode), offsetof(controller_t, axes)};
 /* What one mode alone reads, and writes when it is begun: under seal while it was begun last. */
 static const range_t own_ranges[MODE_KIND_COUNT] = {
@@ -36,34 +29,22 @@ static const range_t own_ranges[MODE_KIND_COUNT] = {
                        offsetof(controller_t, mode.request.sweep)},
     [MODE_SWEEP] = {offsetof(controller_t, mode.request.sweep), offsetof(controller_t, axes)},
 };
-/* Of the rest, what counts while positions wait to be compared. */
-static const range_t awaited_range = {offsetof(controller_t, kept.axes),
-                                      offsetof(controller_t, cause)};
-/* What there is once. A section of several pieces is sealed in one go. */
-typedef struct {
-    uint32_t section;
-    range_t range;
-} piece_t;
-
-static const piece_t pieces[] = {
-    {MODE, {offsetof(controller_t, mode), offsetof(controller_t, mode.request.velocity)}},
-    {INTERLOCKS, {offsetof(controller_t, pedal), offsetof(controller_t, pedal.chart.now_us)}},
-    {INTERLOCKS, {offsetof(controller_t, loop.overruns), offsetof(controller_t, authority.chart)}},
-    {INTERLOCKS,
-     {offsetof(controller_t, procedure.arming), offsetof(controller_t, procedure.arming.now_us)}},
-    {REST, {offsetof(controller_t, pending), offsetof(controller_t, kept.axes)}},
-    {REST, {offsetof(controller_t, cause), offsetof(controller_t, seals)}},
-};
 /* Of the rest, what is more than a count, beside the records. */
 static const range_t forgotten_range = {offsetof(controller_t, pending),
                                         offsetof(controller_t, has_started)};
 
-/* What of a link decides in a cycle to come. */
-static uint32_t seal_of_link(uint32_t seal, const link_t *link)
+#define AXIS_BYTES (offsetof(axis_t, supervision.stall.now_us) - offsetof(axis_t, encoder))
+
+/* Not a word more or less: they are sealed straight on. */
+typedef char axis_has_seven_times_sixteen_words_t[(AXIS_BYTES == 448U) ? 1 : -1];
+typedef char link_has_sixteen_words_t[((sizeof(link_t) - offsetof(link_t, sent)) == 64U) ? 1 : -1];
+
+/* What of a link decides in a cycle to come: a report, and that one came, decides only in its
+ * cycle. */
+static inline uint32_t seal_of_link(uint32_t seal, const link_t *link)
 {
     const uint8_t *const bytes = (const uint8_t *)link;
-    const uint32_t sum = seal_of_sixteen(seal, &bytes[link_range.from]);
-    return seal_of(sum, &bytes[link_range.from + 64U], link_range.to - link_range.from - 64U);
+    return seal_of_sixteen(seal, &bytes[offsetof(link_t, sent)]);
 }
 
 static uint32_t seal_of_sensors(const controller_t *self)
@@ -78,38 +59,65 @@ static uint32_t seal_of_sensors(const controller_t *self)
     return seal;
 }
 
-static uint32_t seal_of_range(const controller_t *self, uint32_t seal, const range_t *range)
+static inline uint32_t seal_between(const controller_t *self, uint32_t seal, size_t from, size_t to)
 {
     const uint8_t *const bytes = (const uint8_t *)self;
-    return seal_of(seal, &bytes[range->from], range->to - range->from);
+    return seal_of(seal, &bytes[from], to - from);
 }
 
-/* What is sealed at times only. */
-static void seal_more(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
+static uint32_t seal_of_mode(const controller_t *self)
 {
-    if (self->mode.kind < MODE_KIND_COUNT) {
-        seals[MODE] = seal_of_range(self, seals[MODE], &own_ranges[self->mode.kind]);
+    const uint32_t seal = seal_between(self, SEAL_START, offsetof(controller_t, mode),
+                                       offsetof(controller_t, mode.request.velocity));
+    if (self->mode.kind >= MODE_KIND_COUNT) {
+        return seal;
     }
+    const range_t *const own = &own_ranges[self->mode.kind];
+    return (own->from == own->to) ? seal : seal_between(self, seal, own->from, own->to);
+}
+
+static uint32_t seal_of_interlocks(const controller_t *self)
+{
+    const uint32_t pedal = seal_between(self, SEAL_START, offsetof(controller_t, pedal),
+                                        offsetof(controller_t, pedal.chart.now_us));
+    const uint32_t authority = seal_between(self, pedal, offsetof(controller_t, loop.overruns),
+                                            offsetof(controller_t, authority.chart));
+    return seal_between(self, authority, offsetof(controller_t, procedure.arming),
+                        offsetof(controller_t, procedure.arming.now_us));
+}
+
+static uint32_t seal_of_rest(const controller_t *self)
+{
+    const uint32_t pending = seal_between(self, SEAL_START, offsetof(controller_t, pending),
+                                          offsetof(controller_t, kept.axes));
+    uint32_t seal = seal_between(self, pending, offsetof(controller_t, cause),
+                                 offsetof(controller_t, seals));
     if (self->awaited != 0U) {
-        seals[REST] = seal_of_range(self, seals[REST], &awaited_range);
+        seal = seal_between(self, seal, offsetof(controller_t, kept.axes),
+                            offsetof(controller_t, cause));
     }
+    return seal_of(seal, (const uint8_t *)self->records,
+                   self->axis_count * sizeof self->records[0]);
+}
+
+/* Charts without timers carry all of themselves twice; when and how one came to its state decides
+ * nothing. */
+static inline uint32_t seal_of_axis(const axis_t *axis)
+{
+    const uint8_t *const bytes = &((const uint8_t *)axis)[offsetof(axis_t, encoder)];
+    uint32_t seal = seal_of_sixteen(seal_of_sixteen(SEAL_START, bytes), &bytes[64]);
+    seal = seal_of_sixteen(seal_of_sixteen(seal, &bytes[128]), &bytes[192]);
+    seal = seal_of_sixteen(seal_of_sixteen(seal, &bytes[256]), &bytes[320]);
+    return seal_of_sixteen(seal, &bytes[384]);
 }
 
 static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
 {
-    for (uint32_t i = MODE; i < CONTROLLER_SECTIONS; i++) {
-        seals[i] = SEAL_START;
-    }
-    for (uint32_t i = 0U; i < (sizeof(pieces) / sizeof(pieces[0])); i++) {
-        uint32_t *const seal = &seals[pieces[i].section];
-        *seal = seal_of_range(self, *seal, &pieces[i].range);
-    }
-    seal_more(self, seals);
-    seals[REST] = seal_of(seals[REST], (const uint8_t *)self->records,
-                          self->axis_count * sizeof self->records[0]);
+    seals[MODE] = seal_of_mode(self);
+    seals[INTERLOCKS] = seal_of_interlocks(self);
+    seals[REST] = seal_of_rest(self);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        const uint8_t *const axis = (const uint8_t *)&self->axes[i];
-        seals[i] = seal_of(SEAL_START, &axis[axis_range.from], axis_range.to - axis_range.from);
+        seals[i] = seal_of_axis(&self->axes[i]);
         seals[CARDS + i] = seal_of_link(SEAL_START, controller_link(self, i));
     }
     seals[SENSORS] = seal_of_sensors(self);
