@@ -79,9 +79,12 @@ static outlook_t look(const robot_t *robot, const snapshot_t *snapshot, mode_kin
     const mode_request_t request = request_of(&command, axis);
     axis_t axes[ROBOT_AXIS_MAX];
     shown_axes(snapshot, axes);
+    const status_t barred = guards_bar(snapshot->guards, command.kind, command.argument);
     outlook_t view = {.status = mode_judge(kind, &request, robot, axes).status,
                       .rank = RANK_JUDGED};
-    if (view.status == STATUS_OK) {
+    if (barred != STATUS_OK) {
+        view = (outlook_t){.status = barred, .rank = RANK_CHART};
+    } else if (view.status == STATUS_OK) {
         const workphase_inputs_t guards = shown_guards(robot, snapshot, kind, request.axes);
         procedure_t procedure = shown_procedure(snapshot);
         procedure_actions_t actions;

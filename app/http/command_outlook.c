@@ -3,7 +3,6 @@
 
 #include "charts/arming_chart.h"
 #include "charts/estop_latch_chart.h"
-#include "charts/pedal_gate_chart.h"
 #include "http/shown.h"
 #include "safety/needle.h"
 
@@ -19,12 +18,9 @@ static bool is_armed(const snapshot_t *snapshot)
     return (uint32_t)snapshot->order != (uint32_t)ARMING_STATE_NONE;
 }
 
-static bool is_pedal_seen(const snapshot_t *snapshot)
+static bool is_pedal_released(const snapshot_t *snapshot)
 {
-    const uint32_t pedal = (uint32_t)snapshot->pedal;
-    return (pedal == (uint32_t)PEDAL_GATE_STATE_PRESSED) ||
-           (pedal == (uint32_t)PEDAL_GATE_STATE_CLOSING) ||
-           (pedal == (uint32_t)PEDAL_GATE_STATE_OPENING);
+    return (snapshot->guards & GUARD_PEDAL_RELEASED) != 0U;
 }
 
 static bool is_needle_out(const robot_t *robot, const snapshot_t *snapshot)
@@ -69,10 +65,10 @@ static status_t outlook_here(const robot_t *robot, const snapshot_t *snapshot, c
         status = rest_outlook(snapshot, true);
         break;
     case (uint32_t)COMMAND_RESTORE:
-        status = rest_outlook(snapshot, !is_pedal_seen(snapshot));
+        status = rest_outlook(snapshot, is_pedal_released(snapshot));
         break;
     case (uint32_t)COMMAND_SET_HOME:
-        status = bare_outlook(robot, snapshot, !is_pedal_seen(snapshot));
+        status = bare_outlook(robot, snapshot, is_pedal_released(snapshot));
         break;
     case (uint32_t)COMMAND_PROBE:
         status = bare_outlook(robot, snapshot, true);
@@ -89,8 +85,11 @@ static status_t outlook_here(const robot_t *robot, const snapshot_t *snapshot, c
 status_t command_outlook(const robot_t *robot, const snapshot_t *snapshot, command_kind_t kind)
 {
     const bool is_plan = (kind == COMMAND_ENTRY) || (kind == COMMAND_TARGET);
+    const status_t barred = guards_bar(snapshot->guards, (uint32_t)kind, 0U);
     status_t status = STATUS_WRONG_WORKPHASE;
-    if (is_plan && is_armed(snapshot)) {
+    if (barred != STATUS_OK) {
+        status = barred;
+    } else if (is_plan && is_armed(snapshot)) {
         status = STATUS_MOTION_ARMED; /* Whatever the workphase. */
     } else if (is_here(snapshot, kind)) {
         status = outlook_here(robot, snapshot, kind);

@@ -9,42 +9,57 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A target, by way of an entry point. */
-static status_t aim_outlook(const snapshot_t *snapshot)
+/* Whether the axes may go to the target in step. */
+static status_t way_outlook(const robot_t *robot, const snapshot_t *snapshot)
 {
-    if (snapshot->has_target == 0U) {
-        return STATUS_NO_TARGET;
+    const plan_t plan = shown_plan(snapshot);
+    int32_t ticks[ROBOT_AXIS_MAX];
+    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
+        ticks[i] = snapshot->axes[i].position_ticks;
     }
-    return (snapshot->has_entry == 0U) ? STATUS_NO_ENTRY_POINT : STATUS_OK;
+    return plan_judge_way(&plan, robot, ticks).status;
 }
 
-/* Where the axes stand at the target is shown in MOVE_TO_TARGET alone. `turning`: how this axis
- * stands does not matter. */
+/* A target by way of an entry point, and the way there. */
+static status_t aim_outlook(const robot_t *robot, const snapshot_t *snapshot)
+{
+    const plan_t plan = shown_plan(snapshot);
+    const status_t status = plan_judge_entry(&plan);
+    return (status == STATUS_OK) ? way_outlook(robot, snapshot) : status;
+}
+
+/* `turning`: how this axis stands does not matter. */
 static status_t aligned_outlook(const robot_t *robot, const snapshot_t *snapshot, uint32_t turning)
 {
     move_mode_t move;
     axis_t axes[ROBOT_AXIS_MAX];
     shown_axes(snapshot, axes);
     for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
-        const bool is_shown = (snapshot->workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET);
-        move.target_ticks[i] = (is_shown && (i != turning)) ? snapshot->axes[i].target_ticks
-                                                            : axes[i].encoder.position_ticks;
+        move.target_ticks[i] =
+            (i == turning) ? axes[i].encoder.position_ticks : snapshot->target_ticks[i];
     }
     return insert_mode_judge(&move, robot, axes);
 }
 
 static status_t insert_outlook(const robot_t *robot, const snapshot_t *snapshot)
 {
-    const status_t status = aim_outlook(snapshot);
+    const status_t status = aim_outlook(robot, snapshot);
     return (status == STATUS_OK) ? aligned_outlook(robot, snapshot, ROBOT_AXIS_MAX) : status;
+}
+
+/* There is one, for this target. */
+static bool has_program(const snapshot_t *snapshot)
+{
+    return (snapshot->program_steps != 0U) &&
+           (snapshot->program_target_crc == program_list_target_crc(snapshot->target_ticks));
 }
 
 static status_t program_outlook(const robot_t *robot, const snapshot_t *snapshot)
 {
-    status_t status = aim_outlook(snapshot);
+    status_t status = aim_outlook(robot, snapshot);
     if (status != STATUS_OK) {
         /* There is nothing to go along. */
-    } else if (snapshot->program_steps == 0U) {
+    } else if (!has_program(snapshot)) {
         status = STATUS_PROGRAM_OTHER;
     } else {
         status = aligned_outlook(robot, snapshot, program_step_turning_axis(robot));
@@ -98,7 +113,7 @@ static status_t own_outlook(const robot_t *robot, const snapshot_t *snapshot,
     status_t status = STATUS_OK;
     switch ((uint32_t)kind) {
     case (uint32_t)MODE_ALIGN:
-        status = aim_outlook(snapshot);
+        status = aim_outlook(robot, snapshot);
         break;
     case (uint32_t)MODE_INSERT:
         status = insert_outlook(robot, snapshot);
@@ -129,13 +144,17 @@ static workphase_t only_workphase(const mode_row_t *row)
 
 status_t workphase_outlook(const robot_t *robot, const snapshot_t *snapshot, workphase_t workphase)
 {
+    const uint32_t kind = (uint32_t)COMMAND_WORKPHASE;
     const workphase_inputs_t inputs = shown_guards(robot, snapshot, mode_of(workphase), 0U);
     procedure_t procedure = shown_procedure(snapshot);
     procedure_actions_t actions;
-    if ((workphase == WORKPHASE_START_UP) && (snapshot->unfit != 0U)) {
-        return STATUS_COMPUTER_UNFIT;
+    status_t status = guards_bar(snapshot->guards, kind, (uint32_t)workphase);
+    if ((status == STATUS_OK) && (workphase == WORKPHASE_MOVE_TO_TARGET)) {
+        status = way_outlook(robot, snapshot);
     }
-    return procedure_request(&procedure, &inputs, (uint32_t)workphase, &actions);
+    return (status == STATUS_OK)
+               ? procedure_request(&procedure, &inputs, (uint32_t)workphase, &actions)
+               : status;
 }
 
 /* After what the mode itself asks. */
@@ -157,7 +176,8 @@ status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot,
     } else if (row->axes == (uint32_t)MODE_AXES_COMMANDED) {
         status = axis_outlook_of_any(robot, snapshot, kind);
     } else if (row->command != (uint32_t)COMMAND_NONE) {
-        status = own_outlook(robot, snapshot, start_ticks, kind);
+        status = guards_bar(snapshot->guards, row->command, 0U);
+        status = (status == STATUS_OK) ? own_outlook(robot, snapshot, start_ticks, kind) : status;
         status = (status == STATUS_OK) ? chart_outlook(robot, snapshot, kind) : status;
     } else {
         /* Nothing arms it. */

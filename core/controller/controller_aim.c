@@ -12,9 +12,7 @@
 solution_t controller_judge_way(controller_t *self, const cycle_t *cycle)
 {
     solution_t result = {.status = STATUS_MEMORY_DAMAGED};
-    if (self->plan.has_probe == 0U) {
-        result.status = STATUS_NO_PROBE;
-    } else if (plan_is_proved(&self->plan, cycle->robot)) {
+    if ((self->plan.has_probe == 0U) || plan_is_proved(&self->plan, cycle->robot)) {
         int32_t ticks[ROBOT_AXIS_MAX];
         controller_positions(self, ticks);
         result = plan_judge_way(&self->plan, cycle->robot, ticks);

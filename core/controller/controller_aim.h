@@ -11,8 +11,7 @@
  * May the axes go to the target in step from where they are? A target that is not proved is
  * forgotten.
  *
- * @return STATUS_OK, also without a target; STATUS_NO_PROBE; STATUS_MEMORY_DAMAGED; as
- * plan_judge_way()
+ * @return STATUS_MEMORY_DAMAGED, or as plan_judge_way()
  *
  * @satisfies SWR-MEMORY-005
  */

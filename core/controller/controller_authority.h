@@ -31,13 +31,6 @@ bool controller_has_authority(const controller_t *self, const command_t *command
  */
 void controller_credit(controller_t *self, const cycle_t *cycle, const command_t *command);
 
-/** It is about authority itself; it needs no robot. */
-static inline bool controller_is_of_authority(const command_t *command)
-{
-    return (command->kind >= (uint32_t)COMMAND_TAKE) &&
-           (command->kind <= (uint32_t)COMMAND_REQUEST);
-}
-
 /**
  * TAKE, RENEW, RELEASE and REQUEST.
  *

@@ -4,6 +4,7 @@
 #define BORESIGHT_CONTROLLER_FACTS_H
 
 #include "controller/controller_events.h"
+#include "procedure/guards.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -38,7 +39,13 @@ static inline void controller_positions(const controller_t *self, int32_t ticks[
     }
 }
 
-/** Facts for the guards of the workphase chart, for an order of mode `kind` that needs `axes` (bit
+/** GUARD_BLIND and GUARD_UNFIT, as far as they stand. */
+uint32_t controller_bars(const controller_t *self, const cycle_t *cycle);
+
+/** GUARD_ facts, all that stand now. */
+uint32_t controller_facts(const controller_t *self, const cycle_t *cycle);
+
+/** Those for the guards of the workphase chart, for an order of mode `kind` that needs `axes` (bit
  * n: axis n). */
 workphase_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle,
                                      mode_kind_t kind, uint32_t axes);

@@ -131,22 +131,6 @@ static bool is_allowed(const command_t *command)
            (!is_known(command) || rights[command->source][command->kind]);
 }
 
-/* Changes of the workphase that drive nothing do without the robot's table. */
-static bool needs_table(const command_t *command)
-{
-    const bool is_workphase = command->kind == (uint32_t)COMMAND_WORKPHASE;
-    return is_workphase ? (command->argument == (uint32_t)WORKPHASE_START_UP)
-                        : !controller_is_of_authority(command);
-}
-
-/* What lets drives be driven: the loop must be able to stop them in time. */
-static bool enables(const command_t *command)
-{
-    const bool is_start_up = (command->kind == (uint32_t)COMMAND_WORKPHASE) &&
-                             (command->argument == (uint32_t)WORKPHASE_START_UP);
-    return is_start_up || (command->kind == (uint32_t)COMMAND_ENABLE_AXIS);
-}
-
 static status_t carry_out(controller_t *self, const cycle_t *cycle, const command_t *command,
                           answer_t *answer)
 {
@@ -214,11 +198,10 @@ static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *
     if (is_known(command) && !controller_has_authority(self, command)) {
         return STATUS_NO_AUTHORITY;
     }
-    if (controller_is_blind(self) && needs_table(command)) {
-        return STATUS_MEMORY_DAMAGED;
-    }
-    if ((cycle->inputs->unfit != 0U) && enables(command)) {
-        return STATUS_COMPUTER_UNFIT;
+    const status_t barred =
+        guards_bar(controller_bars(self, cycle), command->kind, command->argument);
+    if (barred != STATUS_OK) {
+        return barred;
     }
     const status_t status = carry_out(self, cycle, command, answer);
     if (status == STATUS_OK) {

@@ -241,6 +241,8 @@ static void show_plan(const controller_t *self, snapshot_t *shown)
     shown->target_proposed_cycle = self->plan.target_proposer.cycle;
     shown->scanner_desired = self->plan.scanner_desired;
     (void)memcpy(shown->desired_ticks, self->plan.desired_ticks, sizeof shown->desired_ticks);
+    shown->is_entry_of_target = self->plan.is_entry_of_target;
+    (void)memcpy(shown->target_ticks, self->plan.target_ticks, sizeof shown->target_ticks);
 }
 
 static void show_authority(const controller_t *self, snapshot_t *shown)
@@ -272,6 +274,7 @@ static void show_program(const controller_t *self, const cycle_t *cycle, snapsho
     const program_list_t *const list = &self->program;
     shown->program_steps = (list->is_whole != 0U) ? list->count : 0U;
     shown->program_crc = list->crc;
+    shown->program_target_crc = list->target_crc;
     shown->program_source = list->source;
     shown->program_step = self->mode.program.step;
     shown->program_dwelt_us = self->mode.program.dwelt_us;
@@ -364,7 +367,8 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->pedal = (uint32_t)self->pedal.chart.state;
     shown->estop = (uint32_t)self->estop.state;
     shown->loop = (uint32_t)self->loop.chart.state;
-    shown->is_homed = controller_is_homed(self) ? 1U : 0U;
+    shown->guards = controller_facts(self, cycle);
+    shown->is_homed = ((shown->guards & GUARD_HOMED) != 0U) ? 1U : 0U;
     shown->next_step = (uint32_t)authority_first(
         self, ready_first(self, cycle, next_step(self, shown->is_homed != 0U)));
     shown->is_scanner_active = cycle->inputs->scanner_active;

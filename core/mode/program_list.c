@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <string.h>
 
-static uint32_t crc_of_target(const int32_t target_ticks[ROBOT_AXIS_MAX])
+uint32_t program_list_target_crc(const int32_t target_ticks[ROBOT_AXIS_MAX])
 {
     return crc32c((const uint8_t *)target_ticks, ROBOT_AXIS_MAX * sizeof target_ticks[0]);
 }
@@ -32,7 +32,7 @@ status_t program_list_begin(program_list_t *self, uint32_t total, uint32_t sourc
     clear(self);
     self->total = total;
     self->source = source;
-    self->target_crc = crc_of_target(target_ticks);
+    self->target_crc = program_list_target_crc(target_ticks);
     self->seal = crc_of_head(self);
     return STATUS_OK;
 }
@@ -98,7 +98,7 @@ static solution_t judge(const program_list_t *self, const robot_t *robot,
     const program_step_t *const before =
         (self->count == 0U) ? step : &self->steps[self->count - 1U];
     solution_t result = {.status = STATUS_OK};
-    if (self->target_crc != crc_of_target(target_ticks)) {
+    if (self->target_crc != program_list_target_crc(target_ticks)) {
         result.status = STATUS_PROGRAM_OTHER;
     } else if ((step->dwell_ms > LIMIT_PROGRAM_DWELL_MS) ||
                ((step->is_gated != 0U) && (step->dwell_ms == 0U))) {
@@ -161,7 +161,7 @@ bool program_list_is_meant(const program_list_t *self, uint32_t crc,
                            const int32_t target_ticks[ROBOT_AXIS_MAX])
 {
     return (self->seal == crc_of_head(self)) && (self->is_whole != 0U) && (self->crc == crc) &&
-           (self->target_crc == crc_of_target(target_ticks)) && (crc_of_all(self) == crc);
+           (self->target_crc == program_list_target_crc(target_ticks)) && (crc_of_all(self) == crc);
 }
 
 const program_step_t *program_list_step(const program_list_t *self, uint32_t index)

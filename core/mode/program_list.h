@@ -83,6 +83,9 @@ bool program_list_is_meant(const program_list_t *self, uint32_t crc,
  */
 const program_step_t *program_list_step(const program_list_t *self, uint32_t index);
 
+/** target_crc of a list that was sent for the target at `target_ticks`. */
+uint32_t program_list_target_crc(const int32_t target_ticks[ROBOT_AXIS_MAX]);
+
 /** Where all axes stand at `step`. */
 void program_list_ends(const robot_t *robot, const int32_t target_ticks[ROBOT_AXIS_MAX],
                        const program_step_t *step, int32_t ends[ROBOT_AXIS_MAX]);

@@ -268,8 +268,15 @@ solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t tic
 solution_t plan_judge_way(const plan_t *self, const robot_t *robot,
                           const int32_t ticks[ROBOT_AXIS_MAX])
 {
-    return (self->has_target != 0U) ? coupled_path_judge(robot, ticks, self->target_ticks)
-                                    : (solution_t){.status = STATUS_OK};
+    solution_t result = {.status = STATUS_OK};
+    if (self->has_probe == 0U) {
+        result.status = STATUS_NO_PROBE;
+    } else if (self->has_target != 0U) {
+        result = coupled_path_judge(robot, ticks, self->target_ticks);
+    } else {
+        /* There is no way. */
+    }
+    return result;
 }
 
 status_t plan_judge_entry(const plan_t *self)

@@ -135,8 +135,8 @@ solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t tic
  * May the axes go in step from `ticks` to the accepted target? The needle waits meanwhile, and has
  * no part in what axes share.
  *
- * @return STATUS_OK, also without a target; or the refusal of the coupled limit that the way would
- * leave
+ * @return STATUS_OK, also without a target; STATUS_NO_PROBE; or the refusal of the coupled limit
+ * that the way would leave
  *
  * @satisfies SWR-PLAN-016
  */
