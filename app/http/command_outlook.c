@@ -20,7 +20,7 @@ static bool is_armed(const snapshot_t *snapshot)
 
 static bool is_pedal_released(const snapshot_t *snapshot)
 {
-    return (snapshot->guards & GUARD_PEDAL_RELEASED) != 0U;
+    return guards_have(snapshot->guards, GUARD_PEDAL_RELEASED);
 }
 
 static bool is_needle_out(const robot_t *robot, const snapshot_t *snapshot)

@@ -5,6 +5,7 @@
 #include "base/contract.h"
 #include "controller/controller_drive.h"
 #include "controller/controller_events.h"
+#include "controller/controller_facts.h"
 #include "controller/controller_memory.h"
 #include "controller/controller_move.h"
 #include "controller/controller_obey.h"
@@ -64,8 +65,9 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     controller_observe(self, &cycle);
     controller_obey(self, &cycle);
     controller_move(self, &cycle, &result);
-    controller_drive(self, &cycle, result.requests);
-    controller_show(self, &cycle);
+    const uint32_t guards = controller_facts(self, &cycle);
+    controller_drive(self, &cycle, guards, result.requests);
+    controller_show(self, &cycle, guards);
     self->cycle++;
     controller_seal(self);
 }

@@ -12,32 +12,22 @@
 
 #include <string.h>
 
-static bool is_any_link_lost(const controller_t *self)
-{
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        if (!link_is_usable(controller_link(self, i))) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* What is the same for every axis. */
 static permit_common_facts_t common_facts(const controller_t *self, const cycle_t *cycle,
-                                          mode_kind_t kind)
+                                          uint32_t guards, mode_kind_t kind)
 {
     const pedal_gate_state_t pedal = self->pedal.chart.state;
     const permit_common_facts_t facts = {
         .is_estop_pulled = (self->estop.state == ESTOP_LATCH_STATE_PULLED),
         .is_estop_latched = (self->estop.state == ESTOP_LATCH_STATE_LATCHED),
         .is_loop_stopped = (self->loop.chart.state == LOOP_GUARD_STATE_STOPPED),
-        .is_link_lost = is_any_link_lost(self),
+        .is_link_lost = !guards_have(guards, GUARD_LINKED),
         .is_pedal_faulty = (pedal == PEDAL_GATE_STATE_FAULT),
         .is_scanner_active = (cycle->inputs->scanner_active != 0U),
         .is_armed = procedure_is_armed(&self->procedure),
         .is_pedal_unproven = (pedal == PEDAL_GATE_STATE_UNPROVEN),
         .is_pedal_pressed = pedal_gate_is_open(&self->pedal),
-        .is_every_axis_homed = controller_is_homed(self),
+        .is_every_axis_homed = guards_have(guards, GUARD_HOMED),
         .is_memory_damaged = controller_is_blind(self),
         .are_cards_unprotected = (cycle->inputs->dialect != (uint32_t)CARD_DIALECT_OWN) &&
                                  (cycle->inputs->is_dialect_accepted == 0U),
@@ -219,12 +209,12 @@ static void gather_sent(const controller_t *self, card_drive_t sent[ROBOT_AXIS_M
     }
 }
 
-void controller_drive(controller_t *self, const cycle_t *cycle,
+void controller_drive(controller_t *self, const cycle_t *cycle, uint32_t guards,
                       const card_drive_t requests[ROBOT_AXIS_MAX])
 {
     card_drive_t sent[ROBOT_AXIS_MAX];
     const mode_kind_t kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
-    const permit_common_facts_t facts = common_facts(self, cycle, kind);
+    const permit_common_facts_t facts = common_facts(self, cycle, guards, kind);
     view_t view = {.facts = facts,
                    .common = permit_decide_common(&facts),
                    .axes = {.axes = self->axes, .sent = sent, .requests = requests},

@@ -7,7 +7,7 @@
 
 /**
  * Permit and outgoing frames. Each frame tells its card to switch off by itself when no further
- * frame comes.
+ * frame comes. `guards`: controller_facts() of the state as it is.
  *
  * @satisfies SWR-PERMIT-002
  * @satisfies SWR-PERMIT-003
@@ -17,7 +17,7 @@
  * @satisfies SWR-LINK-010
  * @satisfies SWR-DRIVE-011
  */
-void controller_drive(controller_t *self, const cycle_t *cycle,
+void controller_drive(controller_t *self, const cycle_t *cycle, uint32_t guards,
                       const card_drive_t requests[ROBOT_AXIS_MAX]);
 
 #endif

@@ -22,12 +22,12 @@ static uint32_t facts_against_card(const link_t *link)
     uint32_t against = 0U;
     if (link->chart.state != CARD_LINK_STATE_LIVE) {
         against = fact(!link_is_healthy_now(link), GUARD_HARDWARE_READY) |
-                  fact(!link_is_usable(link), GUARD_CLEAR);
+                  fact(!link_is_usable(link), GUARD_LINKED);
     }
     return against;
 }
 
-/* What START_UP clears must be clear before a motion is armed; every card is needed. */
+/* What START_UP clears must be clear before a motion is armed. */
 static bool is_clear(const controller_t *self)
 {
     return (self->estop.state == ESTOP_LATCH_STATE_CLEAR) &&
@@ -48,13 +48,14 @@ uint32_t controller_bars(const controller_t *self, const cycle_t *cycle)
 
 uint32_t controller_facts(const controller_t *self, const cycle_t *cycle)
 {
-    uint32_t facts = controller_bars(self, cycle) | GUARD_HOMED |
+    uint32_t facts = controller_bars(self, cycle) | GUARD_HOMED | GUARD_LINKED |
                      fact(is_box_ready(cycle->inputs), GUARD_HARDWARE_READY) |
                      fact(is_clear(self), GUARD_CLEAR) |
                      fact(self->pedal.is_released != 0U, GUARD_PEDAL_RELEASED) |
                      fact(self->plan.is_registered != 0U, GUARD_REGISTERED) |
                      fact(self->plan.has_target != 0U, GUARD_TARGET);
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    const uint32_t count = self->axis_count;
+    for (uint32_t i = 0U; i < count; i++) {
         const axis_t *const axis = &self->axes[i];
         facts &= ~facts_against_card(controller_link(self, i));
         facts |= fact(!axis_is_enabled(axis), (uint32_t)1U << i);

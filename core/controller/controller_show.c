@@ -352,7 +352,7 @@ static void clear_unused(const controller_t *self, snapshot_t *shown)
                  (ROBOT_AXIS_MAX - self->axis_count) * sizeof shown->axes[0]);
 }
 
-void controller_show(const controller_t *self, const cycle_t *cycle)
+void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t guards)
 {
     snapshot_t *const shown = &cycle->outputs->snapshot;
     const mode_kind_t kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
@@ -367,8 +367,8 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->pedal = (uint32_t)self->pedal.chart.state;
     shown->estop = (uint32_t)self->estop.state;
     shown->loop = (uint32_t)self->loop.chart.state;
-    shown->guards = controller_facts(self, cycle);
-    shown->is_homed = ((shown->guards & GUARD_HOMED) != 0U) ? 1U : 0U;
+    shown->guards = guards;
+    shown->is_homed = guards_have(guards, GUARD_HOMED) ? 1U : 0U;
     shown->next_step = (uint32_t)authority_first(
         self, ready_first(self, cycle, next_step(self, shown->is_homed != 0U)));
     shown->is_scanner_active = cycle->inputs->scanner_active;

@@ -6,7 +6,7 @@
 #include "controller/controller_events.h"
 
 /**
- * Fills the snapshot.
+ * Fills the snapshot; `guards` as controller_drive().
  *
  * @satisfies SWR-CON-048
  * @satisfies SWR-NEXT-001
@@ -16,6 +16,6 @@
  * @satisfies SWR-LINK-009
  * @satisfies SWR-DRIVE-013
  */
-void controller_show(const controller_t *self, const cycle_t *cycle);
+void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t guards);
 
 #endif

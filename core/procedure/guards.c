@@ -3,16 +3,9 @@
 
 #include "interface/command.h"
 
-#include <stdbool.h>
-
 #if ROBOT_AXIS_MAX > 16
 #error "The axes have the lower half of the word."
 #endif
-
-static bool has(uint32_t facts, uint32_t fact)
-{
-    return (facts & fact) != 0U;
-}
 
 static bool is_start_up(uint32_t kind, uint32_t argument)
 {
@@ -37,9 +30,9 @@ static bool enables(uint32_t kind, uint32_t argument)
 status_t guards_bar(uint32_t facts, uint32_t kind, uint32_t argument)
 {
     status_t status = STATUS_OK;
-    if (has(facts, GUARD_BLIND) && needs_table(kind, argument)) {
+    if (guards_have(facts, GUARD_BLIND) && needs_table(kind, argument)) {
         status = STATUS_MEMORY_DAMAGED;
-    } else if (has(facts, GUARD_UNFIT) && enables(kind, argument)) {
+    } else if (guards_have(facts, GUARD_UNFIT) && enables(kind, argument)) {
         status = STATUS_COMPUTER_UNFIT;
     } else {
         /* The mode and the workphase decide. */
@@ -52,13 +45,14 @@ workphase_inputs_t guards_inputs(uint32_t facts, mode_kind_t kind, uint32_t axes
 {
     const mode_row_t *const row = &mode_rows[kind];
     const workphase_inputs_t inputs = {
-        .is_hardware_ready = has(facts, GUARD_HARDWARE_READY),
-        .is_confirmation_due = has(facts, GUARD_CONFIRMATION_DUE),
-        .is_motion_allowed_here = has(row->workphases >> (uint32_t)workphase, 1U),
-        .is_able = has(facts, GUARD_CLEAR) && !has(facts, axes & GUARD_DISABLED_AXES),
-        .is_homed = row->may_be_unhomed || has(facts, GUARD_HOMED),
-        .is_registered = has(facts, GUARD_REGISTERED),
-        .has_target = has(facts, GUARD_TARGET),
+        .is_hardware_ready = guards_have(facts, GUARD_HARDWARE_READY),
+        .is_confirmation_due = guards_have(facts, GUARD_CONFIRMATION_DUE),
+        .is_motion_allowed_here = guards_have(row->workphases >> (uint32_t)workphase, 1U),
+        .is_able = guards_have(facts, GUARD_CLEAR) && guards_have(facts, GUARD_LINKED) &&
+                   !guards_have(facts, axes & GUARD_DISABLED_AXES),
+        .is_homed = row->may_be_unhomed || guards_have(facts, GUARD_HOMED),
+        .is_registered = guards_have(facts, GUARD_REGISTERED),
+        .has_target = guards_have(facts, GUARD_TARGET),
     };
     return inputs;
 }

@@ -14,6 +14,7 @@
 #include "interface/workphase_list.h"
 #include "robot/robot.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /** Bit n: axis n of the robot is not enabled. */
@@ -23,7 +24,7 @@
 #define GUARD_HARDWARE_READY 0x00010000U
 /** An axis without a switch has lost its position. */
 #define GUARD_CONFIRMATION_DUE 0x00020000U
-/** Nothing that START_UP clears stands against motion, but for the axes. */
+/** Nothing that START_UP clears stands against motion, but for cards and axes. */
 #define GUARD_CLEAR 0x00040000U
 #define GUARD_HOMED 0x00080000U /**< Every axis. */
 #define GUARD_REGISTERED 0x00100000U
@@ -31,6 +32,7 @@
 #define GUARD_BLIND 0x00400000U /**< The robot's table was damaged. */
 #define GUARD_UNFIT 0x00800000U /**< The computer lacks something that a real robot needs. */
 #define GUARD_PEDAL_RELEASED 0x01000000U
+#define GUARD_LINKED 0x02000000U /**< Every card of an axis may be given a drive. */
 
 /**
  * What bars a command of `kind` with `argument` (command_t) whatever it says.
@@ -42,6 +44,12 @@
  * @satisfies SWR-MEMORY-004
  */
 status_t guards_bar(uint32_t facts, uint32_t kind, uint32_t argument);
+
+/** `fact` is among them; of several any. */
+static inline bool guards_have(uint32_t facts, uint32_t fact)
+{
+    return (facts & fact) != 0U;
+}
 
 /** Inputs of the workphase chart for an order of mode `kind` in `workphase` that needs `axes` (bit
  * n: axis n). */

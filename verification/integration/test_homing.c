@@ -10,6 +10,7 @@
 
 #include "controller/controller.h"
 #include "controller/controller_drive.h"
+#include "controller/controller_facts.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
 #include "safety/needle.h"
@@ -141,7 +142,7 @@ void test_SWR_JOG_016_the_permit_drives_nothing_across_a_needle_that_is_in(void)
     requests[AXIS_LATERAL].mode = CARD_DRIVE_NON_PWM;
     requests[AXIS_INSERTION] = rig_sent(&rig, AXIS_INSERTION).drive;
     TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, requests[AXIS_INSERTION].mode);
-    controller_drive(&rig.controller, &cycle, requests);
+    controller_drive(&rig.controller, &cycle, controller_facts(&rig.controller, &cycle), requests);
     TEST_ASSERT_EQUAL_HEX32(1UL << PERMIT_REASON_NEEDLE_IN,
                             rig.controller.records[AXIS_LATERAL].reason_hold.shown);
     TEST_ASSERT_EQUAL(CARD_DRIVE_OFF, rig_sent(&rig, AXIS_LATERAL).drive.mode);

@@ -51,8 +51,8 @@ void test_SWR_LOOP_006_an_unfit_computer_bars_what_enables_axes(void)
 
 void test_SWR_MODE_002_each_fact_reaches_the_workphase_chart(void)
 {
-    const uint32_t all = GUARD_HARDWARE_READY | GUARD_CLEAR | GUARD_HOMED | GUARD_REGISTERED |
-                         GUARD_TARGET | GUARD_CONFIRMATION_DUE;
+    const uint32_t all = GUARD_HARDWARE_READY | GUARD_CLEAR | GUARD_LINKED | GUARD_HOMED |
+                         GUARD_REGISTERED | GUARD_TARGET | GUARD_CONFIRMATION_DUE;
     const workphase_inputs_t every = inputs(all, MODE_TRAJECTORY);
     const workphase_inputs_t none = inputs(0U, MODE_TRAJECTORY);
     TEST_ASSERT_TRUE(every.is_hardware_ready && every.is_able && every.is_homed);
@@ -64,8 +64,11 @@ void test_SWR_MODE_002_each_fact_reaches_the_workphase_chart(void)
 
 void test_SWR_MODE_002_a_disabled_axis_bars_the_orders_that_need_it(void)
 {
-    TEST_ASSERT_FALSE(inputs(GUARD_CLEAR | ((uint32_t)1U << AXIS), MODE_JOG).is_able);
-    TEST_ASSERT_TRUE(inputs(GUARD_CLEAR | ((uint32_t)2U << AXIS), MODE_JOG).is_able);
+    const uint32_t well = GUARD_CLEAR | GUARD_LINKED;
+    TEST_ASSERT_FALSE(inputs(well | ((uint32_t)1U << AXIS), MODE_JOG).is_able);
+    TEST_ASSERT_TRUE(inputs(well | ((uint32_t)2U << AXIS), MODE_JOG).is_able);
+    TEST_ASSERT_FALSE(inputs(GUARD_CLEAR, MODE_JOG).is_able);
+    TEST_ASSERT_FALSE(inputs(GUARD_LINKED, MODE_JOG).is_able);
 }
 
 void test_SWR_MODE_001_a_mode_is_allowed_in_its_workphases(void)
