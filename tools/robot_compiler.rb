@@ -30,7 +30,7 @@ module Robot
       'needle' => { 'across' => 'NEEDLE_ACROSS', 'along' => 'NEEDLE_ALONG', 'about' => 'NEEDLE_ABOUT' }
     }.freeze
     POSITIONS = %w[minimum_ticks maximum_ticks home_ticks deadband_ticks speed_ticks_per_s acceleration_ticks_per_s2
-                   home_speed_ticks_per_s full_speed_ticks_per_s following_error_ticks following_time_ms jump_ticks
+                   home_speed_ticks_per_s full_speed_ticks_per_s following_error_ticks following_time_ms drift_ticks jump_ticks
                    switch_hysteresis_ticks].freeze
 
     def initialize(description, text, source)

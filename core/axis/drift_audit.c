@@ -40,8 +40,12 @@ void drift_audit_begin_scan(drift_audit_t *self)
 
 bool drift_audit_is_beyond(const drift_audit_t *self, const axis_config_t *config)
 {
-    const int64_t idle = (int64_t)self->idle_ticks;
-    const int64_t way = (idle < 0) ? -idle : idle;
+    const int64_t way = fixed_magnitude((int64_t)self->idle_ticks);
     return (way != 0) && joints_is_beyond(config, way, LIMIT_DRIFT_WAY_NM, LIMIT_DRIFT_WAY_BAM) &&
            joints_is_above(config, way, LIMIT_DRIFT_FLOOR_TICKS);
+}
+
+bool drift_audit_is_far(const drift_audit_t *self, const axis_config_t *config)
+{
+    return fixed_magnitude((int64_t)self->idle_ticks) > (int64_t)config->drift_ticks;
 }

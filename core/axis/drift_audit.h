@@ -38,4 +38,11 @@ void drift_audit_begin_scan(drift_audit_t *self);
  */
 bool drift_audit_is_beyond(const drift_audit_t *self, const axis_config_t *config);
 
+/**
+ * The account is beyond `config->drift_ticks`.
+ *
+ * @satisfies SWR-AXIS-045
+ */
+bool drift_audit_is_far(const drift_audit_t *self, const axis_config_t *config);
+
 #endif

@@ -87,6 +87,24 @@ static const axis_note_t axis_notes[] = {
     {AXIS_NOTE_UNEVEN_COUNTS, EVENT_AXIS_UNEVEN_COUNTS},
 };
 
+/* A position that is in doubt by a small drift alone leaves the target where it was. */
+static bool leaves_target(const controller_t *self, const cycle_t *cycle, uint32_t index,
+                          uint32_t notes)
+{
+    return ((notes & ~AXIS_NOTE_HOMED) == AXIS_NOTE_DRIFTED) &&
+           !drift_audit_is_far(&self->axes[index].drift, &cycle->robot->axes[index]);
+}
+
+/* A drift that has become too large for the target while the position was in doubt. */
+static void watch_doubt(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    const drift_audit_t *const drift = &self->axes[index].drift;
+    if ((self->plan.has_target != 0U) && drift_audit_is_far(drift, &cycle->robot->axes[index])) {
+        controller_note(self, cycle, EVENT_AXIS_DRIFTED, index, drift->idle_ticks);
+        plan_forget_target(&self->plan);
+    }
+}
+
 /* Trouble that begins ends every order; an axis that has it already, those that need this axis. */
 static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, uint32_t notes)
 {
@@ -98,7 +116,7 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
         }
     }
     const bool is_trouble = (notes & ~AXIS_NOTE_HOMED) != 0U;
-    if (is_trouble) {
+    if (is_trouble && !leaves_target(self, cycle, index, notes)) {
         plan_forget_target(&self->plan);
     }
     if (axis_is_faulty(&self->axes[index]) && (is_trouble || mode_needs(&self->mode, index))) {
@@ -107,7 +125,7 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
 }
 
 /* Tells what became of the trust in a position, whatever was the cause; a fault tells it itself. */
-static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index)
+static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index, uint32_t notes)
 {
     const axis_t *const axis = &self->axes[index];
     const uint32_t before = self->records[index].grade;
@@ -116,12 +134,19 @@ static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index)
                            (before == (uint32_t)AXIS_REFERENCE_TAKEN) ||
                            (before == (uint32_t)AXIS_REFERENCE_VERIFIED);
     self->records[index].grade = now;
+    const bool is_in_doubt = now == (uint32_t)AXIS_REFERENCE_UNVERIFIED;
     if (now == before) {
+        if (is_in_doubt) {
+            watch_doubt(self, cycle, index);
+        }
         return;
     }
-    if (now == (uint32_t)AXIS_REFERENCE_UNVERIFIED) {
-        controller_note(self, cycle, EVENT_AXIS_UNVERIFIED, index, axis->encoder.position_ticks);
+    if ((is_in_doubt && !leaves_target(self, cycle, index, notes)) ||
+        (now == (uint32_t)AXIS_REFERENCE_LOST)) {
         plan_forget_target(&self->plan);
+    }
+    if (is_in_doubt) {
+        controller_note(self, cycle, EVENT_AXIS_UNVERIFIED, index, axis->encoder.position_ticks);
         controller_because(self, EVENT_CAUSE_AXIS, index);
         controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_NOT_HOMED);
         controller_because(self, EVENT_CAUSE_NONE, 0U);
@@ -148,7 +173,7 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
         axis_supervise(&self->axes[index], config, self->records[index].speed_cap_percent != 0U,
                        &link->sent_before, cycle->inputs->reported_us);
     note_axis(self, cycle, index, notes);
-    note_grade(self, cycle, index);
+    note_grade(self, cycle, index, notes);
 }
 
 /* One axis a cycle, in turn: what gets hot takes its time. A warm motor is another one for who

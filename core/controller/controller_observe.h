@@ -16,6 +16,7 @@
  * @satisfies SWR-REF-007
  * @satisfies SWR-EVENT-003
  * @satisfies SWR-AXIS-023
+ * @satisfies SWR-AXIS-046
  * @satisfies SWR-DRIVE-008
  */
 void controller_observe(controller_t *self, const cycle_t *cycle);

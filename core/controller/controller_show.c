@@ -107,14 +107,15 @@ static next_step_t next_step(const controller_t *self, bool is_homed)
 }
 
 /* START_UP alone does not help an axis whose switch and counts contradict each other, nor one in
- * doubt that must not be homed. */
+ * doubt that must not be homed; one in doubt that has left the target need not be homed. */
 static bool is_confirmation_better(const controller_t *self, const robot_t *robot)
 {
     bool is_any = false;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         const bool is_in_doubt = self->axes[i].chart.reference == AXIS_REFERENCE_UNVERIFIED;
         const bool is_stuck = is_in_doubt && coupled_guard_bars_homing(robot, self->axes, i);
-        is_any = is_any || is_stuck || axis_is_contradicted(&self->axes[i]);
+        const bool is_small = is_in_doubt && (self->plan.has_target != 0U);
+        is_any = is_any || is_stuck || is_small || axis_is_contradicted(&self->axes[i]);
     }
     return is_any;
 }

@@ -29,7 +29,7 @@ module Robot
       'home_ticks' => POSITION, 'start_ticks' => POSITION, 'deadband_ticks' => (0..1000), 'speed_ticks_per_s' => SPEED,
       'acceleration_ticks_per_s2' => (1..Limit.of('acceleration_most_ticks_per_s2')), 'home_speed_ticks_per_s' => SPEED,
       'full_speed_ticks_per_s' => SPEED, 'following_error_ticks' => (1..1_000_000), 'jump_ticks' => (1..1_000_000),
-      'following_time_ms' => (0..1000)
+      'following_time_ms' => (0..1000), 'drift_ticks' => (0..10_000)
     }.freeze
     CHOICES = {
       'limit_switch' => %w[none lower upper], 'home' => %w[switch in_place],

@@ -630,7 +630,7 @@ void test_SWR_AXIS_022_wrong_counts_in_small_steps_make_an_axis_unverified(void)
     TEST_ASSERT_EQUAL_UINT32(EVENT_CAUSE_AXIS, rig.events[2].cause);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
                              rig.outputs.snapshot.axes[AXIS_HEAD].reference);
-    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
 }
 
 void test_SWR_AXIS_022_homing_ends_the_doubt(void)

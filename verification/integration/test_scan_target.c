@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: a position that has drifted by no more than a long scan leaves behind is in
+ * doubt, and no reason to plan anew.
+ */
+#include "integration/support/rig.h"
+
+#include "robot/robot_neuro.h"
+#include "unit/support/scenes.h"
+#include "unity.h"
+
+#include <stdlib.h>
+
+#define SCAN_CYCLES SCENES(600000U) /* Ten minutes. */
+
+static rig_t rig;
+
+void setUp(void)
+{
+    rig_start_targeted(&rig);
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
+}
+
+/* What noise makes of `axis` in a cycle or more. */
+static void drift_to(uint32_t axis, int32_t ticks)
+{
+    drift_audit_t *const drift = &rig.controller.axes[axis].drift;
+    drift->idle_ticks = ticks;
+    controller_seal(&rig.controller);
+    rig_cycles(&rig, 2U);
+}
+
+static void expect_in_doubt(uint32_t axis, uint32_t has_target)
+{
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, rig.outputs.snapshot.axes[axis].reference);
+    TEST_ASSERT_EQUAL_UINT32(has_target, rig.outputs.snapshot.has_target);
+    TEST_ASSERT_EQUAL_UINT32((has_target != 0U) ? STATUS_NOT_HOMED : STATUS_NO_TARGET,
+                             rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+}
+
+static void press_button(void)
+{
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 10U);
+    rig_box(&rig, "button release");
+    rig_cycles(&rig, 10U);
+}
+
+void test_SWR_AXIS_045_after_ten_minutes_of_a_scan_the_button_lets_the_move_go(void)
+{
+    rig_box(&rig, "scanner on");
+    rig_cycles(&rig, SCAN_CYCLES);
+    rig_box(&rig, "scanner off");
+    rig_cycles(&rig, 100U);
+    if (ARE_SCENES_WHOLE) {
+        TEST_ASSERT_GREATER_THAN_UINT32(1U, rig_count(&rig, EVENT_AXIS_DRIFTED));
+        TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_homed);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED,
+                                 rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+        TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_CONFIRM, rig.outputs.snapshot.next_step);
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+    press_button();
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
+}
+
+void test_SWR_AXIS_045_the_bound_is_that_of_the_row(void)
+{
+    for (int32_t sign = -1; sign <= 1; sign += 2) {
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+            const int32_t bound = (int32_t)robot_neuro.axes[i].drift_ticks;
+            rig_start_targeted(&rig);
+            drift_to(i, sign * bound);
+            if (rig.outputs.snapshot.axes[i].reference == (uint32_t)AXIS_REFERENCE_UNVERIFIED) {
+                expect_in_doubt(i, 1U);
+                TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_CONFIRM, rig.outputs.snapshot.next_step);
+            } else {
+                TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+            }
+        }
+    }
+}
+
+void test_SWR_AXIS_022_beyond_the_bound_there_is_no_target_any_more(void)
+{
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        rig_start_targeted(&rig);
+        drift_to(i, 400);
+        TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_DRIFTED));
+        expect_in_doubt(i, 0U);
+    }
+}
+
+void test_SWR_AXIS_046_a_doubt_that_grows_beyond_the_bound_forgets_the_target_and_says_so(void)
+{
+    const int32_t bound = (int32_t)robot_neuro.axes[AXIS_HEAD].drift_ticks;
+    drift_to(AXIS_HEAD, bound);
+    expect_in_doubt(AXIS_HEAD, 1U);
+    rig_forget(&rig);
+    drift_to(AXIS_HEAD, bound + 1);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_DRIFTED));
+    expect_in_doubt(AXIS_HEAD, 0U);
+    rig_cycles(&rig, 10U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_DRIFTED));
+}
+
+void test_SWR_REF_010_any_other_doubt_forgets_the_target_of_one_that_has_drifted(void)
+{
+    drift_to(AXIS_HEAD, (int32_t)robot_neuro.axes[AXIS_HEAD].drift_ticks);
+    expect_in_doubt(AXIS_HEAD, 1U);
+    rig_box(&rig, "card pitch silent");
+    rig_cycles(&rig, 100U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+}
+
+void test_SWR_AXIS_045_homing_that_is_given_up_after_a_drift_forgets_the_target(void)
+{
+    drift_to(AXIS_HEAD, (int32_t)robot_neuro.axes[AXIS_HEAD].drift_ticks);
+    expect_in_doubt(AXIS_HEAD, 1U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+    rig_press(&rig);
+    rig_cycles(&rig, 200U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+    (void)rig_workphase(&rig, WORKPHASE_STOP);
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[AXIS_HEAD].reference);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+}
