@@ -5,6 +5,7 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
                      int32_t value)
 {
     controller_outputs_t *const outputs = cycle->outputs;
+    self->last_event = (uint32_t)id;
     if (outputs->event_count >= CONTROLLER_EVENTS) {
         self->events_lost++;
         return;

@@ -51,10 +51,25 @@ void controller_abandon_order(controller_t *self, const cycle_t *cycle)
     mode_stop(&self->mode, self->axes, self->axis_count);
 }
 
+/* An axis or a card has ended START_UP; what it was, was noted just before. */
+static void count_vain(controller_t *self)
+{
+    const bool is_of_axis = self->cause == (uint32_t)EVENT_CAUSE_AXIS;
+    const bool is_of_card = self->cause == (uint32_t)EVENT_CAUSE_CARD;
+    if ((self->mode.kind != (uint32_t)MODE_HOMING) || (!is_of_axis && !is_of_card)) {
+        return;
+    }
+    self->vain_start_ups++;
+    self->vain_axis = is_of_axis ? self->peer : ROBOT_AXIS_MAX;
+    self->vain_card = is_of_card ? self->peer : CARD_SLOT_COUNT;
+    self->vain_event = self->last_event;
+}
+
 void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
                              status_t fault)
 {
     if ((actions & ARMING_ACTION_REPORT_DISCARDED) != 0U) {
+        count_vain(self);
         controller_note(self, cycle, EVENT_ORDER_DISCARDED, self->mode.kind, (int32_t)fault);
         answer_pending(self, cycle, ANSWER_ABORTED, fault);
         mode_stop(&self->mode, self->axes, self->axis_count);
@@ -70,6 +85,9 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
             (self->mode.kind == (uint32_t)MODE_INSERT) ||
             (self->mode.kind == (uint32_t)MODE_PROGRAM)) {
             self->has_arrived = 1U;
+        }
+        if (self->mode.kind == (uint32_t)MODE_HOMING) {
+            self->vain_start_ups = 0U;
         }
         answer_pending(self, cycle, ANSWER_DONE, STATUS_OK);
         mode_stop(&self->mode, self->axes, self->axis_count);

@@ -3,9 +3,7 @@
 
 #include "controller/controller_authority.h"
 #include "controller/controller_facts.h"
-
-#include "safety/coupled_guard.h"
-
+#include "controller/controller_ready.h"
 #include "safety/permit.h"
 
 #include <string.h>
@@ -46,11 +44,12 @@ static next_step_t step_after_arrival(const controller_t *self)
 /*
  * Whether `workphase`, which is another one, is entered from the present one. The chart knows it,
  * but to ask it would cost each cycle one of its steps; test_next_step.c holds the two together.
+ * After START_UP comes PLANNING, though the chart has CALIBRATION entered from there as well.
  */
 static bool is_entered_from(workphase_t workphase, workphase_t present)
 {
-    return (workphase == WORKPHASE_TARGETING) ? (present != WORKPHASE_START_UP)
-                                              : (present != WORKPHASE_MOVE_TO_TARGET);
+    return (present != WORKPHASE_START_UP) &&
+           ((workphase == WORKPHASE_TARGETING) || (present != WORKPHASE_MOVE_TO_TARGET));
 }
 
 /* `step` where it is obeyed, in `workphase`; elsewhere the way there. */
@@ -88,6 +87,12 @@ static next_step_t step_for_plan(const controller_t *self, bool is_homed)
     return step;
 }
 
+/* The pedal has done its part, and is to be seen released before the next one. */
+static next_step_t release_first(const controller_t *self, next_step_t step)
+{
+    return (self->pedal.is_released == 0U) ? NEXT_STEP_RELEASE_PEDAL : step;
+}
+
 /* Follows the reasons of every axis, and the workphase when nothing but an order is missing. */
 static next_step_t next_step(const controller_t *self, bool is_homed)
 {
@@ -103,36 +108,15 @@ static next_step_t next_step(const controller_t *self, bool is_homed)
             step = remedy->step;
         }
     }
-    return (step == NEXT_STEP_NOTHING) ? step_for_plan(self, is_homed) : step;
+    return (step == NEXT_STEP_NOTHING) ? release_first(self, step_for_plan(self, is_homed)) : step;
 }
 
-/* START_UP alone does not help an axis whose switch and counts contradict each other, nor one in
- * doubt that must not be homed; one in doubt that has left the target need not be homed. */
-static bool is_confirmation_better(const controller_t *self, const robot_t *robot)
-{
-    bool is_any = false;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        const bool is_in_doubt = self->axes[i].chart.reference == AXIS_REFERENCE_UNVERIFIED;
-        const bool is_stuck = is_in_doubt && coupled_guard_bars_homing(robot, self->axes, i);
-        const bool is_small = is_in_doubt && (self->plan.has_target != 0U);
-        is_any = is_any || is_stuck || is_small || axis_is_contradicted(&self->axes[i]);
-    }
-    return is_any;
-}
-
-/* Where START_UP is wanted, and would be refused for the computer or for want of a confirmation, or
- * may not be enough. */
-static next_step_t ready_first(const controller_t *self, const cycle_t *cycle, next_step_t step)
+/* START_UP, if nothing must come before it. */
+static named_step_t ready_first(const controller_t *self, const cycle_t *cycle, next_step_t step)
 {
     const bool is_for_start_up = (step == NEXT_STEP_START_UP) || (step == NEXT_STEP_CHECK_CARDS) ||
                                  (step == NEXT_STEP_PEDAL_FAULT);
-    if (!is_for_start_up) {
-        return step;
-    }
-    const workphase_inputs_t guards = controller_guards(self, cycle, MODE_NONE, 0U);
-    const bool is_due = guards.is_confirmation_due || is_confirmation_better(self, cycle->robot);
-    const next_step_t first = (guards.is_hardware_ready && is_due) ? NEXT_STEP_CONFIRM : step;
-    return (cycle->inputs->unfit != 0U) ? NEXT_STEP_COMPUTER : first;
+    return is_for_start_up ? controller_ready(self, cycle) : controller_step_only(step);
 }
 
 #define BIT(step) ((uint32_t)1U << (uint32_t)(step))
@@ -140,6 +124,13 @@ static next_step_t ready_first(const controller_t *self, const cycle_t *cycle, n
 static bool is_one_of(next_step_t step, uint32_t steps)
 {
     return ((steps >> (uint32_t)step) & 1U) != 0U;
+}
+
+/* The axes rest, and it is not about to go to who was granted it. */
+static bool is_anybodys(const authority_t *authority)
+{
+    return authority_is_free(authority) &&
+           (authority->request != (uint32_t)AUTHORITY_REQUEST_GRANTED);
 }
 
 /* What a command fulfils, while nobody may send one; what can wait, while somebody waits for the
@@ -151,17 +142,27 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
                                BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING) |
                                BIT(NEXT_STEP_CALIBRATION) | BIT(NEXT_STEP_PLANNING);
     const uint32_t calm = commanded | BIT(NEXT_STEP_RELEASE_PEDAL) | BIT(NEXT_STEP_PRESS_PEDAL) |
-                          BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_NOTHING) |
+                          BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_COMPARE) | BIT(NEXT_STEP_NOTHING) |
                           BIT(NEXT_STEP_PROGRAM_DONE);
     next_step_t first = step;
     if (controller_awaits_grant(self) && is_one_of(step, calm)) {
         first = NEXT_STEP_GRANT;
     } else if (!authority_is_held(&self->authority) && is_one_of(step, commanded)) {
-        first = NEXT_STEP_AUTHORITY;
+        first = is_anybodys(&self->authority) ? NEXT_STEP_AUTHORITY : NEXT_STEP_WAIT;
     } else {
         /* Whoever commands goes on. */
     }
     return first;
+}
+
+static void show_step(const controller_t *self, const cycle_t *cycle, snapshot_t *shown)
+{
+    const next_step_t asked = next_step(self, shown->is_homed != 0U);
+    const named_step_t named = ready_first(self, cycle, asked);
+    shown->next_step = (uint32_t)authority_first(self, named.step);
+    shown->step_axis = named.axis;
+    shown->step_card = named.card;
+    shown->step_event = (uint32_t)named.event;
 }
 
 static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t index)
@@ -370,8 +371,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t gu
     shown->loop = (uint32_t)self->loop.chart.state;
     shown->guards = guards;
     shown->is_homed = guards_have(guards, GUARD_HOMED) ? 1U : 0U;
-    shown->next_step = (uint32_t)authority_first(
-        self, ready_first(self, cycle, next_step(self, shown->is_homed != 0U)));
+    show_step(self, cycle, shown);
     shown->is_scanner_active = cycle->inputs->scanner_active;
     shown->unfit = cycle->inputs->unfit;
     shown->unrecorded = self->unrecorded;

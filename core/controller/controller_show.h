@@ -11,6 +11,7 @@
  * @satisfies SWR-CON-048
  * @satisfies SWR-NEXT-001
  * @satisfies SWR-NEXT-002
+ * @satisfies SWR-NEXT-006
  * @satisfies SWR-MODE-011
  * @satisfies SWR-AUTH-014
  * @satisfies SWR-LINK-009

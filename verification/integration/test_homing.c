@@ -127,7 +127,7 @@ void test_SWR_COUPLE_003_a_barred_axis_in_doubt_may_be_confirmed(void)
     rig_cycles(&rig, (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 100U);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED,
                              rig.outputs.snapshot.axes[AXIS_HEAD].reference);
-    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_CHECK_CARDS, rig.outputs.snapshot.next_step);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
 }
 
 /* Whoever asks: the permit allows no drive across a needle that is in. */
@@ -371,7 +371,8 @@ void test_SWR_AXIS_026_a_switch_that_poses_as_another_twice_is_not_believed(void
 {
     home_at_impostor(15000.0);
     expect_elsewhere(AXIS_INSERTION, 15000, 100);
-    TEST_ASSERT_EQUAL_INT32(NEXT_STEP_CONFIRM, rig.outputs.snapshot.next_step);
+    rig_cycles(&rig, 500U); /* It comes to rest. */
+    TEST_ASSERT_EQUAL_INT32(NEXT_STEP_COMPARE, rig.outputs.snapshot.next_step);
 }
 
 void test_SWR_AXIS_026_homing_at_the_true_switch_heals_a_contradiction(void)

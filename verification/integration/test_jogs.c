@@ -350,6 +350,8 @@ void test_SWR_JOG_001_a_needle_that_comes_in_stops_the_jog_that_runs(void)
         TEST_ASSERT_TRUE(has_reason(AXIS_LATERAL, PERMIT_REASON_NEEDLE_IN));
         TEST_ASSERT_FALSE(has_reason(AXIS_PITCH, PERMIT_REASON_NEEDLE_IN));
     }
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_RELEASE_PEDAL, rig.outputs.snapshot.next_step);
+    rig_release(&rig);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     TEST_ASSERT_FALSE(has_reason(AXIS_LATERAL, PERMIT_REASON_NEEDLE_IN));

@@ -111,6 +111,7 @@ void test_SWR_MOTION_004_the_move_ends_at_the_target_with_the_drive_off(void)
     rigid_difference(&rig.outputs.snapshot.scanner_treatment, &rig.controller.plan.scanner_target,
                      &distance_nm, &angle_bam);
     TEST_ASSERT_LESS_OR_EQUAL_INT32(2000, distance_nm);
+    rig_release(&rig);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_NOTHING, rig.outputs.snapshot.next_step);
 }
 

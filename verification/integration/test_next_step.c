@@ -135,7 +135,7 @@ void test_SWR_NEXT_001_what_is_asked_for_is_obeyed_in_each_workphase_and_leads_t
         {WORKPHASE_STOP, WITHOUT_PROBE, NEXT_STEP_PROBE},
         {WORKPHASE_EMERGENCY, UNREGISTERED, NEXT_STEP_START_UP},
         {WORKPHASE_EMERGENCY, TARGETED, NEXT_STEP_START_UP},
-        {WORKPHASE_START_UP, UNREGISTERED, NEXT_STEP_CALIBRATION},
+        {WORKPHASE_START_UP, UNREGISTERED, NEXT_STEP_PLANNING},
         {WORKPHASE_START_UP, REGISTERED, NEXT_STEP_PLANNING},
     };
     for (uint32_t i = 0U; i < SCENES(sizeof rows / sizeof rows[0]); i++) {
@@ -154,4 +154,258 @@ void test_SWR_NEXT_001_before_start_up_nothing_else_is_asked_for(void)
     rig_cycles(&rig, 100U);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_START_UP));
+}
+
+static void expect(next_step_t step)
+{
+    TEST_ASSERT_EQUAL_STRING(next_step_name((int32_t)step),
+                             next_step_name((int32_t)rig.outputs.snapshot.next_step));
+}
+
+static void expect_named(next_step_t step, uint32_t axis, uint32_t card, event_id_t event)
+{
+    expect(step);
+    TEST_ASSERT_EQUAL_UINT32(axis, rig.outputs.snapshot.step_axis);
+    TEST_ASSERT_EQUAL_UINT32(card, rig.outputs.snapshot.step_card);
+    TEST_ASSERT_EQUAL_STRING(event_id_name((int32_t)event),
+                             event_id_name((int32_t)rig.outputs.snapshot.step_event));
+}
+
+static uint32_t slot_of(uint32_t axis)
+{
+    return rig.box.robot->axes[axis].slot;
+}
+
+static void hold_button(void)
+{
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 1U);
+    rig_box(&rig, "button release");
+    rig_cycles(&rig, 2U);
+}
+
+/* Its counts are lost, and it is faulty. */
+static void fail_axis(uint32_t axis)
+{
+    const axis_inputs_t inputs = {.is_fault_present = false};
+    (void)axis_chart_dispatch(&rig.controller.axes[axis].chart, &inputs, AXIS_EVENT_FAILED);
+    rig_cycle(&rig);
+}
+
+static void jog(uint32_t axis)
+{
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG_BY, .argument = axis, .value = 20};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
+}
+
+void test_SWR_NEXT_007_what_is_armed_is_stopped_before_a_position_is_confirmed(void)
+{
+    rig_start_homed(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    fail_axis(AXIS_FEET);
+    expect_named(NEXT_STEP_CONFIRM, AXIS_FEET, CARD_SLOT_COUNT, EVENT_AXIS_REFERENCE_LOST);
+    jog(AXIS_ROTATION);
+    expect(NEXT_STEP_STOP);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    expect(NEXT_STEP_CONFIRM);
+    hold_button();
+    expect(NEXT_STEP_START_UP);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_START_UP));
+    rig_press(&rig);
+    rig_release(&rig);
+    expect(NEXT_STEP_PLANNING);
+}
+
+void test_SWR_NEXT_006_the_pedal_is_let_go_once_homing_is_done(void)
+{
+    rig_start(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 150000U).kind);
+    expect(NEXT_STEP_RELEASE_PEDAL);
+    rig_release(&rig);
+    expect(NEXT_STEP_PLANNING);
+    rig_box(&rig, "pedal b close");
+    rig_cycles(&rig, 10U);
+    expect(NEXT_STEP_RELEASE_PEDAL);
+}
+
+void test_SWR_NEXT_006_the_pedal_is_let_go_before_START_UP_and_at_the_target(void)
+{
+    rig_start(&rig);
+    rig_press(&rig);
+    expect(NEXT_STEP_RELEASE_PEDAL);
+    rig_start_moving(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
+    expect(NEXT_STEP_RELEASE_PEDAL);
+    rig_release(&rig);
+    expect(NEXT_STEP_NOTHING);
+}
+
+void test_SWR_NEXT_003_a_card_that_is_lost_is_named_until_it_answers(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "card head silent");
+    rig_cycles(&rig, 200U);
+    expect_named(NEXT_STEP_CHECK_CARDS, AXIS_HEAD, slot_of(AXIS_HEAD), EVENT_CARD_LOST);
+    rig_box(&rig, "card head normal");
+    rig_cycles(&rig, 20U);
+    expect_named(NEXT_STEP_START_UP, ROBOT_AXIS_MAX, CARD_SLOT_COUNT, EVENT_STARTED);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_START_UP));
+}
+
+void test_SWR_NEXT_003_channels_that_disagree_are_told_until_they_are_open(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "pedal a close");
+    rig_cycles(&rig, 150U);
+    expect(NEXT_STEP_PEDAL_FAULT);
+    rig_box(&rig, "pedal a open");
+    rig_cycles(&rig, 10U);
+    expect(NEXT_STEP_START_UP);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_START_UP));
+}
+
+void test_SWR_NEXT_005_a_hot_motor_is_waited_for(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "motor yaw hot");
+    rig_cycles(&rig, 60000U);
+    expect_named(NEXT_STEP_WAIT, AXIS_YAW, CARD_SLOT_COUNT, EVENT_AXIS_HOT);
+    rig_box(&rig, "motor yaw normal");
+    rig.box.axes[AXIS_YAW].card.motor_temperature_c = 20.0;
+    rig_cycles(&rig, 20U);
+    expect(NEXT_STEP_START_UP);
+}
+
+void test_SWR_NEXT_005_a_hot_driver_is_waited_for(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "card yaw hot");
+    rig_cycles(&rig, 100U);
+    expect_named(NEXT_STEP_WAIT, AXIS_YAW, slot_of(AXIS_YAW), EVENT_CARD_HOT);
+    rig_box(&rig, "card yaw normal");
+    rig_cycles(&rig, 100U);
+    expect(NEXT_STEP_START_UP);
+}
+
+void test_SWR_NEXT_005_a_position_that_moves_is_not_to_be_confirmed(void)
+{
+    rig_start_homed(&rig);
+    fail_axis(AXIS_FEET);
+    rig_box(&rig, "motor feet runs");
+    rig_cycles(&rig, 100U);
+    expect_named(NEXT_STEP_WAIT, AXIS_FEET, CARD_SLOT_COUNT, EVENT_AXIS_MOVED_OFF);
+    rig_box(&rig, "scanner on");
+    rig_cycles(&rig, 100U);
+    expect(NEXT_STEP_SCANNER);
+    rig_box(&rig, "scanner off");
+    rig_box(&rig, "motor feet normal");
+    rig_cycles(&rig, 2000U);
+    expect(NEXT_STEP_CONFIRM);
+}
+
+void test_SWR_NEXT_003_who_has_authority_next_waits_until_the_axes_rest(void)
+{
+    rig_start_moving(&rig);
+    const command_t release = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
+                               .peer = RIG_PAGE,
+                               .kind = (uint32_t)COMMAND_RELEASE};
+    rig.is_page_away = true;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, release).status);
+    rig_release(&rig);
+    expect(NEXT_STEP_WAIT);
+    rig_cycles(&rig, 1000U);
+    expect(NEXT_STEP_AUTHORITY);
+}
+
+void test_SWR_NEXT_003_what_was_just_granted_is_not_to_be_taken(void)
+{
+    const command_t ask = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
+                           .peer = 7U,
+                           .kind = (uint32_t)COMMAND_REQUEST,
+                           .argument = (uint32_t)AUTHORITY_REQUEST_TAKE};
+    rig_start_homed(&rig);
+    rig_leave(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, ask).status);
+    expect(NEXT_STEP_GRANT);
+    rig_box(&rig, "button press");
+    while (rig.outputs.snapshot.request != (uint32_t)AUTHORITY_REQUEST_GRANTED) {
+        TEST_ASSERT_LESS_THAN_UINT32(20000U, rig.controller.cycle);
+        rig_cycle(&rig);
+    }
+    expect(NEXT_STEP_WAIT);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(7U, rig.outputs.snapshot.holder_peer);
+    expect(NEXT_STEP_PLANNING);
+}
+
+/* At its switch the head would be too far from the feet. */
+static void go_out(void)
+{
+    static const uint32_t axes[] = {AXIS_HEAD, AXIS_FEET};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    for (uint32_t i = 0U; i < 2U; i++) {
+        const command_t out = {.kind = (uint32_t)COMMAND_JOG, .argument = axes[i], .value = -2000};
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, out).status);
+        rig_release(&rig);
+        rig_press(&rig);
+        TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
+    }
+    rig_release(&rig);
+}
+
+void test_SWR_NEXT_003_an_axis_that_must_not_be_homed_asks_for_room_and_gets_it_in_jogs(void)
+{
+    rig_start_homed(&rig);
+    go_out();
+    fail_axis(AXIS_HEAD);
+    expect_named(NEXT_STEP_MAKE_ROOM, AXIS_HEAD, CARD_SLOT_COUNT, EVENT_HOMING_BARRED);
+    jog(AXIS_FEET);
+    expect(NEXT_STEP_MAKE_ROOM);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
+    rig_release(&rig);
+    expect(NEXT_STEP_MAKE_ROOM);
+}
+
+/* START_UP, and the pedal until it has failed. */
+static void start_up_in_vain(void)
+{
+    rig_release(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_START_UP));
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 60000U).kind);
+    rig_release(&rig);
+    rig_cycles(&rig, 500U);
+}
+
+void test_SWR_NEXT_004_an_encoder_that_stays_reversed_is_for_service_and_named(void)
+{
+    rig_start(&rig);
+    rig_box(&rig, "encoder insertion reversed");
+    for (uint32_t i = 0U; i < LIMIT_SERVICE_START_UPS; i++) {
+        expect(NEXT_STEP_START_UP);
+        start_up_in_vain();
+    }
+    expect_named(NEXT_STEP_SERVICE, AXIS_INSERTION, CARD_SLOT_COUNT, EVENT_AXIS_WRONG_WAY);
+    rig_box(&rig, "encoder insertion normal");
+    rig_home(&rig);
+    expect(NEXT_STEP_PLANNING);
+    fail_axis(AXIS_HEAD);
+    expect(NEXT_STEP_START_UP);
+}
+
+void test_SWR_NEXT_004_a_card_that_is_lost_in_each_START_UP_is_for_service_and_named(void)
+{
+    rig_start(&rig);
+    for (uint32_t i = 0U; i < LIMIT_SERVICE_START_UPS; i++) {
+        expect(NEXT_STEP_START_UP);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_START_UP));
+        rig_box(&rig, "card head silent");
+        rig_cycles(&rig, 100U);
+        rig_box(&rig, "card head normal");
+        rig_cycles(&rig, 100U);
+    }
+    expect_named(NEXT_STEP_SERVICE, ROBOT_AXIS_MAX, slot_of(AXIS_HEAD), EVENT_CARD_LOST);
 }

@@ -158,8 +158,8 @@ void test_SWR_MODE_011_its_end_is_shown_as_that_of_a_program_not_as_the_target(v
     start_armed();
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
-    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_PROGRAM_DONE, rig.outputs.snapshot.next_step);
     rig_release(&rig);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_PROGRAM_DONE, rig.outputs.snapshot.next_step);
 }
 
 void test_SWR_PROG_011_it_may_be_run_again_with_the_needle_turned(void)

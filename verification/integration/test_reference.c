@@ -135,7 +135,7 @@ void test_SWR_REF_008_start_up_waits_for_the_operator_when_an_axis_without_switc
     expect_start_up(STATUS_CONFIRM_POSITIONS);
     expect_step(NEXT_STEP_CONFIRM);
     (void)hold_button(HOLD_CYCLES + 1U);
-    expect_step(NEXT_STEP_CALIBRATION);
+    expect_step(NEXT_STEP_PLANNING);
     expect_start_up(STATUS_OK);
 }
 
@@ -195,7 +195,7 @@ void test_SWR_NEXT_001_the_cards_and_the_operator_come_before_start_up(void)
     rig_cycles(&rig, 20U);
     expect_step(NEXT_STEP_CONFIRM);
     (void)hold_button(HOLD_CYCLES + 1U);
-    expect_step(NEXT_STEP_CHECK_CARDS);
+    expect_step(NEXT_STEP_START_UP);
     expect_start_up(STATUS_OK);
 }
 

@@ -113,12 +113,13 @@ void test_SWR_NEXT_002_a_retracted_needle_is_not_shown_as_arrived_and_may_go_in_
     }
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 30000U).kind);
+    rig_release(&rig);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_MOVE, rig.outputs.snapshot.next_step);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
-    rig_release(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
+    rig_release(&rig);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_NOTHING, rig.outputs.snapshot.next_step);
     TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[AXIS_INSERTION].deadband_ticks,
                              rig.controller.plan.target_ticks[AXIS_INSERTION],

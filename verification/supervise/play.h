@@ -22,12 +22,14 @@ typedef enum {
     PLAY_PROGRAMS = 9,    /**< As PLAY_MODES, mostly treatment programs, with their gate; faults in
                              every other scene. */
     PLAY_SWEEPS = 10,     /**< As PLAY_MODES, mostly sweeps; faults in every other scene. */
-    PLAY_FLIPS = 11       /**< Bits of the memory change; the scenes are of PLAY_RANDOM. */
+    PLAY_FLIPS = 11,      /**< Bits of the memory change; the scenes are of PLAY_RANDOM. */
+    PLAY_OPERATOR = 12    /**< An operator comes into a scene of any of these and follows the next
+                             step alone. */
 } play_t;
 
 /** Of all plays, between bars. */
 #define PLAY_NAMES                                                                                 \
-    "random|corners|interrupted|spread|jogs|taps|magnitude|rivals|modes|programs|sweeps|flips"
+    "random|corners|interrupted|spread|jogs|taps|magnitude|rivals|modes|programs|sweeps|flips|operator"
 
 /** The play `name` of PLAY_NAMES, or -1. */
 int play_find(const char *name);

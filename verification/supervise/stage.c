@@ -516,7 +516,11 @@ static void do_next_step(stage_t *self, rig_t *rig)
         }
         break;
     case NEXT_STEP_CONFIRM:
+    case NEXT_STEP_COMPARE:
         confirm(self, rig);
+        break;
+    case NEXT_STEP_STOP:
+        send_phase(self, rig, WORKPHASE_STOP);
         break;
     case NEXT_STEP_AUTHORITY:
     case NEXT_STEP_GRANT:

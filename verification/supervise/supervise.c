@@ -16,6 +16,7 @@
 #include "robot/app/robot_names.h"
 #include "robot/app/robots.h"
 #include "supervise/flips.h"
+#include "supervise/recovery.h"
 #include "supervise/scene.h"
 
 #include "unity.h"
@@ -182,6 +183,10 @@ static int play_all(int play, uint32_t wanted, uint32_t first)
     }
     if (play == (int)PLAY_FLIPS) {
         return flips_play(&scene, robot, wanted, first) ? 0 : BROKEN;
+    }
+    if (play == (int)PLAY_OPERATOR) {
+        const bool is_good = recovery_play(&scene, robot, wanted, first);
+        return (report((play_t)play, wanted) && is_good) ? 0 : BROKEN;
     }
     /* A scene of moves has more than one. */
     while ((scenes < wanted) && (play_is_of_scenes((play_t)play) ||

@@ -15,7 +15,7 @@ import { Boundary } from "./parts/Boundary";
 import { Clock } from "./parts/Clock";
 import { RecentActs } from "./parts/RecentActs";
 import { ThemeChoice } from "./parts/ThemeChoice";
-import { Operation } from "./operation";
+import { mayCommand, Operation } from "./operation";
 import { useOutlook } from "./outlook";
 import type { RobotState } from "@interface";
 import { Help } from "./help/Help";
@@ -170,13 +170,17 @@ export function App({ store }: { store: TelemetryStore }) {
     () => store.tellActsTo(operation.page.recentActs),
     [store, operation],
   );
+  const { session } = useSyncExternalStore(
+    operation.session.subscribe,
+    operation.session.getView,
+  );
   useTitle(view);
   return (
     <>
       <header>
         <h1 className="hidden">Boresight console</h1>
         <Boundary name="banner">
-          <Banner view={view} />
+          <Banner view={view} mayCommand={mayCommand(session)} />
         </Boundary>
         <Boundary name="stop" instead={<StopButton view={null} />}>
           <StopButton view={view} />

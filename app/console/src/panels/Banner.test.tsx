@@ -106,6 +106,39 @@ test("SWR-CON-013 says nothing of the button without a request", () => {
   expect(shows(igtl)).not.toContain("button");
 });
 
+test("SWR-CON-049 names the axis and the card of the next step", () => {
+  const next_step = { name: "CHECK_CARDS", text: "Check the card." } as const;
+  const step_event = "CARD_LOST";
+  const robot = makeRobot({
+    next_step,
+    step_axis: 0,
+    step_card: 7,
+    step_event,
+  });
+  render(<Banner view={{ ...live, robot }} />);
+  expect(screen.getByRole("status").textContent).toContain(
+    "Check the card. head, card 7: CARD LOST.",
+  );
+});
+
+test("SWR-CON-049 names nothing where the next step is of nothing", () => {
+  render(<Banner view={live} />);
+  expect(screen.getByRole("status").textContent).not.toContain("STARTED");
+});
+
+test.each([
+  [false, "Log in to take command here"],
+  [true, "Take command at the console"],
+])("SWR-CON-050 says how to command (%s)", (mayCommand, expected) => {
+  const next_step = {
+    name: "AUTHORITY",
+    text: "Take command at the console.",
+  } as const;
+  const robot = makeRobot({ next_step });
+  render(<Banner view={{ ...live, robot }} mayCommand={mayCommand} />);
+  expect(screen.getByRole("status").textContent).toContain(expected);
+});
+
 test("SWR-CON-004 says DATA STALE and how old it is", () => {
   render(<Banner view={{ ...live, freshness: "stale", ageMs: 3200 }} />);
   const text = screen.getByRole("alert").textContent;

@@ -112,12 +112,42 @@ function Gap({ cycles }: { cycles: number }) {
   );
 }
 
-function StateBanner({ robot, sign }: { robot: RobotState; sign: Sign }) {
+/** The axis and the card that the next step is about, and what is wrong there. */
+function namedOf({ status, motors }: RobotState): string {
+  const axis = motors.axes[status.step_axis]?.name;
+  const card = status.cards.find(({ slot }) => slot === status.step_card);
+  const names = [
+    ...(axis === undefined ? [] : [axis]),
+    ...(card === undefined ? [] : [`card ${card.slot}`]),
+  ];
+  return names.length === 0
+    ? ""
+    : ` ${names.join(", ")}: ${words(status.step_event)}.`;
+}
+
+/** There is no button for who is not logged in. */
+function nextOf(robot: RobotState, mayCommand: boolean): string {
+  const { name, text } = robot.status.next_step;
+  const isToLogIn = name === "AUTHORITY" && !mayCommand;
+  return isToLogIn
+    ? "Log in to take command here, or command from the navigation program."
+    : text + namedOf(robot);
+}
+
+function StateBanner({
+  robot,
+  sign,
+  mayCommand,
+}: {
+  robot: RobotState;
+  sign: Sign;
+  mayCommand: boolean;
+}) {
   const { status } = robot;
   return (
     <Frame sign={sign} more={<CommandRow robot={robot} />}>
       <p className="banner-why">{sign.says}</p>
-      <p className="banner-next">{status.next_step.text}</p>
+      <p className="banner-next">{nextOf(robot, mayCommand)}</p>
       <p className="banner-state">
         <strong>{words(status.workphase.name)}</strong> {status.workphase.text}
       </p>
@@ -135,8 +165,16 @@ function StateBanner({ robot, sign }: { robot: RobotState; sign: Sign }) {
  * @satisfies SWR-CON-001
  * @satisfies SWR-CON-004
  * @satisfies SWR-CON-011
+ * @satisfies SWR-CON-049
+ * @satisfies SWR-CON-050
  */
-export function Banner({ view }: { view: ConsoleView }) {
+export function Banner({
+  view,
+  mayCommand = true,
+}: {
+  view: ConsoleView;
+  mayCommand?: boolean;
+}) {
   const sign = signOf(view);
   if (view.robot === null) {
     return (
@@ -155,6 +193,6 @@ export function Banner({ view }: { view: ConsoleView }) {
   return view.freshness === "stale" ? (
     <StaleBanner view={view} sign={sign} />
   ) : (
-    <StateBanner robot={view.robot} sign={sign} />
+    <StateBanner robot={view.robot} sign={sign} mayCommand={mayCommand} />
   );
 }

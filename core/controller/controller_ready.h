@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What must be done or waited for before START_UP, where START_UP is wanted. */
+#ifndef BORESIGHT_CONTROLLER_READY_H
+#define BORESIGHT_CONTROLLER_READY_H
+
+#include "controller/controller_events.h"
+
+/** A next step, and what it names. */
+typedef struct {
+    next_step_t step;
+    uint32_t axis;    /**< ROBOT_AXIS_MAX: none. */
+    uint32_t card;    /**< Slot; CARD_SLOT_COUNT: none. */
+    event_id_t event; /**< What is wrong there. */
+} named_step_t;
+
+/** A step that names nothing. */
+static inline named_step_t controller_step_only(next_step_t step)
+{
+    return (named_step_t){step, ROBOT_AXIS_MAX, CARD_SLOT_COUNT, EVENT_STARTED};
+}
+
+/**
+ * Where START_UP is wanted.
+ *
+ * @return the first obstacle to it: the computer, a card, the pedal, heat, a position to be
+ * confirmed, a fault that came back in LIMIT_SERVICE_START_UPS tries; without one START_UP
+ *
+ * @satisfies SWR-NEXT-003
+ * @satisfies SWR-NEXT-004
+ * @satisfies SWR-NEXT-005
+ * @satisfies SWR-NEXT-007
+ */
+named_step_t controller_ready(const controller_t *self, const cycle_t *cycle);
+
+#endif

@@ -1,0 +1,395 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "supervise/operator.h"
+
+#include "charts/arming_chart.h"
+#include "charts/card_link_chart.h"
+#include "interface/app/names.h"
+#include "limits/requirement_limits.h"
+#include "supervise/acts.h"
+#include "supervise/chance.h"
+#include "supervise/targets.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define HISTORY_CYCLES 9000U
+#define ORDER_SIZE 64U
+#define HOLD_CYCLES ((LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 100U)
+#define LOOK_CYCLES 300U
+#define COOL_CYCLES 4000U    /* A scan and a hot motor last so long here. */
+#define RUNAWAY_CYCLES 9000U /* What has not come to rest by then does not. */
+#define CHECK_PARTS 211U     /* In one of so many cycles the command is tried on a copy. */
+#define MOST_COMPARED 2U     /* Then he starts anew. */
+#define ID 3000000U
+
+static const char *const parts[] = {"card", "encoder", "motor", "switch"};
+static const char *const faults[] = {
+    "card %s silent",    "card %s corrupt",   "card %s foreign",  "card %s deaf",
+    "card %s noisy",     "card %s hot",       "encoder %s stuck", "encoder %s reversed",
+    "encoder %s half",   "motor %s stuck",    "motor %s half",    "motor %s twice",
+    "motor %s runs",     "motor %s hot",      "switch %s stuck",  "switch %s open",
+    "switch %s chatter", "switch %s reversed"};
+#define FAULTS (sizeof faults / sizeof faults[0])
+
+static const char *axis_name(const rig_t *rig, uint32_t axis)
+{
+    return rig->box.robot->axes[axis].name;
+}
+
+play_t operator_history(uint32_t seed, const robot_t *robot)
+{
+    static const play_t plays[] = {PLAY_RANDOM,   PLAY_TAPS,  PLAY_JOGS,   PLAY_TAPS,
+                                   PLAY_PROGRAMS, PLAY_MODES, PLAY_RIVALS, PLAY_SWEEPS};
+    const play_t play = plays[seed % (sizeof plays / sizeof plays[0])];
+    return (play_refusal(robot, play) == NULL) ? play : PLAY_RANDOM;
+}
+
+uint32_t operator_history_cycles(uint32_t seed)
+{
+    uint32_t random = (seed * 3266489917U) | 1U;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        (void)chance_below(&random, 2U);
+    }
+    return 1U + chance_below(&random, HISTORY_CYCLES);
+}
+
+static void mend_axis(rig_t *rig, uint32_t axis)
+{
+    for (uint32_t i = 0U; i < (sizeof parts / sizeof parts[0]); i++) {
+        char order[ORDER_SIZE];
+        (void)snprintf(order, sizeof order, "%s %s normal", parts[i], axis_name(rig, axis));
+        rig_box(rig, order);
+    }
+    rig->box.axes[axis].motor.load = 0.0;
+}
+
+void operator_break(rig_t *rig, uint32_t seed)
+{
+    const uint32_t count = rig->box.robot->axis_count;
+    char order[ORDER_SIZE];
+    (void)snprintf(order, sizeof order, faults[(seed / count) % FAULTS],
+                   axis_name(rig, seed % count));
+    rig_box(rig, order);
+}
+
+static void cool(rig_t *rig)
+{
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        box_axis_t *const axis = &rig->box.axes[i];
+        const bool is_motor = axis->motor.fault == SIM_MOTOR_HOT;
+        axis->motor.fault = is_motor ? SIM_MOTOR_NORMAL : axis->motor.fault;
+        axis->card_fault = (axis->card_fault == BOX_CARD_HOT) ? BOX_CARD_NORMAL : axis->card_fault;
+        axis->card.motor_temperature_c = SIM_MOTOR_AIR_C;
+    }
+}
+
+static bool is_broken(const rig_t *rig, uint32_t axis)
+{
+    const box_axis_t *const part = &rig->box.axes[axis];
+    return (part->card_fault != BOX_CARD_NORMAL) || (part->encoder.fault != SIM_ENCODER_NORMAL) ||
+           (part->motor.fault != SIM_MOTOR_NORMAL) || (part->motor.load > 0.0) ||
+           (part->limit_switch.fault != SIM_SWITCH_NORMAL);
+}
+
+/* What is named is truly broken. */
+static bool is_named_broken(const rig_t *rig)
+{
+    const snapshot_t *const shown = &rig->outputs.snapshot;
+    bool is_any = false;
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        const bool is_named =
+            (shown->step_axis == i) || (shown->step_card == rig->box.robot->axes[i].slot);
+        is_any = is_any || (is_named && is_broken(rig, i));
+    }
+    return is_any;
+}
+
+/* Who commands; nobody: the page. */
+static authority_party_t commander(const rig_t *rig)
+{
+    const snapshot_t *const shown = &rig->outputs.snapshot;
+    authority_party_t party = {.source = (uint32_t)COMMAND_SOURCE_HTTP, .peer = RIG_PAGE};
+    if (authority_is_held(&rig->controller.authority)) {
+        party = (authority_party_t){.source = (uint32_t)shown->holder, .peer = shown->holder_peer};
+    }
+    return party;
+}
+
+/* @return false: the step is no command that can be given without knowing more */
+static bool command_of(const rig_t *rig, uint32_t step, command_t *command)
+{
+    static const workphase_t phases[] = {[NEXT_STEP_START_UP] = WORKPHASE_START_UP,
+                                         [NEXT_STEP_MOVE] = WORKPHASE_MOVE_TO_TARGET,
+                                         [NEXT_STEP_TARGETING] = WORKPHASE_TARGETING,
+                                         [NEXT_STEP_CALIBRATION] = WORKPHASE_CALIBRATION,
+                                         [NEXT_STEP_PLANNING] = WORKPHASE_PLANNING,
+                                         [NEXT_STEP_STOP] = WORKPHASE_STOP,
+                                         [NEXT_STEP_SERVICE] = WORKPHASE_START_UP,
+                                         [NEXT_STEP_COMPARE] = WORKPHASE_START_UP};
+    const authority_party_t party = commander(rig);
+    *command = (command_t){.id = ID, .source = party.source, .peer = party.peer};
+    rigid_set_identity(&command->pose);
+    if (step == (uint32_t)NEXT_STEP_AUTHORITY) {
+        command->kind = (uint32_t)COMMAND_TAKE;
+        return true;
+    }
+    if (step == (uint32_t)NEXT_STEP_REGISTER) {
+        command->kind = (uint32_t)COMMAND_REGISTRATION;
+        return true;
+    }
+    command->kind = (uint32_t)COMMAND_WORKPHASE;
+    command->argument = (step < (sizeof phases / sizeof phases[0])) ? (uint32_t)phases[step] : 0U;
+    return command->argument != (uint32_t)WORKPHASE_UNDEFINED;
+}
+
+/* What becomes of the command in the next cycle, beside those of the rig. */
+static status_t send(rig_t *rig, const command_t *command)
+{
+    rig->commands[0] = *command;
+    rig->command_count = 1U;
+    rig_cycle(rig);
+    for (uint32_t i = 0U; i < rig->outputs.answer_count; i++) {
+        if (rig->outputs.answers[i].id == command->id) {
+            return (status_t)rig->outputs.answers[i].status;
+        }
+    }
+    return STATUS_NO_ANSWER;
+}
+
+/* Nobody has pressed or pulled anything between what was shown and what is decided. */
+static bool is_box_same(const controller_inputs_t *one, const controller_inputs_t *other)
+{
+    return (one->pedal_a == other->pedal_a) && (one->pedal_b == other->pedal_b) &&
+           (one->estop_open == other->estop_open);
+}
+
+/* A frame that is missing now, of a card in use, makes START_UP wait for the next one. */
+static bool is_any_late(const rig_t *rig)
+{
+    bool is_any = false;
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        const uint32_t link =
+            (uint32_t)rig->outputs.snapshot.cards[rig->box.robot->axes[i].slot].link;
+        is_any = is_any || (link == (uint32_t)CARD_LINK_STATE_LATE);
+    }
+    return is_any;
+}
+
+/* The controller is a pure function: on a copy of the world the command costs nothing. */
+static void check_promise(operator_t *self, const rig_t *rig)
+{
+    static rig_t copy;
+    const uint32_t step = rig->outputs.snapshot.next_step;
+    const bool is_due =
+        ((step != self->checked_step) || (chance_below(&self->random, CHECK_PARTS) == 0U)) &&
+        (step != (uint32_t)NEXT_STEP_SERVICE) && (step != (uint32_t)NEXT_STEP_COMPARE);
+    command_t command;
+    if (!is_due || !command_of(rig, step, &command) || is_any_late(rig)) {
+        return;
+    }
+    copy = *rig;
+    copy.command_count = 0U;
+    copy.is_page_away = true;
+    const status_t status = send(&copy, &command);
+    self->checked_step = step;
+    if ((status != STATUS_OK) && !is_any_late(&copy) && is_box_same(&rig->inputs, &copy.inputs)) {
+        self->end = OPERATOR_REFUSED;
+        self->refusal = status;
+        self->last_step = step;
+    }
+}
+
+/* The box is switched off and on, with the axes that have no switch at their marks, and the
+ * programs are started anew; what is broken stays so. */
+static void start_anew(operator_t *self, rig_t *rig)
+{
+    static rig_t old;
+    double truth[ROBOT_AXIS_MAX];
+    box_true_positions(&rig->box, truth);
+    old = *rig;
+    self->robot = *rig->box.robot;
+    for (uint32_t i = 0U; i < self->robot.axis_count; i++) {
+        const axis_config_t *const axis = &self->robot.axes[i];
+        self->robot.start_ticks[i] = (axis->home_method == (uint8_t)HOME_BY_SWITCH)
+                                         ? (int32_t)lround(truth[i])
+                                         : axis->home_ticks;
+    }
+    rig_start_robot(rig, &self->robot);
+    self->has_started_anew = true;
+    for (uint32_t i = 0U; i < self->robot.axis_count; i++) {
+        rig->box.axes[i].card_fault = old.box.axes[i].card_fault;
+        rig->box.axes[i].encoder.fault = old.box.axes[i].encoder.fault;
+        rig->box.axes[i].motor.fault = old.box.axes[i].motor.fault;
+        rig->box.axes[i].motor.load = old.box.axes[i].motor.load;
+        rig->box.axes[i].limit_switch.fault = old.box.axes[i].limit_switch.fault;
+    }
+}
+
+static void hold_button(operator_t *self, rig_t *rig)
+{
+    rig_box(rig, "button press");
+    self->press_cycles = HOLD_CYCLES;
+    self->wait_cycles += HOLD_CYCLES;
+}
+
+static void act_by_command(operator_t *self, rig_t *rig, uint32_t step)
+{
+    command_t command;
+    if (!command_of(rig, step, &command)) {
+        self->end = OPERATOR_DEAD_END;
+        return;
+    }
+    if (step == (uint32_t)NEXT_STEP_AUTHORITY) {
+        rig->is_page_away = false; /* The page keeps it by itself from now on. */
+    }
+    rig->commands[rig->command_count] = command;
+    rig->command_count++;
+}
+
+/* What is named is broken, or was mended meanwhile: then START_UP, as he was told. */
+static void call_service(operator_t *self, rig_t *rig, uint32_t step)
+{
+    if (is_named_broken(rig)) {
+        self->end = OPERATOR_SERVICE;
+    } else if (step != (uint32_t)NEXT_STEP_CHECK_CARDS) {
+        const bool is_free = !authority_is_held(&rig->controller.authority);
+        act_by_command(self, rig, is_free ? (uint32_t)NEXT_STEP_AUTHORITY : step);
+    } else {
+        /* He looks again. */
+    }
+}
+
+static void compare(operator_t *self, rig_t *rig, uint32_t step)
+{
+    if (acts_is_shown_true(rig)) {
+        hold_button(self, rig);
+    } else if ((step == (uint32_t)NEXT_STEP_COMPARE) && (self->compared < MOST_COMPARED)) {
+        self->compared++;
+        call_service(self, rig, step);
+    } else {
+        start_anew(self, rig);
+    }
+}
+
+static void follow(operator_t *self, rig_t *rig, uint32_t step)
+{
+    self->acts++;
+    self->last_step = step;
+    switch (step) {
+    case NEXT_STEP_RELEASE_ESTOP:
+        rig_box(rig, "estop reset");
+        break;
+    case NEXT_STEP_RELEASE_PEDAL:
+    case NEXT_STEP_PEDAL_FAULT:
+        rig_box(rig, "pedal release");
+        break;
+    case NEXT_STEP_PRESS_PEDAL:
+        rig_box(rig, "pedal press");
+        break;
+    case NEXT_STEP_GRANT:
+        rig_box(rig, "pedal release");
+        hold_button(self, rig);
+        break;
+    case NEXT_STEP_CONFIRM:
+    case NEXT_STEP_COMPARE:
+        compare(self, rig, step);
+        break;
+    case NEXT_STEP_MAKE_ROOM:
+        start_anew(self, rig);
+        break;
+    case NEXT_STEP_CHECK_CARDS:
+    case NEXT_STEP_SERVICE:
+        call_service(self, rig, step);
+        break;
+    default:
+        act_by_command(self, rig, step);
+        break;
+    }
+}
+
+/* A scan and heat end in their time; what does not come to rest is for service. */
+static void wait_on(operator_t *self, rig_t *rig)
+{
+    self->waited_cycles++;
+    if (self->waited_cycles == COOL_CYCLES) {
+        cool(rig);
+        rig_box(rig, "scanner off");
+    } else if (self->waited_cycles >= RUNAWAY_CYCLES) {
+        self->last_step = rig->outputs.snapshot.next_step;
+        self->end = is_named_broken(rig) ? OPERATOR_SERVICE : OPERATOR_DEAD_END;
+    } else {
+        /* He waits. */
+    }
+}
+
+static bool may_command(const snapshot_t *shown)
+{
+    const bool is_asked = (shown->next_step == (uint32_t)NEXT_STEP_PLANNING) ||
+                          (shown->next_step == (uint32_t)NEXT_STEP_CALIBRATION) ||
+                          (shown->next_step == (uint32_t)NEXT_STEP_TARGETING) ||
+                          (shown->next_step == (uint32_t)NEXT_STEP_PROBE) ||
+                          (shown->next_step == (uint32_t)NEXT_STEP_PROGRAM_DONE) ||
+                          ((shown->next_step >= (uint32_t)NEXT_STEP_REGISTER) &&
+                           (shown->next_step <= (uint32_t)NEXT_STEP_NOTHING));
+    return is_asked && (shown->is_homed != 0U) && (shown->order == (uint32_t)ARMING_STATE_NONE);
+}
+
+void operator_begin(operator_t *self, rig_t *rig, uint32_t seed)
+{
+    (void)memset(self, 0, sizeof *self);
+    self->random = (seed * 668265263U) | 1U;
+    self->checked_step = UINT32_MAX;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        (void)chance_below(&self->random, 2U);
+    }
+    for (uint32_t i = 0U; ((seed / 2U) % 2U == 0U) && (i < rig->box.robot->axis_count); i++) {
+        mend_axis(rig, i);
+    }
+    static const char *const left[] = {"estop pull", "scanner on", "pedal press", "pedal release",
+                                       "pedal a close"};
+    const uint32_t choice = chance_below(&self->random, 8U);
+    if (choice < (sizeof left / sizeof left[0])) {
+        rig_box(rig, left[choice]);
+    }
+    rig_box(rig, "button release");
+    rig->silent_sources = 0U;
+    rig->is_page_away = chance_below(&self->random, 2U) == 0U;
+    self->wait_cycles = chance_below(&self->random, LOOK_CYCLES);
+}
+
+operator_end_t operator_play(operator_t *self, rig_t *rig)
+{
+    const uint32_t step = rig->outputs.snapshot.next_step;
+    const bool is_told_to_wait =
+        (step == (uint32_t)NEXT_STEP_WAIT) || (step == (uint32_t)NEXT_STEP_SCANNER);
+    self->time_cycles += is_told_to_wait ? 0U : 1U;
+    if (is_told_to_wait) {
+        wait_on(self, rig);
+    } else {
+        self->waited_cycles = 0U;
+        check_promise(self, rig);
+    }
+    if (self->press_cycles > 0U) {
+        self->press_cycles--;
+        if (self->press_cycles == 0U) {
+            rig_box(rig, "button release");
+        }
+    }
+    if (self->wait_cycles > 0U) {
+        self->wait_cycles--;
+    } else if ((self->end != OPERATOR_ACTS) || is_told_to_wait ||
+               (step == (uint32_t)NEXT_STEP_HOLD_PEDAL)) {
+        /* It goes on by itself. */
+    } else if (may_command(&rig->outputs.snapshot)) {
+        self->end = OPERATOR_COMMANDS;
+    } else {
+        self->wait_cycles = LOOK_CYCLES + chance_below(&self->random, LOOK_CYCLES);
+        follow(self, rig, step);
+    }
+    if ((self->end == OPERATOR_ACTS) &&
+        ((self->acts > OPERATOR_MOST_ACTS) || (self->time_cycles > OPERATOR_MOST_CYCLES))) {
+        self->end = OPERATOR_DEAD_END;
+    }
+    return self->end;
+}

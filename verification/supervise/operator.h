@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * An operator who knows nothing but the next step that is shown and what it names: he does what he
+ * is told and nothing else. He comes into a scene of any other play at any time, with anything
+ * broken, armed, pressed or lost, and must get the robot homed, or be told what is to be mended.
+ */
+#ifndef BORESIGHT_OPERATOR_H
+#define BORESIGHT_OPERATOR_H
+
+#include "integration/support/rig.h"
+#include "supervise/play.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** How a scene has ended for him. */
+typedef enum {
+    OPERATOR_ACTS = 0,     /**< He still acts. */
+    OPERATOR_COMMANDS = 1, /**< The robot is homed and may be commanded. */
+    OPERATOR_SERVICE = 2,  /**< What is broken was named to him. */
+    OPERATOR_DEAD_END = 3, /**< Too many acts or too long, or nothing that he could do. */
+    OPERATOR_REFUSED = 4   /**< What he was told to command was refused. */
+} operator_end_t;
+
+#define OPERATOR_ENDS 5U
+#define OPERATOR_MOST_ACTS 30U
+#define OPERATOR_MOST_CYCLES 300000U
+
+/** State of the operator; one scene at a time. */
+typedef struct {
+    uint32_t random;
+    uint32_t acts;
+    uint32_t wait_cycles;   /**< Until he looks again. */
+    uint32_t press_cycles;  /**< He still holds the button. */
+    uint32_t time_cycles;   /**< Since he came, without those that he was told to wait. */
+    uint32_t compared;      /**< How often START_UP was to help a position that is wrong. */
+    uint32_t waited_cycles; /**< Told to wait, in a row. */
+    uint32_t last_step;     /**< next_step_t that he followed last. */
+    uint32_t checked_step;  /**< The last one whose command was tried on a copy. */
+    status_t refusal;       /**< Of OPERATOR_REFUSED. */
+    operator_end_t end;
+    bool has_started_anew; /**< Since the cycle before; who looks on clears it. */
+    robot_t robot; /**< As it stands when the box is switched on anew. */
+} operator_t;
+
+/** What was before he came, by the seed of the scene. */
+play_t operator_history(uint32_t seed, const robot_t *robot);
+
+/** How many cycles of it. */
+uint32_t operator_history_cycles(uint32_t seed);
+
+/** Something breaks in the history of the scene `seed`; of every axis each part in turn. */
+void operator_break(rig_t *rig, uint32_t seed);
+
+/** He comes; half of the time somebody has mended all before. */
+void operator_begin(operator_t *self, rig_t *rig, uint32_t seed);
+
+/** Before a cycle: he follows what is shown. @return self->end */
+operator_end_t operator_play(operator_t *self, rig_t *rig);
+
+#endif

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "supervise/recovery.h"
+
+#include "interface/app/names.h"
+#include "supervise/operator.h"
+
+#include <stdio.h>
+
+#define BREAKS_LATER 3U /* Of the history, it breaks after a third. */
+
+/* The other players have left; the witness stays. */
+static void let_operator_act(scene_t *scene, operator_t *operator)
+{
+    double truth[ROBOT_AXIS_MAX];
+    box_true_positions(&scene->rig.box, truth);
+    rig_cycle(&scene->rig);
+    witness_look(&scene->witness, &scene->rig, truth, true);
+    (void)operator_play(operator, & scene->rig);
+}
+
+static void play_scene(scene_t *scene, const robot_t *robot, operator_t *operator, uint32_t seed)
+{
+    const uint32_t cycles = operator_history_cycles(seed);
+    scene_begin(scene, robot, operator_history(seed, robot), seed);
+    for (uint32_t i = 0U; i < cycles; i++) {
+        /* The enemy has its own fault: two that hide each other are none. */
+        if ((i == (cycles / BREAKS_LATER)) && (scene->stage.play != PLAY_TAPS)) {
+            operator_break(&scene->rig, seed);
+            scene->stage.has_fault = 1U;
+        }
+        scene_cycle(scene);
+    }
+    operator_begin(operator, & scene->rig, seed);
+    while (operator->end == OPERATOR_ACTS) {
+        let_operator_act(scene, operator);
+    }
+}
+
+static void tell(const scene_t *scene, const operator_t *operator, uint32_t seed)
+{
+    const snapshot_t *const shown = &scene->rig.outputs.snapshot;
+    printf("scene %u, after %u acts and %u s: %s", (unsigned)seed, (unsigned)operator->acts,
+           (unsigned)(operator->time_cycles / 1000U),
+           next_step_name((int32_t) operator->last_step));
+    if (operator->end == OPERATOR_REFUSED) {
+        printf(" is refused, %s\n", status_name((int32_t) operator->refusal));
+    } else {
+        printf(", axis %u, card %u, last %s\n", (unsigned)shown->step_axis,
+               (unsigned)shown->step_card,
+               event_id_name((int32_t)scene->rig.controller.vain_event));
+    }
+}
+
+bool recovery_play(scene_t *scene, const robot_t *robot, uint32_t count, uint32_t seed)
+{
+    static operator_t operator;
+    uint32_t ends[OPERATOR_ENDS] = {0U};
+    uint32_t most_acts = 0U;
+    for (uint32_t i = 0U; i < count; i++) {
+        play_scene(scene, robot, &operator, seed + i);
+        ends[operator.end]++;
+        most_acts = (operator.acts> most_acts) ? operator.acts : most_acts;
+        if ((operator.end == OPERATOR_DEAD_END) || (operator.end == OPERATOR_REFUSED)) {
+            tell(scene, &operator, seed + i);
+        }
+    }
+    printf(
+        "an operator who follows the next step: %u homed, %u told what to mend, %u dead ends, %u "
+        "refusals, at most %u acts\n",
+        (unsigned)ends[OPERATOR_COMMANDS], (unsigned)ends[OPERATOR_SERVICE],
+        (unsigned)ends[OPERATOR_DEAD_END], (unsigned)ends[OPERATOR_REFUSED], (unsigned)most_acts);
+    return (ends[OPERATOR_DEAD_END] + ends[OPERATOR_REFUSED]) == 0U;
+}
