@@ -12,6 +12,7 @@
  * @satisfies SWR-NEXT-001
  * @satisfies SWR-NEXT-002
  * @satisfies SWR-NEXT-006
+ * @satisfies SWR-NEXT-008
  * @satisfies SWR-MODE-011
  * @satisfies SWR-AUTH-014
  * @satisfies SWR-LINK-009

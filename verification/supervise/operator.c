@@ -388,7 +388,8 @@ operator_end_t operator_play(operator_t *self, rig_t *rig)
         follow(self, rig, step);
     }
     if ((self->end == OPERATOR_ACTS) &&
-        ((self->acts > OPERATOR_MOST_ACTS) || (self->time_cycles > OPERATOR_MOST_CYCLES))) {
+        ((self->acts > LIMIT_OPERATOR_ACTS) ||
+         ((self->time_cycles * LIMIT_CYCLE_US) > LIMIT_OPERATOR_TIME_US))) {
         self->end = OPERATOR_DEAD_END;
     }
     return self->end;

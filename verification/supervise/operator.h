@@ -24,8 +24,6 @@ typedef enum {
 } operator_end_t;
 
 #define OPERATOR_ENDS 5U
-#define OPERATOR_MOST_ACTS 30U
-#define OPERATOR_MOST_CYCLES 300000U
 
 /** State of the operator; one scene at a time. */
 typedef struct {
@@ -41,7 +39,7 @@ typedef struct {
     status_t refusal;       /**< Of OPERATOR_REFUSED. */
     operator_end_t end;
     bool has_started_anew; /**< Since the cycle before; who looks on clears it. */
-    robot_t robot; /**< As it stands when the box is switched on anew. */
+    robot_t robot;         /**< As it stands when the box is switched on anew. */
 } operator_t;
 
 /** What was before he came, by the seed of the scene. */

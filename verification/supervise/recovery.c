@@ -9,16 +9,20 @@
 #define BREAKS_LATER 3U /* Of the history, it breaks after a third. */
 
 /* The other players have left; the witness stays. */
-static void let_operator_act(scene_t *scene, operator_t *operator)
+static void let_operator_act(scene_t *scene, operator_t *player)
 {
     double truth[ROBOT_AXIS_MAX];
     box_true_positions(&scene->rig.box, truth);
     rig_cycle(&scene->rig);
     witness_look(&scene->witness, &scene->rig, truth, true);
-    (void)operator_play(operator, & scene->rig);
+    (void)operator_play(player, &scene->rig);
+    if (player->has_started_anew) {
+        player->has_started_anew = false;
+        witness_begin(&scene->witness, scene->witness.seed);
+    }
 }
 
-static void play_scene(scene_t *scene, const robot_t *robot, operator_t *operator, uint32_t seed)
+static void play_scene(scene_t *scene, const robot_t *robot, operator_t *player, uint32_t seed)
 {
     const uint32_t cycles = operator_history_cycles(seed);
     scene_begin(scene, robot, operator_history(seed, robot), seed);
@@ -30,20 +34,19 @@ static void play_scene(scene_t *scene, const robot_t *robot, operator_t *operato
         }
         scene_cycle(scene);
     }
-    operator_begin(operator, & scene->rig, seed);
-    while (operator->end == OPERATOR_ACTS) {
-        let_operator_act(scene, operator);
+    operator_begin(player, &scene->rig, seed);
+    while (player->end == OPERATOR_ACTS) {
+        let_operator_act(scene, player);
     }
 }
 
-static void tell(const scene_t *scene, const operator_t *operator, uint32_t seed)
+static void tell(const scene_t *scene, const operator_t *player, uint32_t seed)
 {
     const snapshot_t *const shown = &scene->rig.outputs.snapshot;
-    printf("scene %u, after %u acts and %u s: %s", (unsigned)seed, (unsigned)operator->acts,
-           (unsigned)(operator->time_cycles / 1000U),
-           next_step_name((int32_t) operator->last_step));
-    if (operator->end == OPERATOR_REFUSED) {
-        printf(" is refused, %s\n", status_name((int32_t) operator->refusal));
+    printf("scene %u, after %u acts and %u s: %s", (unsigned)seed, (unsigned)player->acts,
+           (unsigned)(player->time_cycles / 1000U), next_step_name((int32_t)player->last_step));
+    if (player->end == OPERATOR_REFUSED) {
+        printf(" is refused, %s\n", status_name((int32_t)player->refusal));
     } else {
         printf(", axis %u, card %u, last %s\n", (unsigned)shown->step_axis,
                (unsigned)shown->step_card,
@@ -53,15 +56,15 @@ static void tell(const scene_t *scene, const operator_t *operator, uint32_t seed
 
 bool recovery_play(scene_t *scene, const robot_t *robot, uint32_t count, uint32_t seed)
 {
-    static operator_t operator;
+    static operator_t player;
     uint32_t ends[OPERATOR_ENDS] = {0U};
     uint32_t most_acts = 0U;
     for (uint32_t i = 0U; i < count; i++) {
-        play_scene(scene, robot, &operator, seed + i);
-        ends[operator.end]++;
-        most_acts = (operator.acts> most_acts) ? operator.acts : most_acts;
-        if ((operator.end == OPERATOR_DEAD_END) || (operator.end == OPERATOR_REFUSED)) {
-            tell(scene, &operator, seed + i);
+        play_scene(scene, robot, &player, seed + i);
+        ends[player.end]++;
+        most_acts = (player.acts > most_acts) ? player.acts : most_acts;
+        if ((player.end == OPERATOR_DEAD_END) || (player.end == OPERATOR_REFUSED)) {
+            tell(scene, &player, seed + i);
         }
     }
     printf(

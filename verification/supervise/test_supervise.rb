@@ -5,7 +5,7 @@
 # any time, a world, a fault now and then; an enemy at the pedal and the fault keyboard; jogs; moves into the corners of
 # the workspace, under a pedal that is released again and again, or of motors that are not as the robot's table says,
 # with run and stop or magnitudes for cards without pwm; pages and connections that all want to command; one order of any
-# mode after the other; treatment programs with their gate; sweeps) does the controller of any robot break one of the
+# mode after the other; treatment programs with their gate; sweeps; an operator who follows the next step alone) does the controller of any robot break one of the
 # sentences of the witness, who knows where the simulated axes truly stand.
 # `make supervise COUNT=n SEED=n PLAY=name ROBOT=name` plays more.
 
@@ -19,9 +19,9 @@ class TestSupervise < Minitest::Test
   ROBOTS = { 'neuro' => 1.0, 'bench2' => 0.25, 'prostate' => 0.05 }.freeze
   # How many scenes, or moves; and flips of bits for each.
   PLAYS = { random: 80, corners: 24, interrupted: 24, spread: 30, magnitude: 30, jogs: 30, taps: 50,
-            rivals: 50, modes: 14, programs: 6, sweeps: 60 }.freeze
+            rivals: 50, modes: 14, programs: 6, sweeps: 60, operator: 40 }.freeze
   # Those of scenes, whether or not a move comes about.
-  SCENES = %i[random jogs taps rivals modes programs sweeps].freeze
+  SCENES = %i[random jogs taps rivals modes programs sweeps operator].freeze
   # What an axis of the robot must have, a card, for a play; and why else not.
   NEEDS = { magnitude: ['non_pwm', 'no axis of it takes run and stop'],
             sweeps: ['high_frequency', 'no axis of it takes waves'] }.freeze
@@ -114,6 +114,12 @@ class TestSupervise < Minitest::Test
     define_method("test_SWR_MODE_001_orders_of_every_mode_that_a_robot_has_end_as_asked_#{robot}") do
       done = lines(robot, :modes).grep(/orders that were done/).first.scan(/(\d+) of \d+ (\w+)/).to_h { |n, kind| [kind, n.to_i] }
       assert MODES.all? { |kind| done.fetch(kind, 0).positive? } || ROBOTS[robot] < 1.0, done.to_s
+    end
+
+    # He comes into a scene of any play, with anything broken, and knows nothing but the next step.
+    define_method("test_SWR_NEXT_008_who_follows_the_next_step_gets_out_of_anything_#{robot}") do
+      line = lines(robot, :operator).grep(/an operator who follows/).first
+      assert_match(/: [1-9]\d* homed, .* 0 dead ends, 0 refusals, /, line, lines(robot, :operator).join("\n"))
     end
 
     define_method("test_SWR_MODE_001_programs_and_sweeps_end_as_asked_#{robot}") do
