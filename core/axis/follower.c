@@ -55,25 +55,25 @@ static int64_t way_ticks(const axis_t *self, int32_t ticks)
     return (int64_t)ticks - (int64_t)self->homing.start_ticks;
 }
 
-int32_t follower_apart_ticks(const axis_t *self, const axis_t *leader)
+int32_t follower_apart_ticks(const axis_t *self, const axis_t *leader, uint32_t pace)
 {
     return fixed_saturate(way_ticks(self, self->encoder.position_ticks) -
-                          way_ticks(leader, leader->encoder.position_ticks));
+                          ((int64_t)pace * way_ticks(leader, leader->encoder.position_ticks)));
 }
 
 card_drive_t follower_step(axis_t *self, const axis_config_t *config, const axis_t *leader,
-                           uint32_t elapsed_us)
+                           uint32_t pace, uint32_t elapsed_us)
 {
-    const int64_t setpoint =
-        (int64_t)self->homing.start_ticks + way_ticks(leader, leader->setpoint_ticks);
+    const int64_t setpoint = (int64_t)self->homing.start_ticks +
+                             ((int64_t)pace * way_ticks(leader, leader->setpoint_ticks));
     return axis_follow(self, config, fixed_saturate(setpoint),
-                       leader->setpoint_speed_ticks_per_s_q8, elapsed_us);
+                       (int32_t)pace * leader->setpoint_speed_ticks_per_s_q8, elapsed_us);
 }
 
 bool follower_is_stuck(const axis_t *self, const axis_config_t *config, const axis_t *leader,
-                       const card_drive_t *request)
+                       uint32_t pace, const card_drive_t *request)
 {
-    const int64_t apart = (int64_t)follower_apart_ticks(self, leader);
+    const int64_t apart = (int64_t)follower_apart_ticks(self, leader, pace);
     return joints_is_beyond(config, (apart < 0) ? -apart : apart, LIMIT_FOLLOWER_WAY_NM,
                             LIMIT_FOLLOWER_WAY_BAM) ||
            axis_is_towards_switch(self, config, request) ||

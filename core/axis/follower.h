@@ -37,8 +37,9 @@ uint32_t follower_leader(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX]
  */
 void follower_tie(const robot_t *robot, axis_t axes[ROBOT_AXIS_MAX], uint32_t leader);
 
-/** @return how far the follower is above where its leader has it, ticks */
-int32_t follower_apart_ticks(const axis_t *self, const axis_t *leader);
+/** @return how far the follower is above where its leader has it, ticks. `pace`, here and below:
+ * its ticks for each of the leader's, 1 in a block */
+int32_t follower_apart_ticks(const axis_t *self, const axis_t *leader, uint32_t pace);
 
 /**
  * Request for following `leader`, which homes and has been asked for its request of this cycle.
@@ -46,7 +47,7 @@ int32_t follower_apart_ticks(const axis_t *self, const axis_t *leader);
  * @satisfies SWR-AXIS-028
  */
 card_drive_t follower_step(axis_t *self, const axis_config_t *config, const axis_t *leader,
-                           uint32_t elapsed_us);
+                           uint32_t pace, uint32_t elapsed_us);
 
 /**
  * @return true when it cannot follow: it is LIMIT_FOLLOWER_WAY_NM or LIMIT_FOLLOWER_WAY_BAM from
@@ -55,6 +56,6 @@ card_drive_t follower_step(axis_t *self, const axis_config_t *config, const axis
  * @satisfies SWR-AXIS-029
  */
 bool follower_is_stuck(const axis_t *self, const axis_config_t *config, const axis_t *leader,
-                       const card_drive_t *request);
+                       uint32_t pace, const card_drive_t *request);
 
 #endif

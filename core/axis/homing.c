@@ -51,6 +51,11 @@ void homing_begin(homing_t *self, int32_t position_ticks)
     }
 }
 
+void homing_renew(homing_t *self)
+{
+    self->leg_us = 0U;
+}
+
 void homing_forget(homing_t *self)
 {
     self->has_nearest = 0U;

@@ -44,6 +44,9 @@ int64_t homing_way_from_switch(const axis_config_t *config, int32_t position_tic
 /** Homing begins at `position_ticks`. What earlier attempts used of the way is not given back. */
 void homing_begin(homing_t *self, int32_t position_ticks);
 
+/** The leg goes on in other company, at another speed: its time counts from here on. */
+void homing_renew(homing_t *self);
+
 /** The axis is homed, or its counts have broken: the next homing has its whole way. */
 void homing_forget(homing_t *self);
 

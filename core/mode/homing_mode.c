@@ -54,14 +54,16 @@ static bool is_due(const mode_frame_t *frame, uint32_t index, uint8_t stage)
     return (frame->robot->axes[index].home_stage == stage) && !axis_is_homed(&frame->axes[index]);
 }
 
-/* Whoever leads in a stage homes with all that lead in it: half a block would turn. */
+/* Whoever leads in a stage homes with all that lead in it: half a block would turn. The last one of
+ * a linkage homes with an escort instead. */
 static void call_leaders(const mode_frame_t *frame, uint8_t stage)
 {
     bool is_beginning = false;
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         is_beginning =
-            is_beginning || (is_due(frame, i, stage) && !axis_is_homing(&frame->axes[i]) &&
-                             follower_has_one(frame->robot, i));
+            is_beginning ||
+            (is_due(frame, i, stage) && !axis_is_homing(&frame->axes[i]) &&
+             follower_has_one(frame->robot, i) && !escort_is_for(frame->robot, frame->axes, i));
     }
     for (uint32_t i = 0U; is_beginning && (i < frame->axis_count); i++) {
         axis_t *const axis = &frame->axes[i];
@@ -72,13 +74,25 @@ static void call_leaders(const mode_frame_t *frame, uint8_t stage)
     }
 }
 
-static void begin_stage(const mode_frame_t *frame, mode_result_t *result)
+static void begin_due(const mode_frame_t *frame, escort_t *escort, uint32_t index,
+                      mode_result_t *result)
+{
+    axis_t *const axis = &frame->axes[index];
+    const bool is_escorted =
+        !axis_is_homing(axis) && escort_is_for(frame->robot, frame->axes, index);
+    begin(frame, index, result);
+    if (is_escorted && axis_is_homing(axis)) {
+        escort_begin(escort, frame->robot, frame->axes, index);
+    }
+}
+
+static void begin_stage(const mode_frame_t *frame, escort_t *escort, mode_result_t *result)
 {
     const uint8_t stage = present_stage(frame);
     call_leaders(frame, stage);
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         if (is_due(frame, i, stage) && (result->progress == MODE_RUNNING)) {
-            begin(frame, i, result);
+            begin_due(frame, escort, i, result);
         }
     }
 }
@@ -96,28 +110,73 @@ static void doubt_leaders(const mode_frame_t *frame, mode_result_t *result)
     }
 }
 
-static void follow(const mode_frame_t *frame, uint32_t index, const axis_t *leader,
+static void follow(const mode_frame_t *frame, uint32_t index, const axis_t *leader, uint32_t pace,
                    mode_result_t *result)
 {
     axis_t *const axis = &frame->axes[index];
     const axis_config_t *const config = &frame->robot->axes[index];
     card_drive_t *const request = &result->requests[index];
-    *request = follower_step(axis, config, leader, frame->elapsed_us);
-    if ((result->progress == MODE_RUNNING) && follower_is_stuck(axis, config, leader, request)) {
-        mode_fail(result, EVENT_FOLLOWER_STUCK, index, follower_apart_ticks(axis, leader));
+    *request = follower_step(axis, config, leader, pace, frame->elapsed_us);
+    if ((result->progress == MODE_RUNNING) &&
+        follower_is_stuck(axis, config, leader, pace, request)) {
+        mode_fail(result, EVENT_FOLLOWER_STUCK, index, follower_apart_ticks(axis, leader, pace));
     }
 }
 
+/* With which axis axis `index` travels now; itself when there is none. */
+static uint32_t leader_of(const mode_frame_t *frame, const escort_t *escort, uint32_t index)
+{
+    uint32_t leader = index;
+    if (escort->leader == 0U) {
+        leader = follower_leader(frame->robot, frame->axes, index);
+    } else if (escort_pace(escort, index) > 0U) {
+        leader = escort->leader - 1U;
+    } else {
+        /* It rests, or homes. */
+    }
+    return leader;
+}
+
+/* @return all rest in this cycle */
+static bool is_at_a_loss(const mode_frame_t *frame, escort_t *escort, mode_result_t *result)
+{
+    const uint32_t leader = escort->leader - 1U;
+    escort_verdict_t verdict = ESCORT_GOES;
+    if ((escort->leader != 0U) && !axis_is_homing(&frame->axes[leader])) {
+        escort_end(escort);
+    } else if (escort->leader != 0U) {
+        verdict = escort_step(escort, frame->robot, frame->axes);
+    } else {
+        /* Blocks home, or axes that share nothing. */
+    }
+    if (verdict == ESCORT_NONE) {
+        mode_fail(result, EVENT_HOMING_NO_WAY, leader,
+                  escort_way_by_hand_ticks(escort, frame->robot, frame->axes));
+    }
+    return verdict != ESCORT_GOES;
+}
+
+/* Nobody in its escort goes faster than one that homes may. */
+static card_drive_t home_axis(const mode_frame_t *frame, const escort_t *escort, uint32_t index)
+{
+    const axis_config_t *const config = &frame->robot->axes[index];
+    axis_config_t calm = *config;
+    if ((escort->leader == (index + 1U)) && escort_is_slow(escort)) {
+        calm.home_speed_ticks_per_s /= 2;
+        calm.acceleration_ticks_per_s2 /= 2;
+    }
+    return axis_home(&frame->axes[index], &calm, frame->elapsed_us);
+}
+
 /* Whoever leads has its set-point of this cycle before those that follow. */
-static void home(const mode_frame_t *frame, mode_result_t *result)
+static void drive(const mode_frame_t *frame, const escort_t *escort, mode_result_t *result)
 {
     uint32_t leaders[ROBOT_AXIS_MAX];
-    begin_stage(frame, result);
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         axis_t *const axis = &frame->axes[i];
-        leaders[i] = follower_leader(frame->robot, frame->axes, i);
+        leaders[i] = leader_of(frame, escort, i);
         if (axis_is_homing(axis)) {
-            result->requests[i] = axis_home(axis, &frame->robot->axes[i], frame->elapsed_us);
+            result->requests[i] = home_axis(frame, escort, i);
         } else if (leaders[i] == i) {
             result->requests[i] = axis_rest(axis, frame->elapsed_us);
         } else {
@@ -126,8 +185,19 @@ static void home(const mode_frame_t *frame, mode_result_t *result)
     }
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         if (leaders[i] != i) {
-            follow(frame, i, &frame->axes[leaders[i]], result);
+            const uint32_t pace = (escort->leader == 0U) ? 1U : escort_pace(escort, i);
+            follow(frame, i, &frame->axes[leaders[i]], pace, result);
         }
+    }
+}
+
+static void home(const mode_frame_t *frame, escort_t *escort, mode_result_t *result)
+{
+    begin_stage(frame, escort, result);
+    if ((result->progress == MODE_FAILED) || is_at_a_loss(frame, escort, result)) {
+        mode_rest(frame, result);
+    } else {
+        drive(frame, escort, result);
     }
 }
 
@@ -171,7 +241,8 @@ bool homing_mode_is_done(const leg_t *leg, const mode_frame_t *frame)
     return is_done;
 }
 
-void homing_mode_step(leg_t *leg, const mode_frame_t *frame, mode_result_t *result)
+void homing_mode_step(leg_t *leg, escort_t *escort, const mode_frame_t *frame,
+                      mode_result_t *result)
 {
     doubt_leaders(frame, result);
     if (result->progress == MODE_FAILED) {
@@ -182,7 +253,7 @@ void homing_mode_step(leg_t *leg, const mode_frame_t *frame, mode_result_t *resu
         leave(leg, frame, result);
     } else {
         leg_stop(leg);
-        home(frame, result);
+        home(frame, escort, result);
     }
 }
 

@@ -3,12 +3,14 @@
  * @file
  * Homing: the needle leaves if it is in, then the axes find their home positions, stage after stage
  * of the robot's table (core/axis/homing.h says how one does), with those that follow them
- * (core/axis/follower.h). At last all go to the pose home, if the robot has one. Its state is that
- * of the axes. Or a single axis homes, by the same rules.
+ * (core/axis/follower.h), the last of a linkage with an escort (escort.h). At last all go to the
+ * pose home, if the robot has one. Its state is that of the axes and of the escort. Or a single
+ * axis homes, by the same rules.
  */
 #ifndef BORESIGHT_HOMING_MODE_H
 #define BORESIGHT_HOMING_MODE_H
 
+#include "mode/escort.h"
 #include "mode/leg.h"
 #include "mode/mode_frame.h"
 #include "robot/joints.h"
@@ -24,19 +26,21 @@
 bool homing_mode_is_done(const leg_t *leg, const mode_frame_t *frame);
 
 /**
- * One cycle. Fails when a coupled limit bars an axis from homing, one cannot follow, or the way
- * home would leave a coupled limit.
+ * One cycle. Fails when a coupled limit bars an axis from homing, one cannot follow, no escort is
+ * found, or the way home would leave a coupled limit.
  *
  * @satisfies SWR-AXIS-029
  * @satisfies SWR-AXIS-030
  * @satisfies SWR-AXIS-032
  * @satisfies SWR-AXIS-033
+ * @satisfies SWR-AXIS-052
  * @satisfies SWR-COUPLE-003
  * @satisfies SWR-ROBOT-026
  * @satisfies SWR-JOG-016
  * @satisfies SWR-ROBOT-024
  */
-void homing_mode_step(leg_t *leg, const mode_frame_t *frame, mode_result_t *result);
+void homing_mode_step(leg_t *leg, escort_t *escort, const mode_frame_t *frame,
+                      mode_result_t *result);
 
 /**
  * May axis `index` be homed alone?

@@ -109,6 +109,7 @@ void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *requ
         program_mode_begin(&self->program);
     }
     leg_stop(&self->leg);
+    escort_end(&self->escort);
 }
 
 static void run_trajectory(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result)
@@ -122,7 +123,7 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
 {
     switch (kind) {
     case MODE_HOMING:
-        homing_mode_step(&self->leg, frame, result);
+        homing_mode_step(&self->leg, &self->escort, frame, result);
         break;
     case MODE_MOVE:
     case MODE_ALIGN:

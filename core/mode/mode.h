@@ -10,6 +10,7 @@
 
 #include "interface/mode_list.h"
 #include "interface/workphase_list.h"
+#include "mode/escort.h"
 #include "mode/homing_mode.h"
 #include "mode/insert_mode.h"
 #include "mode/jog_mode.h"
@@ -44,6 +45,7 @@ typedef struct {
 typedef struct {
     uint32_t kind; /**< mode_kind_t of the order that was armed last. */
     leg_t leg;
+    escort_t escort; /**< Of homing. */
     trajectory_mode_t trajectory;
     trajectory_list_t list; /**< Of the trajectory that is held, armed or not. */
     program_mode_t program;

@@ -276,6 +276,16 @@ bool coupled_guard_is_missed(const robot_t *robot, const axis_t axes[ROBOT_AXIS_
     return is_missed;
 }
 
+bool coupled_guard_is_last(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
+{
+    uint32_t unknown = 0U;
+    for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
+        const coupled_limit_t *const limit = &robot->coupled_limits[i];
+        unknown |= coupled_limit_has(limit, index) ? unknown_axes(robot, limit, axes) : 0U;
+    }
+    return unknown == ((uint32_t)1U << index);
+}
+
 bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
 {
     bool is_every_known = axis_is_homed(&axes[index]);

@@ -274,15 +274,18 @@ void test_SWR_ROBOT_024_a_homed_robot_that_stands_elsewhere_is_taken_home(void)
 }
 
 /* Half of it would turn the needle guide by 12 degrees. */
-void test_SWR_AXIS_032_one_carriage_that_is_homed_again_takes_the_whole_block_along(void)
+void test_SWR_AXIS_032_two_carriages_that_are_homed_again_take_the_whole_block_along(void)
 {
     double before[ROBOT_AXIS_MAX];
     start_at_home();
     rig_box(&rig, "card front_right silent");
+    rig_box(&rig, "card rear_right silent");
     rig_cycles(&rig, 200U);
     rig_box(&rig, "card front_right normal");
+    rig_box(&rig, "card rear_right normal");
     rig_cycles(&rig, 50U);
     TEST_ASSERT_FALSE(is_homed(FRONT_RIGHT));
+    TEST_ASSERT_FALSE(is_homed(REAR_RIGHT));
     box_true_positions(&rig.box, before);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_press(&rig);

@@ -53,7 +53,7 @@ static void tie(void)
 
 static bool is_stuck(uint32_t axis, uint32_t leader, const card_drive_t *request)
 {
-    return follower_is_stuck(&axes[axis], &robot.axes[axis], &axes[leader], request);
+    return follower_is_stuck(&axes[axis], &robot.axes[axis], &axes[leader], 1U, request);
 }
 
 void test_SWR_AXIS_028_an_axis_follows_in_the_stage_in_which_its_leader_homes(void)
@@ -104,8 +104,8 @@ void test_SWR_AXIS_028_the_set_point_keeps_the_distance_and_has_the_leaders_spee
     axes[AXIS_HEAD].setpoint_ticks = 60;
     axes[AXIS_HEAD].setpoint_speed_ticks_per_s_q8 = -196 * 256;
     put(AXIS_FEET, 2990);
-    const card_drive_t request =
-        follower_step(&axes[AXIS_FEET], &robot.axes[AXIS_FEET], &axes[AXIS_HEAD], LIMIT_CYCLE_US);
+    const card_drive_t request = follower_step(&axes[AXIS_FEET], &robot.axes[AXIS_FEET],
+                                               &axes[AXIS_HEAD], 1U, LIMIT_CYCLE_US);
     TEST_ASSERT_EQUAL_INT32(2960, axes[AXIS_FEET].setpoint_ticks);
     TEST_ASSERT_EQUAL_INT32(-196 * 256, axes[AXIS_FEET].setpoint_speed_ticks_per_s_q8);
     TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, request.mode);
@@ -117,9 +117,23 @@ void test_SWR_AXIS_029_apart_is_what_it_is_above_its_place(void)
     tie();
     put(AXIS_HEAD, 60);
     put(AXIS_FEET, 2970);
-    TEST_ASSERT_EQUAL_INT32(10, follower_apart_ticks(&axes[AXIS_FEET], &axes[AXIS_HEAD]));
+    TEST_ASSERT_EQUAL_INT32(10, follower_apart_ticks(&axes[AXIS_FEET], &axes[AXIS_HEAD], 1U));
     put(AXIS_FEET, 2950);
-    TEST_ASSERT_EQUAL_INT32(-10, follower_apart_ticks(&axes[AXIS_FEET], &axes[AXIS_HEAD]));
+    TEST_ASSERT_EQUAL_INT32(-10, follower_apart_ticks(&axes[AXIS_FEET], &axes[AXIS_HEAD], 1U));
+}
+
+void test_SWR_AXIS_051_one_that_goes_at_the_double_is_where_twice_the_way_has_it(void)
+{
+    tie();
+    axes[AXIS_HEAD].setpoint_ticks = 60;
+    axes[AXIS_HEAD].setpoint_speed_ticks_per_s_q8 = -98 * 256;
+    put(AXIS_HEAD, 60);
+    put(AXIS_FEET, 2925);
+    (void)follower_step(&axes[AXIS_FEET], &robot.axes[AXIS_FEET], &axes[AXIS_HEAD], 2U,
+                        LIMIT_CYCLE_US);
+    TEST_ASSERT_EQUAL_INT32(2920, axes[AXIS_FEET].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(-196 * 256, axes[AXIS_FEET].setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_EQUAL_INT32(5, follower_apart_ticks(&axes[AXIS_FEET], &axes[AXIS_HEAD], 2U));
 }
 
 /* 0.15 mm are 11.8 ticks. */

@@ -8,6 +8,7 @@
 
 #include "axis/axis.h"
 #include "axis/follower.h"
+#include "mode/escort.h"
 #include "mode/homing_mode.h"
 #include "mode/leg.h"
 #include "mode/mode_frame.h"
@@ -19,11 +20,13 @@
 #include "unit/support/mode_world.h"
 
 static leg_t leg;
+static escort_t escort;
 
 void setUp(void)
 {
     world_start();
     leg = (leg_t){.axes = 0U};
+    escort_end(&escort);
 }
 
 void tearDown(void)
@@ -42,7 +45,7 @@ static void start_fresh(void)
 static void step(void)
 {
     mode_clear(&result);
-    homing_mode_step(&leg, &frame, &result);
+    homing_mode_step(&leg, &escort, &frame, &result);
 }
 
 void test_SWR_JOG_016_the_needle_homes_before_all_else(void)
@@ -127,7 +130,7 @@ void test_SWR_COUPLE_003_an_axis_that_is_barred_fails_it_and_no_other_begins(voi
     }
 }
 
-/* The feet follow the head, which homes last. */
+/* The feet follow the head, which homes last. No limit that they share says where they may be. */
 static void start_with_followers(void)
 {
     static const int32_t home[] = {-500, 100, -200, 1000, 0, 30, -60};
@@ -136,6 +139,7 @@ static void start_with_followers(void)
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         robot.poses[POSE_HOME].ticks[i] = home[i];
     }
+    robot.coupled_limit_count = 0U;
     world_lose(AXIS_HEAD);
     world_put(AXIS_HEAD, -40);
     world_put(AXIS_FEET, 3000);
@@ -210,6 +214,103 @@ void test_SWR_AXIS_029_the_first_that_cannot_follow_is_named_alone(void)
     TEST_ASSERT_EQUAL_UINT32(AXIS_FEET, result.axis);
 }
 
+/* The feet are so far out that the head cannot be at its switch: they come along. */
+static void start_with_escort(void)
+{
+    start_with_followers();
+    robot.coupled_limit_count = 1U;
+    world_put(AXIS_FEET, -5000);
+}
+
+void test_SWR_AXIS_051_the_last_of_a_block_homes_with_its_escort(void)
+{
+    uint32_t rests = 0U;
+    start_with_escort();
+    step();
+    while (world_rests(AXIS_HEAD)) {
+        TEST_ASSERT_TRUE(world_rests(AXIS_FEET));
+        TEST_ASSERT_TRUE(axis_is_homing(&axes[AXIS_HEAD]));
+        TEST_ASSERT_LESS_THAN_UINT32(30U, rests);
+        rests++;
+        step();
+    }
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+        TEST_ASSERT_EQUAL_INT32(-4960,
+                                axes[AXIS_FEET].setpoint_ticks - axes[AXIS_HEAD].setpoint_ticks);
+        TEST_ASSERT_TRUE(world_rests(AXIS_YAW));
+        world_follow();
+        step();
+    }
+    TEST_ASSERT_EQUAL_UINT32(AXIS_HEAD + 1U, escort.leader);
+    world_grade(AXIS_HEAD, AXIS_REFERENCE_VERIFIED);
+    world_put(AXIS_HEAD, 0);
+    world_put(AXIS_FEET, 0);
+    step();
+    TEST_ASSERT_EQUAL_UINT32(0U, escort.leader);
+    TEST_ASSERT_TRUE(world_rests(AXIS_FEET));
+}
+
+void test_SWR_AXIS_051_an_axis_that_does_not_begin_has_no_escort(void)
+{
+    start_with_escort();
+    axis_disable(&axes[AXIS_HEAD]);
+    step();
+    TEST_ASSERT_EQUAL_UINT32(0U, escort.leader);
+    TEST_ASSERT_TRUE(world_rests(AXIS_HEAD));
+}
+
+void test_SWR_AXIS_051_an_escort_at_the_double_makes_its_leader_half_as_fast(void)
+{
+    int32_t full = 0;
+    start_with_escort();
+    while ((result.progress == MODE_RUNNING) && (full == 0)) {
+        step();
+        full = axes[AXIS_HEAD].setpoint_speed_ticks_per_s_q8;
+        world_follow();
+    }
+    escort.paces *= 2U;
+    homing_rest(&axes[AXIS_HEAD].homing);
+    step();
+    TEST_ASSERT_EQUAL_INT32(full / 2, axes[AXIS_HEAD].setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_INT32_WITHIN(1, full, axes[AXIS_FEET].setpoint_speed_ticks_per_s_q8);
+}
+
+/* Each ends alone, and nothing is homed anew for its sake. */
+void test_SWR_AXIS_032_the_last_of_a_block_calls_no_other_leader(void)
+{
+    start_with_escort();
+    robot.axes[AXIS_LATERAL].home_stage = ROBOT_HOME_STAGES;
+    robot.axes[AXIS_YAW].leaders[ROBOT_HOME_STAGES - 1U] = 1U + AXIS_LATERAL;
+    step();
+    TEST_ASSERT_TRUE(axis_is_homed(&axes[AXIS_LATERAL]));
+    axis_stop_homing(&axes[AXIS_HEAD]);
+    robot.coupled_limit_count = 0U;
+    step();
+    TEST_ASSERT_FALSE(axis_is_homed(&axes[AXIS_LATERAL]));
+}
+
+void test_SWR_AXIS_052_without_any_escort_it_fails_with_the_way_by_hand(void)
+{
+    uint32_t cycles = 0U;
+    start_with_escort();
+    robot.axes[AXIS_FEET].maximum_ticks = -4999;
+    robot.axes[AXIS_FEET].minimum_ticks = -5001;
+    while (result.progress == MODE_RUNNING) {
+        step();
+        TEST_ASSERT_LESS_THAN_UINT32(100U, cycles);
+        cycles++;
+    }
+    TEST_ASSERT_EQUAL(STATUS_FAULT_PRESENT, result.status);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_HEAD, result.axis);
+    TEST_ASSERT_EQUAL_UINT32(1U, result.note_count);
+    TEST_ASSERT_EQUAL(EVENT_HOMING_NO_WAY, result.notes[0].id);
+    TEST_ASSERT_EQUAL_INT32(escort_way_by_hand_ticks(&escort, &robot, axes), result.notes[0].value);
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        TEST_ASSERT_TRUE(world_rests(i));
+    }
+}
+
 static bool is_done(void)
 {
     return homing_mode_is_done(&leg, &frame);
@@ -267,6 +368,7 @@ void test_SWR_ROBOT_026_a_way_home_that_leaves_a_coupled_limit_is_refused_by_its
     world_put(AXIS_FEET, 100);
     frame.is_every_axis_homed = true;
     robot.pose_mask = (uint32_t)1U << POSE_HOME;
+    robot.coupled_limit_count = 1U;
     robot.coupled_limits[0].is_curved = 1U;
     robot.coupled_limits[0].minimum = 140000000;
     step();
