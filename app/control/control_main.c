@@ -2,8 +2,8 @@
 /**
  * @file
  * The control process: wakes once per cycle, exchanges frames with the cards, steps the
- * controller and publishes. It waits for nobody but the clock and the cards, and in elastic time for
- * a lane of cycles that is full. All its state is here: this file is the RAM map.
+ * controller and publishes. It waits for nobody but the clock and the cards, and in elastic time
+ * for a lane of cycles that is full. All its state is here: this file is the RAM map.
  *
  * @satisfies SWR-CTRL-001
  */

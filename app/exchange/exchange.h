@@ -280,7 +280,7 @@ uint32_t exchange_oldest_event(const exchange_t *self);
 void exchange_note_logged(exchange_t *self, uint32_t next);
 uint32_t exchange_logged(const exchange_t *self);
 
-/** For a recorder that begins or has lost cycles: control records a checkpoint in its next cycle. */
+/** For a recorder that begins or has lost cycles: control pushes a checkpoint in its next cycle. */
 void exchange_request_checkpoint(exchange_t *self);
 
 /** For control: says once whether a checkpoint was asked for since the last call. */

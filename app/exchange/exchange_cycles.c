@@ -181,8 +181,7 @@ static void begin_taking(exchange_t *self, uint32_t head)
 
     if (!self->is_taking) {
         self->is_taking = true;
-        self->cycles_tail =
-            (between(self, tail, head) <= between(self, seen, head)) ? tail : seen;
+        self->cycles_tail = (between(self, tail, head) <= between(self, seen, head)) ? tail : seen;
         self->cycles_taken = self->cycles_tail;
     }
 }

@@ -182,8 +182,8 @@ typedef struct {
 /** A process' view of the segment. */
 struct exchange {
     segment_t *segment;
-    size_t size; /**< Of the segment, bytes. */
-    int file;    /**< The creator keeps it locked while it lives. */
+    size_t size;           /**< Of the segment, bytes. */
+    int file;              /**< The creator keeps it locked while it lives. */
     uint32_t cycles;       /**< Entries of the lane of cycles. */
     uint32_t cycles_put;   /**< Of control: the index of the next one. */
     uint32_t cycles_taken; /**< Of the recorder: the index of the next one to take, */

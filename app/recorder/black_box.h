@@ -35,12 +35,12 @@ typedef struct {
     uint64_t retry_us;     /**< Not before then is another file tried. */
     uint64_t flushed_us;   /**< When the last block was written. */
     uint32_t next_cycle;
-    uint32_t kept_until; /**< The cycle after the last one that an earlier file has. */
-    bool has_cycle;      /**< next_cycle is known. */
-    bool is_failing;     /**< The last attempt to write failed, and it was said. */
-    uint64_t unwritten;  /**< Records lost to a full disk. */
-    uint64_t damaged_us; /**< When damage of the lane was last found; 0: never. */
-    cycle_record_t record;                        /**< The present one. */
+    uint32_t kept_until;   /**< The cycle after the last one that an earlier file has. */
+    bool has_cycle;        /**< next_cycle is known. */
+    bool is_failing;       /**< The last attempt to write failed, and it was said. */
+    uint64_t unwritten;    /**< Records lost to a full disk. */
+    uint64_t damaged_us;   /**< When damage of the lane was last found; 0: never. */
+    cycle_record_t record; /**< The present one. */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Of the newest checkpoint. */
 } black_box_t;
 

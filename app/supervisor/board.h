@@ -57,11 +57,11 @@ typedef struct {
 typedef struct {
     board_option_t options[BOARD_OPTIONS];
     board_companion_t companions[BOARD_COMPANIONS];
-    const char *box;      /**< Pattern of what control opens. */
-    const char *name;     /**< Pattern of what the box is called; positions are kept for each. */
-    const char *slowness; /**< Pattern of how many times slower its time passes. */
-    bool is_simulated;    /**< No robot is connected. */
-    check_board_t cycle;  /**< What a cycle costs. */
+    const char *box;        /**< Pattern of what control opens. */
+    const char *name;       /**< Pattern of what the box is called; positions are kept for each. */
+    const char *slowness;   /**< Pattern of how many times slower its time passes. */
+    bool is_simulated;      /**< No robot is connected. */
+    check_board_t cycle;    /**< What a cycle costs. */
     uint32_t cycle_lane_mb; /**< Memory for the cycles that wait for the recorder. */
     board_saying_t says[BOARD_SAYINGS];
 } board_t;

@@ -9,7 +9,8 @@
 
 /**
  * Takes its parts: workphase, permit, pedal and e-stop, cycles that are not recorded, who asks for
- * the button, programs that are not well, links, who commands, who is not reached, time, and the programs that are well.
+ * the button, programs that are not well, links, who commands, who is not reached, time, and the
+ * programs that are well.
  *
  * @satisfies SWR-SUP-004
  */

@@ -146,8 +146,8 @@ typedef struct {
     uint32_t vain_event;     /**< event_id_t that ended it. */
     uint32_t seals[CONTROLLER_SECTIONS];
     card_health_t health[CARD_SLOT_COUNT]; /**< By slot; counts, too. */
-    uint32_t cycles_lost; /**< Of the inputs before; counts, too, */
-    uint32_t unrecorded;  /**< and those of them in the present gap. */
+    uint32_t cycles_lost;                  /**< Of the inputs before; counts, too, */
+    uint32_t unrecorded;                   /**< and those of them in the present gap. */
     robot_cards_t cards;    /**< Of the robot, as its undamaged table says in each cycle. */
     program_list_t program; /**< The treatment program that is held; has checksums of its own. */
     /** Of mode.list; each has a checksum. The last member, as they are too many to be copied with

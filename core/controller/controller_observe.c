@@ -357,7 +357,7 @@ static void observe_procedure(controller_t *self, const cycle_t *cycle)
     controller_report_order(self, cycle, actions, STATUS_OK);
 }
 
-/* The first cycle that is recorded again tells of the gap, so that the recording itself names it. */
+/* The first cycle that is recorded again tells of the gap, so that it is in the recording. */
 static void note_gap(controller_t *self, const cycle_t *cycle, uint32_t lost)
 {
     if (lost == 0U) {

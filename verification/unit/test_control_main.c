@@ -213,8 +213,8 @@ static void ask_to_end(uint32_t cycle, snapshot_t *snapshot)
     }
 }
 
-#define LANE 8U                  /* Entries, */
-#define RECORDED 4U              /* of which so many cycles are recorded, after a checkpoint. */
+#define LANE 8U     /* Entries, */
+#define RECORDED 4U /* of which so many cycles are recorded, after a checkpoint. */
 #define NEVER (LAST_CYCLE + 1U)
 
 static void read_all(uint32_t cycle)

@@ -170,9 +170,9 @@ void test_SWR_REC_023_a_recorder_that_is_started_again_gets_what_was_not_release
     expect(8U);
 }
 
-static const uint32_t damage[] = {0U,         1U,         37U,         LANE - 1U,  LANE,
-                                  LANE + 50U, 2U * LANE,  2U * LANE + 1U, 4294965248U, INT32_MAX,
-                                  UINT32_MAX, 0x80000000U};
+static const uint32_t damage[] = {0U,          1U,         37U,        LANE - 1U,
+                                  LANE,        LANE + 50U, 2U * LANE,  2U * LANE + 1U,
+                                  4294965248U, INT32_MAX,  UINT32_MAX, 0x80000000U};
 
 void test_SWR_EXCH_025_a_damaged_index_of_the_reader_costs_nothing(void)
 {
@@ -201,8 +201,7 @@ static const uint32_t beyond[] = {1U, 50U, LANE - 1U, 2U * LANE, 4294965248U, UI
 
 static void damage_ahead(size_t which)
 {
-    const uint32_t ahead =
-        (control->segment->control.cycles_head + beyond[which]) % (2U * LANE);
+    const uint32_t ahead = (control->segment->control.cycles_head + beyond[which]) % (2U * LANE);
 
     control->segment->others.cycles_tail = (beyond[which] < LANE) ? ahead : beyond[which];
 }
