@@ -12,6 +12,7 @@ class TestNeighbour < SystemTest
   SEED = Integer(ENV.fetch('SEED', '33'))
   DAMAGE_END_MS = 5000 # Of the world's time; SWR-EXCH-023.
   SERVED_BY = %w[control recorder igtl http].freeze
+  REPLACED = SERVED_BY.drop(1).freeze
 
   # With a peer that commands, with commands in its lane that were carried out, and with a pedal that is pressed.
   def begin_with_commands
@@ -71,5 +72,19 @@ class TestNeighbour < SystemTest
       text, code = replay(file)
       assert_equal 0, code, text
     end
+  end
+
+  # They find what the neighbour has left, and no more.
+  def test_SWR_EXCH_023_programs_that_are_started_anew_work_as_well
+    begin_with_commands
+    boresight.leave
+    neighbour do
+      @ended ||= REPLACED.each { |name| boresight.kill(name, 'KILL') }
+    end
+    in_time('a STOP is obeyed') { boresight.post_stop(boresight.stop_port).code == '200' }
+    in_time('START_UP is obeyed') { boresight.command('START_UP') && boresight.status['workphase']['name'] == 'START_UP' }
+    boresight.home
+    wait_until('events are logged on') { boresight.event_lines.grep(/ORDER_DONE|HOMING ended/).any? }
+    assert_operator boresight.log_files.size, :<=, 2
   end
 end
