@@ -23,12 +23,18 @@ void http_notes_init(http_notes_t *self, exchange_t *exchange, act_desk_t *desk)
     self->asked = self->written;
 }
 
+static uint32_t write_note(http_notes_t *self, note_kind_t kind, const char *who, const char *text)
+{
+    (void)pthread_mutex_lock(&self->lock);
+    const uint32_t number = exchange_write_note(self->exchange, kind, who, text);
+    self->written = number;
+    (void)pthread_mutex_unlock(&self->lock);
+    return number;
+}
+
 void http_notes_write(void *owner, note_kind_t kind, const char *who, const char *text)
 {
-    http_notes_t *self = owner;
-    (void)pthread_mutex_lock(&self->lock);
-    self->written = exchange_write_note(self->exchange, kind, who, text);
-    (void)pthread_mutex_unlock(&self->lock);
+    (void)write_note(owner, kind, who, text);
 }
 
 uint32_t http_notes_keep(http_notes_t *self, const char *who, const char *text, uint64_t now_ms)
@@ -63,24 +69,35 @@ void http_notes_tell_replaced(http_notes_t *self)
     }
 }
 
-void http_notes_tell_damage(http_notes_t *self, uint64_t now_ms)
+static void tell_damage(http_notes_t *self, command_source_t source, uint64_t now_ms)
 {
     static const char *const names[COMMAND_SOURCE_COUNT] = {
         [COMMAND_SOURCE_IGTL] = "igtl", [COMMAND_SOURCE_HTTP] = "http"};
+    http_notes_damage_t *told = &self->damages[source];
+    const uint32_t count = exchange_lane_damages(self->exchange, source);
+    exchange_note_t note;
     char text[120];
 
+    if ((told->note != 0U) && exchange_read_note(self->exchange, told->note, &note)) {
+        told->note = 0U;
+    }
+    if ((count != told->count) || (told->note != 0U)) {
+        (void)snprintf(text, sizeof text,
+                       "command lane damaged %u time%s since the start; commands in it were "
+                       "dropped.",
+                       (unsigned)count, (count > 1U) ? "s" : "");
+        told->note = write_note(self, NOTE_DAMAGED, names[source], text);
+        told->count = count;
+        told->told_ms = now_ms;
+    }
+}
+
+void http_notes_tell_damage(http_notes_t *self, uint64_t now_ms)
+{
     for (uint32_t i = 0U; i < COMMAND_SOURCE_COUNT; i++) {
-        const uint32_t count = exchange_lane_damages(self->exchange, (command_source_t)i);
-        const bool is_due = (self->damaged_ms[i] == 0U) ||
-                            (passed_ms(self->damaged_ms[i], now_ms) >= LIMIT_DAMAGE_PAUSE_MS);
-        if ((count != self->damages[i]) && is_due) {
-            (void)snprintf(text, sizeof text,
-                           "command lane damaged %u time%s since the start; commands in it were "
-                           "dropped.",
-                           (unsigned)count, (count > 1U) ? "s" : "");
-            http_notes_write(self, NOTE_DAMAGED, names[i], text);
-            self->damages[i] = count;
-            self->damaged_ms[i] = now_ms;
+        const uint64_t told_ms = self->damages[i].told_ms;
+        if ((told_ms == 0U) || (passed_ms(told_ms, now_ms) >= LIMIT_DAMAGE_PAUSE_MS)) {
+            tell_damage(self, (command_source_t)i, now_ms);
         }
     }
 }

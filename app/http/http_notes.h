@@ -15,6 +15,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/** What was told of the damage of a command lane. */
+typedef struct {
+    uint32_t count;
+    uint32_t note;    /**< Its number; 0: it is known to have been kept. */
+    uint64_t told_ms; /**< 0: never. */
+} http_notes_damage_t;
+
 typedef struct {
     exchange_t *exchange;
     act_desk_t *desk;
@@ -26,8 +33,7 @@ typedef struct {
     uint32_t next_event; /**< Of the log, to look at. */
     uint64_t kept_ms;    /**< When somebody's was kept last. */
     uint32_t seen;       /**< What `logged` was at the last tick, for all threads. */
-    uint32_t damages[COMMAND_SOURCE_COUNT];    /**< Of the command lanes, told. */
-    uint64_t damaged_ms[COMMAND_SOURCE_COUNT]; /**< When it was told; 0: never. */
+    http_notes_damage_t damages[COMMAND_SOURCE_COUNT]; /**< Of their command lanes. */
 } http_notes_t;
 
 /** Starts with nothing to log. `exchange` and `desk`, which asks control, outlive `self`. */
@@ -54,8 +60,8 @@ bool http_notes_are_behind(http_notes_t *self);
 void http_notes_tell_replaced(http_notes_t *self);
 
 /**
- * Notes of each command lane how often it was found damaged, where that has grown: at once, and
- * again LIMIT_DAMAGE_PAUSE_MS later at the earliest.
+ * Notes of each command lane how often it was found damaged, where that has grown or the note of it
+ * was damaged itself: at once, and again LIMIT_DAMAGE_PAUSE_MS later at the earliest.
  *
  * @satisfies SWR-EXCH-024
  */

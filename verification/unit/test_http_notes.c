@@ -157,6 +157,18 @@ void test_SWR_EXCH_024_a_damaged_lane_is_told_at_once_and_then_in_sums(void)
     expect_asked(0U);
 }
 
+void test_SWR_EXCH_024_a_note_of_damage_that_was_damaged_itself_is_written_again(void)
+{
+    damage_lane();
+    http_notes_tell_damage(&notes, NOW_MS);
+    control->segment->others.notes[2].note.text[0] = 'x';
+    expect_asked(0U);
+    http_notes_tell_damage(&notes, NOW_MS + LIMIT_DAMAGE_PAUSE_MS);
+    expect_damage(3U, "command lane damaged 1 time since the start; commands in it were dropped.");
+    http_notes_tell_damage(&notes, NOW_MS + (2U * LIMIT_DAMAGE_PAUSE_MS));
+    expect_asked(0U);
+}
+
 void test_SWR_SESS_020_what_is_overwritten_is_passed_over(void)
 {
     for (uint32_t i = 0U; i <= LIMIT_NOTES_KEPT; i++) {
