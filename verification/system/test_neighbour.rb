@@ -23,6 +23,7 @@ class TestNeighbour < SystemTest
   end
 
   def neighbour
+    @began_at = boresight.status['cycle']
     Open3.popen2(Boresight.program('neighbour'), boresight.instance, LASTS_MS.to_s, SEED.to_s) do |input, output, thread|
       input.close
       yield while thread.alive?
@@ -31,12 +32,11 @@ class TestNeighbour < SystemTest
     end
   end
 
-  # What is awaited comes true within the bound, counted in cycles of 1 ms.
+  # What is awaited comes true within the bound, counted in cycles of 1 ms: elastic time does not hurry.
   def in_time(reason, &)
-    @ended_at ||= boresight.patiently { boresight.status['cycle'] }
     self.assertions += 1
     boresight.patiently(&)
-    assert_operator boresight.status['cycle'] - @ended_at, :<=, DAMAGE_END_MS, reason
+    assert_operator boresight.status['cycle'] - @began_at, :<=, LASTS_MS + DAMAGE_END_MS, reason
   end
 
   # An operator's page: it takes authority and jogs.
@@ -50,7 +50,9 @@ class TestNeighbour < SystemTest
     assert_equal '200', page.act('workphase', { workphase: 'MANUAL' }).code, page.last.body
     assert_equal '202', page.act('motors/needle/jog', { position: 5 }).code, page.last.body
     boresight.simctl('pedal', 'press')
-    wait_until('the jog is done') { JSON.parse(page.act('motors/needle/jog', { position: 5 }, id: page.id).body)['state'] == 'done' }
+    wait_until('the jog is done') do
+      JSON.parse(page.act('motors/needle/jog', { position: 5 }, id: page.id).body)['state'] == 'done'
+    end
     boresight.simctl('pedal', 'release')
   end
 
