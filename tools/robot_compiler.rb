@@ -62,7 +62,7 @@ module Robot
         #include "robot/robot.h"
 
         /* Index of each axis. */
-        #{places(@robot.axes.map { |axis| "AXIS_#{axis['name'].upcase}" })}
+        #{places(@robot.axes.map { |axis| "#{@robot.kinematics}_axis_#{axis['name']}".upcase })}
 
         /* Place of each length in geometry_nm, and of those of the probe in probe_t. */
         #{places(geometry.keys)}

@@ -14,8 +14,8 @@
  * The workphase chart is asked, in a copy that is where control is. Of a mode for single axes: can
  * any be commanded, by axis_outlook.h. Of what a mode itself asks that is looked at which does not
  * hang on what is commanded: that there is a trajectory, and that it can be driven from where the
- * axes stand, a program for the target, a target with its entry point and the way there, a pose that
- * can be gone to, that the needle is out for it, and that the base is aligned.
+ * axes stand, a program for the target, a target with its entry point and the way there, a pose
+ * that can be gone to, that the needle is out for it, and that the base is aligned.
  *
  * @param start_ticks where the trajectory begins that is held; NULL: nobody knows, and nothing is
  * said of it

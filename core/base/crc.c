@@ -274,7 +274,8 @@ static inline uint32_t after_zeros(uint32_t state, zeros_t zeros)
 uint32_t crc32c_over_132(uint32_t crc, const uint8_t *bytes)
 {
     const uint32_t most = after_eight(after_eight(~crc, bytes), &bytes[32]);
-    const uint32_t all = after_word(after_word(after_eight(most, &bytes[64]), &bytes[96]), &bytes[100]);
+    const uint32_t all =
+        after_word(after_word(after_eight(most, &bytes[64]), &bytes[96]), &bytes[100]);
     const uint32_t state = after_zeros(after_word(all, &bytes[104]), ZEROS_132);
     return ~after_word(state, &bytes[240]);
 }

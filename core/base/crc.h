@@ -13,8 +13,8 @@
 /** CRC-32C of `length` bytes; 0 for none. "123456789" gives 0xE3069283. */
 uint32_t crc32c(const uint8_t *bytes, size_t length);
 
-/** CRC-32C of what gave `crc`, followed by the 244 bytes that a frame has between its header and its
- * checksum: 108, then 132 zeros, which are not read, and 4 more. */
+/** CRC-32C of what gave `crc`, followed by the 244 bytes that a frame has between its header and
+ * its checksum: 108, then 132 zeros, which are not read, and 4 more. */
 uint32_t crc32c_over_132(uint32_t crc, const uint8_t *bytes);
 
 /** The same of 64 bytes, 172 zeros, and 8 more. */

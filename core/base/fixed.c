@@ -52,8 +52,8 @@ static inline uint32_t lift(uint64_t *value, uint32_t bits)
 }
 
 /* 1 / `value_q32` of a half to one, q31, too small by 3 at most (every value was tried): Newton's
- * method from a straight line that is at most 6 % off, of which each step leaves the square. No step
- * gives too much, as what is left of two is rounded down, too: so 32 bits hold it. */
+ * method from a straight line that is at most 6 % off, of which each step leaves the square. No
+ * step gives too much, as what is left of two is rounded down, too: so 32 bits hold it. */
 static uint32_t reciprocal_q31(uint32_t value_q32)
 {
     uint32_t reciprocal = (uint32_t)(6063482000ULL - multiply_short_q32(value_q32, 4042322000U));

@@ -410,8 +410,7 @@ static card_frame_result_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYT
 card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
                                               card_command_t *command)
 {
-    const frame_view_t view = {TYPE_COMMAND, has_command_reserved_bits(bytes),
-                               command_sum(bytes)};
+    const frame_view_t view = {TYPE_COMMAND, has_command_reserved_bits(bytes), command_sum(bytes)};
     const card_frame_result_t result = check_frame(bytes, slot, &view);
     const uint32_t control = frame_word_get(bytes, CARD_COMMAND_CONTROL);
     card_drive_t drive;

@@ -90,8 +90,8 @@ static uint32_t seal_of_rest(const controller_t *self)
 {
     const uint32_t pending = seal_between(self, SEAL_START, offsetof(controller_t, pending),
                                           offsetof(controller_t, kept.axes));
-    uint32_t seal = seal_between(self, pending, offsetof(controller_t, cause),
-                                 offsetof(controller_t, seals));
+    uint32_t seal =
+        seal_between(self, pending, offsetof(controller_t, cause), offsetof(controller_t, seals));
     if (self->awaited != 0U) {
         seal = seal_between(self, seal, offsetof(controller_t, kept.axes),
                             offsetof(controller_t, cause));

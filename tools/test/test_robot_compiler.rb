@@ -21,6 +21,7 @@ class TestRobotCompiler < Minitest::Test
       errors = StringIO.new
       status = Robot::Command.run([path, File.join(directory, 'out')], errors: errors)
       table = File.join(directory, 'out', 'robot_neuro.c')
+      @header = File.join(directory, 'out', 'robot_neuro.h').then { |header| File.read(header) if File.exist?(header) }
       return [status, errors.string.gsub("#{directory}/", ''), File.exist?(table) ? File.read(table) : nil]
     end
   end
@@ -69,6 +70,14 @@ class TestRobotCompiler < Minitest::Test
     assert_equal 2, table.scan('(uint8_t)HOME_IN_PLACE').size
     assert_equal 1, table.scan('(uint8_t)LIMIT_SWITCH_LOWER').size
     assert_equal 3, table.scan('(uint8_t)AXIS_UNIT_RAD').size
+  end
+
+  def test_SWR_ROBOT_002_the_places_of_axes_and_lengths_carry_their_kinematics
+    compile(TEXT)
+    names = @header.scan(/#define (\w+) \d+U/).flatten
+    assert_includes @header, '#define NEURO_AXIS_HEAD 0U'
+    assert_includes @header, '#define NEURO_AXIS_INSERTION 3U'
+    assert_empty(names.reject { |name| name.start_with?('NEURO_') })
   end
 
   CARDS = "cards: [{slot: 8, card: sensor}, {slot: 0, card: sensor}]\n"

@@ -81,7 +81,8 @@ static bool is_base_at_target(void)
     box_true_positions(&rig.box, ticks);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const double way = ticks[i] - (double)rig.controller.plan.target_ticks[i];
-        is_there = is_there && ((i == (uint32_t)AXIS_INSERTION) || ((way < 3.0) && (way > -3.0)));
+        is_there =
+            is_there && ((i == (uint32_t)NEURO_AXIS_INSERTION) || ((way < 3.0) && (way > -3.0)));
     }
     return is_there;
 }
@@ -99,12 +100,12 @@ void test_SWR_ALIGN_001_the_base_lines_up_with_the_needle_out_then_the_needle_go
     rig_forget(&rig);
     run(insert);
     TEST_ASSERT_TRUE(is_base_at_target());
-    TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[AXIS_INSERTION].deadband_ticks,
-                             rig.controller.plan.target_ticks[AXIS_INSERTION],
-                             rig_position(&rig, AXIS_INSERTION));
+    TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[NEURO_AXIS_INSERTION].deadband_ticks,
+                             rig.controller.plan.target_ticks[NEURO_AXIS_INSERTION],
+                             rig_position(&rig, NEURO_AXIS_INSERTION));
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_NOTHING, rig.outputs.snapshot.next_step);
-    TEST_ASSERT_EQUAL_INT32(rig.controller.plan.target_ticks[AXIS_INSERTION],
-                            rig.outputs.snapshot.axes[AXIS_INSERTION].target_ticks);
+    TEST_ASSERT_EQUAL_INT32(rig.controller.plan.target_ticks[NEURO_AXIS_INSERTION],
+                            rig.outputs.snapshot.axes[NEURO_AXIS_INSERTION].target_ticks);
 }
 
 /* As it was: one order, align then insert, with an entry point or without. */
@@ -222,9 +223,10 @@ void test_SWR_ALIGN_005_an_insertion_pauses_and_goes_on(void)
     rig_cycles(&rig, 1500U);
     rig_release(&rig);
     rig_cycles(&rig, 500U);
-    const int32_t depth = rig_position(&rig, AXIS_INSERTION);
+    const int32_t depth = rig_position(&rig, NEURO_AXIS_INSERTION);
     TEST_ASSERT_GREATER_THAN_INT32(needle_out_ticks(&robot_neuro), depth);
-    TEST_ASSERT_LESS_THAN_INT32(rig.controller.plan.target_ticks[AXIS_INSERTION] - 100, depth);
+    TEST_ASSERT_LESS_THAN_INT32(rig.controller.plan.target_ticks[NEURO_AXIS_INSERTION] - 100,
+                                depth);
     rig_press(&rig);
     expect_done(COMMAND_INSERT);
     TEST_ASSERT_TRUE(is_base_at_target());
@@ -244,11 +246,11 @@ void test_SWR_FLOW_002_a_probe_that_is_not_coupled_is_inserted_by_hand_and_nothi
     start_aimed();
     rig_box(&rig, "probe free");
     run(align);
-    const int32_t out = rig_position(&rig, AXIS_INSERTION);
+    const int32_t out = rig_position(&rig, NEURO_AXIS_INSERTION);
     rig_forget(&rig);
     push("push 25", 6000U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.event_count);
-    TEST_ASSERT_INT32_WITHIN(REST_TICKS, out, rig_position(&rig, AXIS_INSERTION));
+    TEST_ASSERT_INT32_WITHIN(REST_TICKS, out, rig_position(&rig, NEURO_AXIS_INSERTION));
     TEST_ASSERT_TRUE(is_base_at_target());
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
@@ -263,7 +265,8 @@ void test_SWR_FLOW_003_a_push_that_moves_the_axis_is_a_fault_by_name(void)
     rig_forget(&rig);
     push("push 1", 500U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_MOVED_OFF));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_INSERTION].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT,
+                             rig.outputs.snapshot.axes[NEURO_AXIS_INSERTION].power);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_homed);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET, status_of(insert));

@@ -34,7 +34,7 @@ void test_SWR_STALL_001_a_blocked_motor_stalls_and_needs_start_up(void)
     rig_forget(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT, rig_finish(&rig, 700U).status);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_HEAD].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[NEURO_AXIS_HEAD].power);
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET,
                              rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
     rig_release(&rig);
@@ -44,7 +44,7 @@ void test_SWR_STALL_001_a_blocked_motor_stalls_and_needs_start_up(void)
     rig_release(&rig);
     rig_box(&rig, "motor head normal");
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_HEAD].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[NEURO_AXIS_HEAD].power);
 }
 
 void test_SWR_AXIS_012_after_an_encoder_was_gone_in_a_move_the_axis_homes_anew(void)
@@ -54,14 +54,15 @@ void test_SWR_AXIS_012_after_an_encoder_was_gone_in_a_move_the_axis_homes_anew(v
     rig_box(&rig, "encoder head stuck");
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 700U).kind);
     rig_box(&rig, "encoder head normal");
-    rig_expect_nothing_known(&rig, AXIS_HEAD);
+    rig_expect_nothing_known(&rig, NEURO_AXIS_HEAD);
     rig_release(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, rig_workphase(&rig, WORKPHASE_START_UP).kind);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.answer_count);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
     box_true_positions(&rig.box, true_ticks);
-    TEST_ASSERT_DOUBLE_WITHIN(2.0, (double)rig_position(&rig, AXIS_HEAD), true_ticks[AXIS_HEAD]);
+    TEST_ASSERT_DOUBLE_WITHIN(2.0, (double)rig_position(&rig, NEURO_AXIS_HEAD),
+                              true_ticks[NEURO_AXIS_HEAD]);
 }
 
 void test_SWR_AXIS_012_a_stall_loses_reference_and_target(void)
@@ -69,7 +70,7 @@ void test_SWR_AXIS_012_a_stall_loses_reference_and_target(void)
     rig_start_moving(&rig);
     rig_box(&rig, "motor head stuck");
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 700U).kind);
-    rig_expect_nothing_known(&rig, AXIS_HEAD);
+    rig_expect_nothing_known(&rig, NEURO_AXIS_HEAD);
 }
 
 static void begin_jog(uint32_t axis, int32_t ticks)
@@ -83,26 +84,26 @@ static void begin_jog(uint32_t axis, int32_t ticks)
 /* Its counts go forth and back: the motor seems to turn, and gets nowhere. */
 void test_SWR_AXIS_019_an_axis_that_trembles_in_place_is_reported_once(void)
 {
-    sim_motor_t *const motor = &rig.box.axes[AXIS_INSERTION].motor;
+    sim_motor_t *const motor = &rig.box.axes[NEURO_AXIS_INSERTION].motor;
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    begin_jog(AXIS_INSERTION, 1000);
+    begin_jog(NEURO_AXIS_INSERTION, 1000);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 5000U).kind);
-    const int32_t place = rig_position(&rig, AXIS_INSERTION);
-    begin_jog(AXIS_INSERTION, place + 12);
+    const int32_t place = rig_position(&rig, NEURO_AXIS_INSERTION);
+    begin_jog(NEURO_AXIS_INSERTION, place + 12);
     for (uint32_t i = 0U; i < 2000U; i++) {
-        motor->asymmetry = (rig_position(&rig, AXIS_INSERTION) > place) ? -1.2 : -0.5;
+        motor->asymmetry = (rig_position(&rig, NEURO_AXIS_INSERTION) > place) ? -1.2 : -0.5;
         rig_cycle(&rig);
     }
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_STALLED) +
                                      rig_count(&rig, EVENT_AXIS_WRONG_SPEED));
-    rig_expect_nothing_known(&rig, AXIS_INSERTION);
+    rig_expect_nothing_known(&rig, NEURO_AXIS_INSERTION);
 }
 
 /* What its watchdog finds is told, whatever else has found nothing. */
 void test_SWR_STALL_003_a_stall_is_told_with_its_place(void)
 {
-    stall_watchdog_chart_t *const stall = &rig.controller.axes[AXIS_HEAD].supervision.stall;
+    stall_watchdog_chart_t *const stall = &rig.controller.axes[NEURO_AXIS_HEAD].supervision.stall;
     rig_start_moving(&rig);
     while (stall->state != (uint32_t)STALL_WATCHDOG_STATE_WATCHING) {
         rig_cycle(&rig);
@@ -112,8 +113,8 @@ void test_SWR_STALL_003_a_stall_is_told_with_its_place(void)
     rig_forget(&rig);
     rig_cycles(&rig, 5U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_STALLED));
-    TEST_ASSERT_INT32_WITHIN(5, rig_position(&rig, AXIS_HEAD), rig.events[0].value);
-    rig_expect_nothing_known(&rig, AXIS_HEAD);
+    TEST_ASSERT_INT32_WITHIN(5, rig_position(&rig, NEURO_AXIS_HEAD), rig.events[0].value);
+    rig_expect_nothing_known(&rig, NEURO_AXIS_HEAD);
 }
 
 void test_SWR_AXIS_018_a_cut_encoder_is_reported_exactly_once(void)
@@ -132,7 +133,7 @@ void test_SWR_AXIS_009_an_axis_that_runs_the_wrong_way_is_stopped(void)
     rig_forget(&rig);
     rig_cycles(&rig, 600U);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_HEAD].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[NEURO_AXIS_HEAD].power);
 }
 
 /* Way of `axis` in 0.1 mm or 0.5 degrees. */
@@ -174,21 +175,21 @@ void test_SWR_AXIS_016_a_motor_that_runs_on_after_the_release_is_noticed(void)
 {
     rig_start_moving(&rig);
     rig_release(&rig);
-    TEST_ASSERT_LESS_OR_EQUAL_UINT32(20U, cycles_to_notice(AXIS_FEET));
-    rig_expect_nothing_known(&rig, AXIS_FEET);
+    TEST_ASSERT_LESS_OR_EQUAL_UINT32(20U, cycles_to_notice(NEURO_AXIS_FEET));
+    rig_expect_nothing_known(&rig, NEURO_AXIS_FEET);
 }
 
 void test_SWR_AXIS_017_a_card_that_is_told_nothing_more_switches_off_where_it_may_not_be(void)
 {
     rig_start_moving(&rig);
-    const card_command_t sent = rig_sent(&rig, AXIS_HEAD);
+    const card_command_t sent = rig_sent(&rig, NEURO_AXIS_HEAD);
     const uint32_t width = (uint32_t)sent.guard_maximum_ticks - (uint32_t)sent.guard_minimum_ticks;
-    const uint32_t most = 2U * (uint32_t)robot_neuro.axes[AXIS_HEAD].following_error_ticks;
+    const uint32_t most = 2U * (uint32_t)robot_neuro.axes[NEURO_AXIS_HEAD].following_error_ticks;
     TEST_ASSERT_LESS_THAN_UINT32(most + most, width);
     rig_cycles(&rig, 5U);
-    rig.box.axes[AXIS_HEAD].encoder.count += most;
+    rig.box.axes[NEURO_AXIS_HEAD].encoder.count += most;
     box_advance(&rig.box, 200U);
-    TEST_ASSERT_BITS_HIGH(CARD_STATUS_GUARD, rig.box.axes[AXIS_HEAD].card.faults);
+    TEST_ASSERT_BITS_HIGH(CARD_STATUS_GUARD, rig.box.axes[NEURO_AXIS_HEAD].card.faults);
 }
 
 void test_SWR_AXIS_017_a_lost_card_gets_no_guard(void)
@@ -196,8 +197,8 @@ void test_SWR_AXIS_017_a_lost_card_gets_no_guard(void)
     rig_start(&rig);
     rig_box(&rig, "card head silent");
     rig_cycles(&rig, 20U);
-    TEST_ASSERT_EQUAL_INT32(rig_sent(&rig, AXIS_HEAD).guard_minimum_ticks,
-                            rig_sent(&rig, AXIS_HEAD).guard_maximum_ticks);
+    TEST_ASSERT_EQUAL_INT32(rig_sent(&rig, NEURO_AXIS_HEAD).guard_minimum_ticks,
+                            rig_sent(&rig, NEURO_AXIS_HEAD).guard_maximum_ticks);
 }
 
 /* `axis` is jogged and has run at its speed for a while. */

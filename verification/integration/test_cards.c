@@ -67,7 +67,8 @@ static card_command_t sent_to_sensor(void)
 
 static void begin_jog(void)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_LATERAL, .value = -2000};
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_LATERAL, .value = -2000};
     rig_home(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
@@ -190,7 +191,7 @@ void test_SWR_LINK_011_a_card_that_the_robot_does_not_name_is_told_of_once_and_s
     for (uint32_t i = 1U; i <= 20U; i++) {
         answer(i);
         cycle_with_stranger();
-        TEST_ASSERT_EQUAL_HEX32(0U, rig.outputs.snapshot.axes[AXIS_LATERAL].permit_reasons);
+        TEST_ASSERT_EQUAL_HEX32(0U, rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].permit_reasons);
     }
     TEST_ASSERT_EQUAL_UINT32(1U, rig.event_count);
     TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_UNEXPECTED_CARD, STRANGER));
@@ -216,7 +217,7 @@ void test_SWR_LINK_011_noise_from_an_empty_slot_is_no_card(void)
     TEST_ASSERT_EQUAL_UINT32(0U, rig.event_count);
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_ABSENT, shown(STRANGER)->link);
     TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_NONE, shown(STRANGER)->card_type);
-    TEST_ASSERT_EQUAL_HEX32(0U, rig.outputs.snapshot.axes[AXIS_LATERAL].permit_reasons);
+    TEST_ASSERT_EQUAL_HEX32(0U, rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].permit_reasons);
 }
 
 void test_SWR_LINK_011_start_up_does_not_make_it_one_of_the_robot(void)

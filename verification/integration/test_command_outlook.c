@@ -52,12 +52,12 @@ static command_t command_of(command_kind_t kind)
         (void)memcpy(command.ticks, rig.outputs.snapshot.probe_nm,
                      sizeof rig.outputs.snapshot.probe_nm);
     } else if (kind == COMMAND_RESTORE) {
-        command.argument = 1U << AXIS_FEET;
-        command.ticks[AXIS_FEET] = rig_position(&rig, AXIS_FEET);
+        command.argument = 1U << NEURO_AXIS_FEET;
+        command.ticks[NEURO_AXIS_FEET] = rig_position(&rig, NEURO_AXIS_FEET);
     } else if (kind == COMMAND_PROGRAM_BEGIN) {
         command.argument = 1U;
     } else {
-        command.argument = AXIS_FEET;
+        command.argument = NEURO_AXIS_FEET;
     }
     return command;
 }
@@ -107,7 +107,7 @@ static void go_on(void)
         WORKPHASE_START_UP,       WORKPHASE_PLANNING, WORKPHASE_TARGETING, WORKPHASE_CALIBRATION,
         WORKPHASE_MOVE_TO_TARGET, WORKPHASE_MANUAL,   WORKPHASE_STOP};
     const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_INSERTION, .value = 9000};
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_INSERTION, .value = 9000};
     switch (below(12U)) {
     case 0:
         plan();

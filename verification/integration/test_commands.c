@@ -106,7 +106,7 @@ void test_SWR_PHASE_006_targeting_needs_a_registration_and_moving_a_target(void)
     const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_MOVE, rig.outputs.snapshot.next_step);
-    axis_lose_reference(&rig.controller.axes[AXIS_YAW]);
+    axis_lose_reference(&rig.controller.axes[NEURO_AXIS_YAW]);
     controller_seal(&rig.controller);
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED,
                              rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
@@ -149,7 +149,7 @@ void test_SWR_PLAN_003_a_target_out_of_reach_is_refused_with_the_nearest_limit(v
     const answer_t answer = rig_target(&rig, &pose);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_REFUSED, answer.kind);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_LATERAL, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_LATERAL, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET,
@@ -192,7 +192,8 @@ void test_SWR_PHASE_006_nothing_is_armed_after_late_cycles_or_a_pedal_fault(void
 
 void test_SWR_AXIS_010_a_jog_is_refused_while_the_axes_are_disabled(void)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_PITCH, .value = -200};
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_PITCH, .value = -200};
     rig_start_homed(&rig);
     rig_box(&rig, "card yaw silent");
     rig_cycles(&rig, 10U);
@@ -234,7 +235,8 @@ void test_SWR_IGTL_009_proposals_are_shown_and_never_armed(void)
 
 void test_SWR_AXIS_010_a_jog_goes_to_its_position_in_manual_only(void)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = -200};
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = -200};
     rig_start_homed(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, rig_command(&rig, jog).status);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
@@ -243,12 +245,12 @@ void test_SWR_AXIS_010_a_jog_goes_to_its_position_in_manual_only(void)
     TEST_ASSERT_EQUAL_UINT32(0U, answer.is_final);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 5000U).kind);
-    TEST_ASSERT_EQUAL_INT32(-200, rig.outputs.snapshot.axes[AXIS_YAW].position_ticks);
+    TEST_ASSERT_EQUAL_INT32(-200, rig.outputs.snapshot.axes[NEURO_AXIS_YAW].position_ticks);
 }
 
 void test_SWR_AXIS_004_a_jog_outside_the_soft_limits_is_refused(void)
 {
-    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = 9};
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = 9};
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     answer_t answer = rig_command(&rig, jog);
@@ -263,32 +265,34 @@ void test_SWR_AXIS_004_a_jog_outside_the_soft_limits_is_refused(void)
 
 void test_SWR_PERMIT_005_an_axis_not_homed_jogs_at_reduced_speed(void)
 {
-    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW};
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW};
     rig_start_needle_homed(&rig);
-    const int32_t start = rig.outputs.snapshot.axes[AXIS_YAW].position_ticks;
+    const int32_t start = rig.outputs.snapshot.axes[NEURO_AXIS_YAW].position_ticks;
     jog.value = start - 27;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
-    const int32_t most_q8 = (robot_neuro.axes[AXIS_YAW].speed_ticks_per_s * 256 *
+    const int32_t most_q8 = (robot_neuro.axes[NEURO_AXIS_YAW].speed_ticks_per_s * 256 *
                              (int32_t)LIMIT_UNHOMED_SPEED_PERCENT) /
                             100;
     for (uint32_t i = 0U; i < 1000U; i++) {
         rig_cycle(&rig);
-        TEST_ASSERT_INT32_WITHIN(most_q8 + 256, 0,
-                                 rig.outputs.snapshot.axes[AXIS_YAW].setpoint_speed_ticks_per_s_q8);
-        TEST_ASSERT_LESS_OR_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT,
-                                         rig.outputs.snapshot.axes[AXIS_YAW].speed_cap_percent);
+        TEST_ASSERT_INT32_WITHIN(
+            most_q8 + 256, 0,
+            rig.outputs.snapshot.axes[NEURO_AXIS_YAW].setpoint_speed_ticks_per_s_q8);
+        TEST_ASSERT_LESS_OR_EQUAL_UINT32(
+            LIMIT_UNHOMED_SPEED_PERCENT,
+            rig.outputs.snapshot.axes[NEURO_AXIS_YAW].speed_cap_percent);
     }
-    TEST_ASSERT_EQUAL_INT32(start - 27, rig.outputs.snapshot.axes[AXIS_YAW].position_ticks);
+    TEST_ASSERT_EQUAL_INT32(start - 27, rig.outputs.snapshot.axes[NEURO_AXIS_YAW].position_ticks);
 }
 
 void test_SWR_PERMIT_005_an_axis_that_has_lagged_catches_up_within_the_cap(void)
 {
-    const int32_t speed_ticks_per_s = robot_neuro.axes[AXIS_LATERAL].speed_ticks_per_s;
-    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_LATERAL};
+    const int32_t speed_ticks_per_s = robot_neuro.axes[NEURO_AXIS_LATERAL].speed_ticks_per_s;
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_LATERAL};
     const uint32_t most = LIMIT_UNHOMED_SPEED_PERCENT + LIMIT_SPEED_CAP_TOLERANCE_PERCENT;
     rig_start_needle_homed(&rig);
-    jog.value = rig.outputs.snapshot.axes[AXIS_LATERAL].position_ticks - 94;
+    jog.value = rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].position_ticks - 94;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
     rig_cycles(&rig, 500U);
@@ -296,9 +300,9 @@ void test_SWR_PERMIT_005_an_axis_that_has_lagged_catches_up_within_the_cap(void)
     rig_cycles(&rig, 300U);
     rig_box(&rig, "motor lateral normal");
     for (uint32_t i = 0U; i < 10U; i++) {
-        const int32_t before = rig.outputs.snapshot.axes[AXIS_LATERAL].position_ticks;
+        const int32_t before = rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].position_ticks;
         rig_cycles(&rig, 200U);
-        const int32_t way = before - rig.outputs.snapshot.axes[AXIS_LATERAL].position_ticks;
+        const int32_t way = before - rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].position_ticks;
         /* Two ticks are the motor's fall time. */
         TEST_ASSERT_LESS_OR_EQUAL_INT32(
             2 + ((speed_ticks_per_s * (int32_t)most * 25) / (100 * 100)), way);
@@ -308,13 +312,14 @@ void test_SWR_PERMIT_005_an_axis_that_has_lagged_catches_up_within_the_cap(void)
 void test_SWR_ENC_002_an_impossible_count_faults_the_axis_and_loses_its_home(void)
 {
     rig_start_homed(&rig);
-    rig.controller.axes[AXIS_YAW].encoder.reading ^= 0x40000000;
+    rig.controller.axes[NEURO_AXIS_YAW].encoder.reading ^= 0x40000000;
     controller_seal(&rig.controller);
     rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_YAW].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[NEURO_AXIS_YAW].power);
     rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_YAW].power);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[AXIS_YAW].reference);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[NEURO_AXIS_YAW].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST,
+                             rig.outputs.snapshot.axes[NEURO_AXIS_YAW].reference);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_ENCODER_FAULT));
 }
 
@@ -350,9 +355,9 @@ void test_SWR_AXIS_020_a_target_where_a_switch_may_be_active_is_refused_by_name(
     kinematics_forward(&robot_neuro, &robot_neuro.probe, &joints, &pose);
     const answer_t answer = rig_target(&rig, &pose);
     TEST_ASSERT_EQUAL_UINT32(STATUS_SWITCH_ZONE, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_LATERAL, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_LATERAL, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
-    ticks[AXIS_LATERAL] = -20;
+    ticks[NEURO_AXIS_LATERAL] = -20;
     joints_from_ticks(&robot_neuro, ticks, &joints);
     kinematics_forward(&robot_neuro, &robot_neuro.probe, &joints, &pose);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
@@ -364,12 +369,13 @@ void test_SWR_AXIS_003_driven_time_of_homing_is_bounded(void)
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
     rig_press(&rig);
     rig_cycles(&rig, 100U);
-    rig.controller.axes[AXIS_INSERTION].homing.leg_us =
-        robot_neuro.axes[AXIS_INSERTION].home_time_us - 500U;
+    rig.controller.axes[NEURO_AXIS_INSERTION].homing.leg_us =
+        robot_neuro.axes[NEURO_AXIS_INSERTION].home_time_us - 500U;
     controller_seal(&rig.controller);
     rig_cycles(&rig, 2U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_HOME_TIMEOUT));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_INSERTION].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT,
+                             rig.outputs.snapshot.axes[NEURO_AXIS_INSERTION].power);
 }
 
 void test_SWR_AXIS_009_a_following_error_is_noted_with_its_size(void)
@@ -378,8 +384,8 @@ void test_SWR_AXIS_009_a_following_error_is_noted_with_its_size(void)
     (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
     rig_press(&rig);
     rig_cycles(&rig, 300U);
-    rig.controller.axes[AXIS_HEAD].setpoint_ticks +=
-        robot_neuro.axes[AXIS_HEAD].following_error_ticks + 100;
+    rig.controller.axes[NEURO_AXIS_HEAD].setpoint_ticks +=
+        robot_neuro.axes[NEURO_AXIS_HEAD].following_error_ticks + 100;
     controller_seal(&rig.controller);
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_FOLLOWING_ERROR));
@@ -502,7 +508,7 @@ void test_SWR_EVENT_006_what_ended_a_move_is_named(void)
         uint32_t peer;
     } cases[] = {{"estop pull", EVENT_CAUSE_ESTOP, 0U},
                  {"pedal a open", EVENT_CAUSE_PEDAL, 0U},
-                 {"motor head stuck", EVENT_CAUSE_AXIS, AXIS_HEAD}};
+                 {"motor head stuck", EVENT_CAUSE_AXIS, NEURO_AXIS_HEAD}};
     for (uint32_t i = 0U; i < (sizeof cases / sizeof cases[0]); i++) {
         begin_move();
         rig_box(&rig, cases[i].order);
@@ -516,7 +522,8 @@ void test_SWR_EVENT_006_a_lost_card_and_late_cycles_are_named(void)
     begin_move();
     rig_box(&rig, "card insertion silent");
     rig_cycles(&rig, 20U);
-    expect_cause(EVENT_ORDER_DISCARDED, EVENT_CAUSE_CARD, robot_neuro.axes[AXIS_INSERTION].slot);
+    expect_cause(EVENT_ORDER_DISCARDED, EVENT_CAUSE_CARD,
+                 robot_neuro.axes[NEURO_AXIS_INSERTION].slot);
     begin_move();
     rig.elapsed_us = LIMIT_OVERRUN_US + 1U;
     rig_cycles(&rig, LIMIT_OVERRUNS_IN_A_ROW);

@@ -116,23 +116,23 @@ static void begin_move(int32_t x_nm, int32_t y_nm, int32_t z_nm)
 
 void test_SWR_AXIS_018_an_encoder_that_is_stuck_under_a_tapped_pedal_is_found(void)
 {
-    begin_jog(AXIS_INSERTION, 60000);
-    TEST_ASSERT_TRUE(play(&(play_t){AXIS_INSERTION, 35U, 95U, "stuck", 100U}) <= 500.0);
+    begin_jog(NEURO_AXIS_INSERTION, 60000);
+    TEST_ASSERT_TRUE(play(&(play_t){NEURO_AXIS_INSERTION, 35U, 95U, "stuck", 100U}) <= 500.0);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_NO_COUNTS));
 }
 
 void test_SWR_AXIS_019_half_the_counts_under_a_tapped_pedal_are_found(void)
 {
-    begin_jog(AXIS_INSERTION, 60000);
-    TEST_ASSERT_TRUE(play(&(play_t){AXIS_INSERTION, 80U, 180U, "half", 100U}) <=
-                     most_apart(AXIS_INSERTION));
+    begin_jog(NEURO_AXIS_INSERTION, 60000);
+    TEST_ASSERT_TRUE(play(&(play_t){NEURO_AXIS_INSERTION, 80U, 180U, "half", 100U}) <=
+                     most_apart(NEURO_AXIS_INSERTION));
 }
 
 void test_SWR_AXIS_019_a_carriage_that_counts_half_beside_others_never_arrives(void)
 {
     begin_move(-20000000, 170000000, 70000000);
-    TEST_ASSERT_TRUE(play(&(play_t){AXIS_FEET, ALWAYS, ALWAYS, "half", 100U}) <=
-                     most_apart(AXIS_FEET));
+    TEST_ASSERT_TRUE(play(&(play_t){NEURO_AXIS_FEET, ALWAYS, ALWAYS, "half", 100U}) <=
+                     most_apart(NEURO_AXIS_FEET));
 }
 
 void test_SWR_AXIS_019_an_encoder_that_is_stuck_now_and_then_is_found(void)
@@ -188,13 +188,16 @@ void test_SWR_AXIS_027_counts_that_come_and_go_under_a_tapped_pedal_are_found(vo
 void test_SWR_AXIS_027_a_target_is_not_reached_with_counts_that_come_and_go(void)
 {
     begin_move(-8000000, 200000000, 90000000);
-    TEST_ASSERT_TRUE(flicker(AXIS_FEET, 4U, 8U, ALWAYS) <= (most_apart(AXIS_FEET) / 2.0));
+    TEST_ASSERT_TRUE(flicker(NEURO_AXIS_FEET, 4U, 8U, ALWAYS) <=
+                     (most_apart(NEURO_AXIS_FEET) / 2.0));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_UNEVEN_COUNTS));
     begin_move(-8000000, 191000000, 61000000);
-    TEST_ASSERT_TRUE(flicker(AXIS_PITCH, 3U, 10U, ALWAYS) <= (most_apart(AXIS_PITCH) / 2.0));
+    TEST_ASSERT_TRUE(flicker(NEURO_AXIS_PITCH, 3U, 10U, ALWAYS) <=
+                     (most_apart(NEURO_AXIS_PITCH) / 2.0));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_UNEVEN_COUNTS));
     begin_move(-8000000, 195000000, 40000000);
-    TEST_ASSERT_TRUE(flicker(AXIS_HEAD, 3U, 10U, ALWAYS) <= (most_apart(AXIS_HEAD) / 2.0));
+    TEST_ASSERT_TRUE(flicker(NEURO_AXIS_HEAD, 3U, 10U, ALWAYS) <=
+                     (most_apart(NEURO_AXIS_HEAD) / 2.0));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_UNEVEN_COUNTS));
 }
 
@@ -202,26 +205,27 @@ void test_SWR_AXIS_027_a_target_is_not_reached_with_counts_that_come_and_go(void
 void test_SWR_AXIS_019_half_the_counts_of_an_axis_that_is_slower_than_its_motor_are_found(void)
 {
     begin_move(16000000, 190000000, 60000000);
-    const int32_t cruise_q8 = robot_neuro.axes[AXIS_LATERAL].full_speed_ticks_per_s * 256 / 10;
-    TEST_ASSERT_TRUE(play(&(play_t){AXIS_LATERAL, ALWAYS, ALWAYS, "half", 100U}) <=
-                     most_apart(AXIS_LATERAL));
-    TEST_ASSERT_INT32_WITHIN(cruise_q8, 0,
-                             rig.outputs.snapshot.axes[AXIS_LATERAL].setpoint_speed_ticks_per_s_q8);
+    const int32_t cruise_q8 =
+        robot_neuro.axes[NEURO_AXIS_LATERAL].full_speed_ticks_per_s * 256 / 10;
+    TEST_ASSERT_TRUE(play(&(play_t){NEURO_AXIS_LATERAL, ALWAYS, ALWAYS, "half", 100U}) <=
+                     most_apart(NEURO_AXIS_LATERAL));
+    TEST_ASSERT_INT32_WITHIN(
+        cruise_q8, 0, rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].setpoint_speed_ticks_per_s_q8);
 }
 
 /* A short jog, and START_UP: it enables every axis anew, and a homed one is not homed again. */
 static void push_and_start_up(void)
 {
     const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_INSERTION, .value = 60000};
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_INSERTION, .value = 60000};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_box(&rig, "pedal press");
     rig_cycles(&rig, 80U);
     rig_release(&rig);
-    if (!is_at_fault(AXIS_INSERTION)) {
+    if (!is_at_fault(NEURO_AXIS_INSERTION)) {
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
-        TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_INSERTION]));
+        TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[NEURO_AXIS_INSERTION]));
     }
 }
 
@@ -229,14 +233,14 @@ void test_SWR_AXIS_019_start_up_makes_no_missing_count_good(void)
 {
     uint32_t pushes = 0U;
     rig_start_homed(&rig);
-    set_encoder(AXIS_INSERTION, "half");
-    while (!is_at_fault(AXIS_INSERTION)) {
+    set_encoder(NEURO_AXIS_INSERTION, "half");
+    while (!is_at_fault(NEURO_AXIS_INSERTION)) {
         TEST_ASSERT_LESS_THAN_UINT32(40U, pushes);
         push_and_start_up();
         pushes++;
     }
     TEST_ASSERT_GREATER_THAN_UINT32(1U, pushes);
-    TEST_ASSERT_TRUE(apart(AXIS_INSERTION) <= most_apart(AXIS_INSERTION));
+    TEST_ASSERT_TRUE(apart(NEURO_AXIS_INSERTION) <= most_apart(NEURO_AXIS_INSERTION));
 }
 
 /* How late a machine is that is no real-time one: mostly hardly, now and then by several cycles.

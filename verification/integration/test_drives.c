@@ -30,7 +30,7 @@ static answer_t jog(uint32_t axis, int32_t ticks)
 
 static answer_t jog_rotation(int32_t ticks)
 {
-    return jog(AXIS_ROTATION, ticks);
+    return jog(PROSTATE_AXIS_ROTATION, ticks);
 }
 
 /* `axis` of the homed `robot` goes to both places by drives of `mode` alone. */
@@ -60,14 +60,16 @@ static void expect_jogs_by(card_drive_mode_t mode, const robot_t *robot, uint32_
 
 void test_SWR_DRIVE_010_a_piezo_motor_on_an_analog_card_goes_there_and_back(void)
 {
-    TEST_ASSERT_EQUAL_UINT8(MOTOR_TYPE_PIEZO, robot_bench2.axes[AXIS_NEEDLE].motor_type);
-    TEST_ASSERT_EQUAL_INT32(LIMIT_PIEZO_HOTTEST_DC, robot_bench2.axes[AXIS_NEEDLE].hottest_dc);
-    expect_jogs_by(CARD_DRIVE_ANALOG, &robot_bench2, AXIS_NEEDLE, (const int32_t[]){20000, 500});
+    TEST_ASSERT_EQUAL_UINT8(MOTOR_TYPE_PIEZO, robot_bench2.axes[BENCH2_AXIS_NEEDLE].motor_type);
+    TEST_ASSERT_EQUAL_INT32(LIMIT_PIEZO_HOTTEST_DC,
+                            robot_bench2.axes[BENCH2_AXIS_NEEDLE].hottest_dc);
+    expect_jogs_by(CARD_DRIVE_ANALOG, &robot_bench2, BENCH2_AXIS_NEEDLE,
+                   (const int32_t[]){20000, 500});
 }
 
 void test_SWR_DRIVE_010_a_high_frequency_axis_goes_there_and_back(void)
 {
-    expect_jogs_by(CARD_DRIVE_HIGH_FREQUENCY, &robot_prostate, AXIS_ROTATION,
+    expect_jogs_by(CARD_DRIVE_HIGH_FREQUENCY, &robot_prostate, PROSTATE_AXIS_ROTATION,
                    (const int32_t[]){900, -900});
 }
 
@@ -81,14 +83,14 @@ void test_SWR_DRIVE_008_a_hot_motor_is_disabled_and_keeps_its_position(void)
     TEST_ASSERT_TRUE(rig_is_driving(&rig));
     rig_forget(&rig);
     rig_box(&rig, "motor rotation hot");
-    for (uint32_t i = 0U; axis_is_enabled(&rig.controller.axes[AXIS_ROTATION]); i++) {
+    for (uint32_t i = 0U; axis_is_enabled(&rig.controller.axes[PROSTATE_AXIS_ROTATION]); i++) {
         TEST_ASSERT_LESS_THAN_UINT32(12U, i);
         TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_HOT));
         rig_cycle(&rig);
     }
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_HOT));
-    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
+    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
     TEST_ASSERT_EQUAL_UINT32(1U, rig.answer_count);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig.answers[0].kind);
     rig_cycles(&rig, 100U);
@@ -100,13 +102,13 @@ void test_SWR_DRIVE_008_a_motor_as_warm_as_it_may_be_is_driven_on(void)
 {
     rig_start_robot_homed(&rig, &robot_prostate);
     TEST_ASSERT_EQUAL_INT32(LIMIT_SHINSEI_HOTTEST_DC,
-                            robot_prostate.axes[AXIS_ROTATION].hottest_dc);
-    rig.box.axes[AXIS_ROTATION].card.motor_temperature_c = 55.0;
+                            robot_prostate.axes[PROSTATE_AXIS_ROTATION].hottest_dc);
+    rig.box.axes[PROSTATE_AXIS_ROTATION].card.motor_temperature_c = 55.0;
     rig_cycles(&rig, 12U);
-    TEST_ASSERT_TRUE(axis_is_enabled(&rig.controller.axes[AXIS_ROTATION]));
-    rig.box.axes[AXIS_ROTATION].card.motor_temperature_c = 55.2;
+    TEST_ASSERT_TRUE(axis_is_enabled(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
+    rig.box.axes[PROSTATE_AXIS_ROTATION].card.motor_temperature_c = 55.2;
     rig_cycles(&rig, 12U);
-    TEST_ASSERT_FALSE(axis_is_enabled(&rig.controller.axes[AXIS_ROTATION]));
+    TEST_ASSERT_FALSE(axis_is_enabled(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
 }
 
 /* The rotation goes to `ticks`. @return the smallest word of its drives */
@@ -117,13 +119,13 @@ static uint32_t smallest_word_to(int32_t ticks)
     rig_press(&rig);
     for (uint32_t i = 0U; i < 5000U; i++) {
         rig_cycle(&rig);
-        const card_drive_t drive = rig_sent(&rig, AXIS_ROTATION).drive;
+        const card_drive_t drive = rig_sent(&rig, PROSTATE_AXIS_ROTATION).drive;
         if ((drive.mode != (uint32_t)CARD_DRIVE_OFF) && (drive.duty < smallest)) {
             smallest = drive.duty;
         }
     }
     rig_release(&rig);
-    TEST_ASSERT_INT32_WITHIN(1, ticks, rig_position(&rig, AXIS_ROTATION));
+    TEST_ASSERT_INT32_WITHIN(1, ticks, rig_position(&rig, PROSTATE_AXIS_ROTATION));
     return smallest;
 }
 
@@ -132,12 +134,13 @@ void test_SWR_DRIVE_015_words_of_a_warm_motor_follow_its_resonance(void)
     rig_start_robot_homed(&rig, &robot_prostate);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     const uint32_t cold = smallest_word_to(4000);
-    TEST_ASSERT_GREATER_OR_EQUAL_UINT32(robot_prostate.axes[AXIS_ROTATION].maximum_duty, cold);
+    TEST_ASSERT_GREATER_OR_EQUAL_UINT32(robot_prostate.axes[PROSTATE_AXIS_ROTATION].maximum_duty,
+                                        cold);
     /* As after minutes of drive; it does not cool down much in a test. */
-    rig.box.axes[AXIS_ROTATION].card.motor_temperature_c = 52.0;
+    rig.box.axes[PROSTATE_AXIS_ROTATION].card.motor_temperature_c = 52.0;
     rig_cycles(&rig, 20U);
     const uint32_t warm = smallest_word_to(0);
     TEST_ASSERT_LESS_THAN_UINT32(cold - 400U * 22009U, warm);
     TEST_ASSERT_GREATER_OR_EQUAL_UINT32(LIMIT_RESONANCE_WORD, warm);
-    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
+    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
 }

@@ -50,7 +50,7 @@ static answer_t target(void)
 
 static int32_t depth_ticks(void)
 {
-    return rig.controller.plan.target_ticks[AXIS_INSERTION];
+    return rig.controller.plan.target_ticks[NEURO_AXIS_INSERTION];
 }
 
 void test_SWR_PLAN_017_an_entry_that_was_sent_decides_the_depth_and_is_shown(void)

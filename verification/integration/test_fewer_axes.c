@@ -26,11 +26,11 @@ void setUp(void)
 {
     robot = robot_neuro;
     (void)memset(robot.axes, 0, sizeof robot.axes);
-    robot.axes[NEEDLE] = robot_neuro.axes[AXIS_INSERTION];
+    robot.axes[NEEDLE] = robot_neuro.axes[NEURO_AXIS_INSERTION];
     robot.axes[NEEDLE].slot = 0U;
-    robot.axes[SIDE] = robot_neuro.axes[AXIS_LATERAL];
-    robot.start_ticks[NEEDLE] = robot_neuro.start_ticks[AXIS_INSERTION];
-    robot.start_ticks[SIDE] = robot_neuro.start_ticks[AXIS_LATERAL];
+    robot.axes[SIDE] = robot_neuro.axes[NEURO_AXIS_LATERAL];
+    robot.start_ticks[NEEDLE] = robot_neuro.start_ticks[NEURO_AXIS_INSERTION];
+    robot.start_ticks[SIDE] = robot_neuro.start_ticks[NEURO_AXIS_LATERAL];
     robot.axis_count = 2U;
     robot.kind = 0U; /* Nobody's kinematics. */
     robot.needle_axis = NEEDLE;

@@ -19,11 +19,11 @@
 #include <stddef.h>
 #include <string.h>
 
-#define FRONT_LEFT ((uint32_t)AXIS_FRONT_LEFT)
-#define FRONT_RIGHT ((uint32_t)AXIS_FRONT_RIGHT)
-#define REAR_LEFT ((uint32_t)AXIS_REAR_LEFT)
-#define REAR_RIGHT ((uint32_t)AXIS_REAR_RIGHT)
-#define NEEDLE ((uint32_t)AXIS_INSERTION)
+#define FRONT_LEFT ((uint32_t)PROSTATE_AXIS_FRONT_LEFT)
+#define FRONT_RIGHT ((uint32_t)PROSTATE_AXIS_FRONT_RIGHT)
+#define REAR_LEFT ((uint32_t)PROSTATE_AXIS_REAR_LEFT)
+#define REAR_RIGHT ((uint32_t)PROSTATE_AXIS_REAR_RIGHT)
+#define NEEDLE ((uint32_t)PROSTATE_AXIS_INSERTION)
 
 #define TICKS_PER_MM 2500
 #define HOME_SPEED 2500   /* A quarter of 4 mm/s. */

@@ -44,11 +44,11 @@ void test_SWR_PHASE_003_start_up_homes_every_axis_while_the_pedal_is_down(void)
     TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_AXIS_TAKEN));
     double true_ticks[ROBOT_AXIS_MAX];
     box_true_positions(&rig.box, true_ticks);
-    TEST_ASSERT_DOUBLE_WITHIN(2.0, 0.0, true_ticks[AXIS_HEAD]);
-    TEST_ASSERT_DOUBLE_WITHIN(2.0, 0.0, true_ticks[AXIS_LATERAL]);
-    TEST_ASSERT_DOUBLE_WITHIN(2.0, 516.0, true_ticks[AXIS_PITCH]);
-    TEST_ASSERT_DOUBLE_WITHIN(2.0, 8.0, true_ticks[AXIS_YAW]);
-    TEST_ASSERT_DOUBLE_WITHIN(30.0, 0.0, true_ticks[AXIS_INSERTION]);
+    TEST_ASSERT_DOUBLE_WITHIN(2.0, 0.0, true_ticks[NEURO_AXIS_HEAD]);
+    TEST_ASSERT_DOUBLE_WITHIN(2.0, 0.0, true_ticks[NEURO_AXIS_LATERAL]);
+    TEST_ASSERT_DOUBLE_WITHIN(2.0, 516.0, true_ticks[NEURO_AXIS_PITCH]);
+    TEST_ASSERT_DOUBLE_WITHIN(2.0, 8.0, true_ticks[NEURO_AXIS_YAW]);
+    TEST_ASSERT_DOUBLE_WITHIN(30.0, 0.0, true_ticks[NEURO_AXIS_INSERTION]);
 }
 
 void test_SWR_AXIS_002_the_needle_homes_before_the_other_axes_move(void)
@@ -56,9 +56,9 @@ void test_SWR_AXIS_002_the_needle_homes_before_the_other_axes_move(void)
     rig_start(&rig);
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
     rig_press(&rig);
-    while (rig.outputs.snapshot.axes[AXIS_INSERTION].reference !=
+    while (rig.outputs.snapshot.axes[NEURO_AXIS_INSERTION].reference !=
            (uint32_t)AXIS_REFERENCE_VERIFIED) {
-        TEST_ASSERT_EQUAL_INT32(0, rig_position(&rig, AXIS_HEAD));
+        TEST_ASSERT_EQUAL_INT32(0, rig_position(&rig, NEURO_AXIS_HEAD));
         rig_cycle(&rig);
         TEST_ASSERT_LESS_THAN_UINT32(40000U, rig.controller.cycle);
     }
@@ -79,8 +79,8 @@ static void lose_at_target(uint32_t axis)
 
 void test_SWR_JOG_016_the_needle_leaves_before_the_base_homes(void)
 {
-    static const uint32_t lost[] = {AXIS_LATERAL, AXIS_PITCH, AXIS_YAW};
-    const double *const needle = &rig.box.axes[AXIS_INSERTION].motor.position_ticks;
+    static const uint32_t lost[] = {NEURO_AXIS_LATERAL, NEURO_AXIS_PITCH, NEURO_AXIS_YAW};
+    const double *const needle = &rig.box.axes[NEURO_AXIS_INSERTION].motor.position_ticks;
     for (uint32_t i = 0U; i < SCENES(sizeof lost / sizeof lost[0]); i++) {
         const double *const place = &rig.box.axes[lost[i]].motor.position_ticks;
         lose_at_target(lost[i]);
@@ -105,8 +105,8 @@ void test_SWR_JOG_016_the_needle_leaves_before_the_base_homes(void)
  */
 void test_SWR_COUPLE_003_a_barred_axis_in_doubt_may_be_confirmed(void)
 {
-    const command_t jog = {.kind = COMMAND_JOG, .argument = AXIS_FEET, .value = -2000};
-    const command_t follow = {.kind = COMMAND_JOG, .argument = AXIS_HEAD, .value = -2000};
+    const command_t jog = {.kind = COMMAND_JOG, .argument = NEURO_AXIS_FEET, .value = -2000};
+    const command_t follow = {.kind = COMMAND_JOG, .argument = NEURO_AXIS_HEAD, .value = -2000};
     rig_start_homed(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     for (uint32_t i = 0U; i < 2U; i++) {
@@ -121,12 +121,12 @@ void test_SWR_COUPLE_003_a_barred_axis_in_doubt_may_be_confirmed(void)
     rig_box(&rig, "card head normal");
     rig_cycles(&rig, 200U);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
-                             rig.outputs.snapshot.axes[AXIS_HEAD].reference);
+                             rig.outputs.snapshot.axes[NEURO_AXIS_HEAD].reference);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_CONFIRM, rig.outputs.snapshot.next_step);
     rig_box(&rig, "button press");
     rig_cycles(&rig, (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 100U);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED,
-                             rig.outputs.snapshot.axes[AXIS_HEAD].reference);
+                             rig.outputs.snapshot.axes[NEURO_AXIS_HEAD].reference);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
 }
 
@@ -135,18 +135,18 @@ void test_SWR_JOG_016_the_permit_drives_nothing_across_a_needle_that_is_in(void)
 {
     const cycle_t cycle = {.robot = &rig.robot, .inputs = &rig.inputs, .outputs = &rig.outputs};
     card_drive_t requests[ROBOT_AXIS_MAX] = {{0}};
-    lose_at_target(AXIS_LATERAL);
+    lose_at_target(NEURO_AXIS_LATERAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_press(&rig);
     rig_cycles(&rig, 100U);
-    requests[AXIS_LATERAL].mode = CARD_DRIVE_NON_PWM;
-    requests[AXIS_INSERTION] = rig_sent(&rig, AXIS_INSERTION).drive;
-    TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, requests[AXIS_INSERTION].mode);
+    requests[NEURO_AXIS_LATERAL].mode = CARD_DRIVE_NON_PWM;
+    requests[NEURO_AXIS_INSERTION] = rig_sent(&rig, NEURO_AXIS_INSERTION).drive;
+    TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, requests[NEURO_AXIS_INSERTION].mode);
     controller_drive(&rig.controller, &cycle, controller_facts(&rig.controller, &cycle), requests);
     TEST_ASSERT_EQUAL_HEX32(1UL << PERMIT_REASON_NEEDLE_IN,
-                            rig.controller.records[AXIS_LATERAL].reason_hold.shown);
-    TEST_ASSERT_EQUAL(CARD_DRIVE_OFF, rig_sent(&rig, AXIS_LATERAL).drive.mode);
-    TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, rig_sent(&rig, AXIS_INSERTION).drive.mode);
+                            rig.controller.records[NEURO_AXIS_LATERAL].reason_hold.shown);
+    TEST_ASSERT_EQUAL(CARD_DRIVE_OFF, rig_sent(&rig, NEURO_AXIS_LATERAL).drive.mode);
+    TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, rig_sent(&rig, NEURO_AXIS_INSERTION).drive.mode);
 }
 
 void test_SWR_PHASE_003_start_up_again_when_homed_ends_at_once(void)
@@ -165,13 +165,13 @@ void test_SWR_AXIS_003_homing_that_finds_no_switch_gives_up(void)
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 31000U).kind);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST,
-                             rig.outputs.snapshot.axes[AXIS_INSERTION].reference);
+                             rig.outputs.snapshot.axes[NEURO_AXIS_INSERTION].reference);
 }
 
 /* START_UP with the pedal held, until it ends. @return the farthest forward way of the needle */
 static double needle_way_in_start_up(answer_kind_t expected)
 {
-    const double *const needle = &rig.box.axes[AXIS_INSERTION].motor.position_ticks;
+    const double *const needle = &rig.box.axes[NEURO_AXIS_INSERTION].motor.position_ticks;
     const double start = *needle;
     double most = 0.0;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
@@ -193,8 +193,8 @@ static double needle_way_in_start_up(answer_kind_t expected)
 static void lose_deep_needle(void)
 {
     rig_start_homed(&rig);
-    rig.box.axes[AXIS_INSERTION].motor.position_ticks = 60000.0;
-    rig.box.axes[AXIS_INSERTION].encoder.state = 60000;
+    rig.box.axes[NEURO_AXIS_INSERTION].motor.position_ticks = 60000.0;
+    rig.box.axes[NEURO_AXIS_INSERTION].encoder.state = 60000;
     rig_box(&rig, "card insertion silent");
     rig_cycles(&rig, 20U);
     rig_box(&rig, "card insertion normal");
@@ -209,7 +209,7 @@ void test_SWR_AXIS_013_a_switch_that_stays_active_drives_no_needle_forwards(void
     const double way = needle_way_in_start_up(ANSWER_ABORTED);
     TEST_ASSERT_TRUE(way <= NEEDLE_WAY_TICKS + 5.0);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_SWITCH_FAULT));
-    rig_expect_nothing_known(&rig, AXIS_INSERTION);
+    rig_expect_nothing_known(&rig, NEURO_AXIS_INSERTION);
     TEST_ASSERT_TRUE(needle_way_in_start_up(ANSWER_ABORTED) <= 5.0);
 }
 
@@ -225,7 +225,7 @@ void test_SWR_AXIS_014_a_chattering_switch_homes_nowhere(void)
 {
     for (uint32_t seed = 1U; seed <= SCENES(50U); seed++) {
         lose_deep_needle();
-        rig.box.axes[AXIS_INSERTION].limit_switch.random.state = seed;
+        rig.box.axes[NEURO_AXIS_INSERTION].limit_switch.random.state = seed;
         rig_box(&rig, "switch insertion chatter");
         TEST_ASSERT_TRUE(needle_way_in_start_up(ANSWER_ABORTED) <= NEEDLE_WAY_TICKS + 5.0);
         TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_SWITCH_FAULT));
@@ -309,7 +309,7 @@ static void jog_to(uint32_t axis, int32_t ticks)
 
 static axis_reference_t needle_grade(void)
 {
-    return (axis_reference_t)rig.outputs.snapshot.axes[AXIS_INSERTION].reference;
+    return (axis_reference_t)rig.outputs.snapshot.axes[NEURO_AXIS_INSERTION].reference;
 }
 
 static void cycle_while(axis_reference_t leg)
@@ -323,9 +323,9 @@ static void cycle_while(axis_reference_t leg)
 /* At `place`, far from home, the switch of the needle acts as if it were there: twice alike. */
 static void home_at_impostor(double place)
 {
-    const double *const needle = &rig.box.axes[AXIS_INSERTION].motor.position_ticks;
+    const double *const needle = &rig.box.axes[NEURO_AXIS_INSERTION].motor.position_ticks;
     rig_start_homed(&rig);
-    jog_to(AXIS_INSERTION, 20000);
+    jog_to(NEURO_AXIS_INSERTION, 20000);
     lose_needle();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_press(&rig);
@@ -363,14 +363,14 @@ static void expect_elsewhere(uint32_t axis, int32_t ticks, int32_t within)
 static void expect_needle_where_shown(void)
 {
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, needle_grade());
-    TEST_ASSERT_DOUBLE_WITHIN(60.0, (double)rig_position(&rig, AXIS_INSERTION),
-                              rig.box.axes[AXIS_INSERTION].motor.position_ticks);
+    TEST_ASSERT_DOUBLE_WITHIN(60.0, (double)rig_position(&rig, NEURO_AXIS_INSERTION),
+                              rig.box.axes[NEURO_AXIS_INSERTION].motor.position_ticks);
 }
 
 void test_SWR_AXIS_026_a_switch_that_poses_as_another_twice_is_not_believed(void)
 {
     home_at_impostor(15000.0);
-    expect_elsewhere(AXIS_INSERTION, 15000, 100);
+    expect_elsewhere(NEURO_AXIS_INSERTION, 15000, 100);
     rig_cycles(&rig, 500U); /* It comes to rest. */
     TEST_ASSERT_EQUAL_INT32(NEXT_STEP_COMPARE, rig.outputs.snapshot.next_step);
 }
@@ -394,13 +394,13 @@ static void hold_button(void)
 void test_SWR_AXIS_026_what_the_counts_contradict_for_good_the_operator_decides(void)
 {
     rig_start_homed(&rig);
-    jog_to(AXIS_INSERTION, 20000);
-    move_uncounted(AXIS_INSERTION, 10000.0);
+    jog_to(NEURO_AXIS_INSERTION, 20000);
+    move_uncounted(NEURO_AXIS_INSERTION, 10000.0);
     lose_needle();
     for (uint32_t i = 0U; i < 2U; i++) {
         rig_forget(&rig);
         TEST_ASSERT_TRUE(needle_way_in_start_up(ANSWER_ABORTED) <= NEEDLE_WAY_TICKS + 5.0);
-        expect_elsewhere(AXIS_INSERTION, -10000, 100);
+        expect_elsewhere(NEURO_AXIS_INSERTION, -10000, 100);
     }
     rig_cycles(&rig, LIMIT_SPEED_TIMEOUT_US / LIMIT_CYCLE_US);
     hold_button();
@@ -412,23 +412,23 @@ void test_SWR_AXIS_026_what_the_counts_contradict_for_good_the_operator_decides(
 void test_SWR_AXIS_025_a_switch_that_is_active_far_from_home_is_a_fault_at_once(void)
 {
     rig_start_homed(&rig);
-    jog_to(AXIS_LATERAL, -500);
+    jog_to(NEURO_AXIS_LATERAL, -500);
     rig_box(&rig, "switch lateral stuck");
     rig_cycles(&rig, 20U);
-    expect_elsewhere(AXIS_LATERAL, -500, 1);
-    TEST_ASSERT_EQUAL_HEX32(0U, rig_sent(&rig, AXIS_LATERAL).control);
+    expect_elsewhere(NEURO_AXIS_LATERAL, -500, 1);
+    TEST_ASSERT_EQUAL_HEX32(0U, rig_sent(&rig, NEURO_AXIS_LATERAL).control);
 }
 
 /* The counts have it beyond home, where the switch must have acted. */
 void test_SWR_AXIS_025_a_switch_that_is_free_beyond_home_is_a_fault(void)
 {
-    axis_t *const lateral = &rig.controller.axes[AXIS_LATERAL];
+    axis_t *const lateral = &rig.controller.axes[NEURO_AXIS_LATERAL];
     rig_start_homed(&rig);
-    jog_to(AXIS_LATERAL, -500);
+    jog_to(NEURO_AXIS_LATERAL, -500);
     encoder_set_position(&lateral->encoder, 30);
     supervision_shift(&lateral->supervision, 530);
     drift_audit_settle(&lateral->drift, 30);
     controller_seal(&rig.controller);
     rig_cycle(&rig);
-    expect_elsewhere(AXIS_LATERAL, 30, 1);
+    expect_elsewhere(NEURO_AXIS_LATERAL, 30, 1);
 }

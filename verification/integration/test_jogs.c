@@ -38,7 +38,7 @@ static double true_mm(uint32_t axis)
 
 static double separation_mm(void)
 {
-    return HOME_MM + true_mm(AXIS_HEAD) - true_mm(AXIS_FEET);
+    return HOME_MM + true_mm(NEURO_AXIS_HEAD) - true_mm(NEURO_AXIS_FEET);
 }
 
 static void cycle_apart(void)
@@ -112,13 +112,13 @@ static void run_into_limit(uint32_t axis, int32_t accepted, int32_t damaged)
 
 void test_SWR_COUPLE_001_the_head_driven_towards_the_feet_stops_inside_of_the_limit(void)
 {
-    run_into_limit(AXIS_HEAD, -5300, -11418);
+    run_into_limit(NEURO_AXIS_HEAD, -5300, -11418);
     TEST_ASSERT_DOUBLE_WITHIN(0.1, LEAST_MM + 0.1, separation_mm());
 }
 
 void test_SWR_COUPLE_001_the_feet_driven_away_from_the_head_stop_inside_of_the_limit(void)
 {
-    run_into_limit(AXIS_FEET, -200, -5000);
+    run_into_limit(NEURO_AXIS_FEET, -200, -5000);
     TEST_ASSERT_DOUBLE_WITHIN(0.1, MOST_MM - 0.1, separation_mm());
 }
 
@@ -127,8 +127,8 @@ static void begin_wrong_move(int32_t head_ticks, int32_t feet_ticks)
 {
     rig_start_targeted(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
-    rig.controller.mode.request.move.target_ticks[AXIS_HEAD] = head_ticks;
-    rig.controller.mode.request.move.target_ticks[AXIS_FEET] = feet_ticks;
+    rig.controller.mode.request.move.target_ticks[NEURO_AXIS_HEAD] = head_ticks;
+    rig.controller.mode.request.move.target_ticks[NEURO_AXIS_FEET] = feet_ticks;
     controller_seal(&rig.controller);
 }
 
@@ -170,74 +170,75 @@ void test_SWR_COUPLE_001_a_pedal_pressed_and_released_at_random_keeps_them_insid
 void test_SWR_COUPLE_001_from_outside_of_the_limit_only_the_way_back_is_free(void)
 {
     start_manual();
-    go(AXIS_HEAD, -5000);
-    shift(AXIS_HEAD, -1000);
-    expect_jog(AXIS_HEAD, -5000, STATUS_OK);
+    go(NEURO_AXIS_HEAD, -5000);
+    shift(NEURO_AXIS_HEAD, -1000);
+    expect_jog(NEURO_AXIS_HEAD, -5000, STATUS_OK);
     rig.controller.mode.request.way.end_ticks = -7000;
     controller_seal(&rig.controller);
     rig_press(&rig);
-    const int32_t start = position(AXIS_HEAD);
+    const int32_t start = position(NEURO_AXIS_HEAD);
     rig_cycles(&rig, 2000U);
-    TEST_ASSERT_EQUAL_INT32(start, position(AXIS_HEAD));
-    TEST_ASSERT_TRUE(has_reason(AXIS_HEAD, PERMIT_REASON_COUPLED_LIMIT));
+    TEST_ASSERT_EQUAL_INT32(start, position(NEURO_AXIS_HEAD));
+    TEST_ASSERT_TRUE(has_reason(NEURO_AXIS_HEAD, PERMIT_REASON_COUPLED_LIMIT));
     rig_release(&rig);
-    go(AXIS_HEAD, -5000);
+    go(NEURO_AXIS_HEAD, -5000);
 }
 
 void test_SWR_COUPLE_001_the_limit_is_not_in_force_before_both_are_homed(void)
 {
     start_manual();
-    go(AXIS_HEAD, -5000);
-    shift(AXIS_HEAD, -1000);
-    axis_lose_reference(&rig.controller.axes[AXIS_FEET]);
-    go(AXIS_HEAD, -6100);
+    go(NEURO_AXIS_HEAD, -5000);
+    shift(NEURO_AXIS_HEAD, -1000);
+    axis_lose_reference(&rig.controller.axes[NEURO_AXIS_FEET]);
+    go(NEURO_AXIS_HEAD, -6100);
 }
 
 void test_SWR_JOG_002_an_axis_that_shares_a_limit_with_one_not_homed_goes_a_short_way_only(void)
 {
     start_manual();
-    go(AXIS_HEAD, -1000);
-    axis_lose_reference(&rig.controller.axes[AXIS_FEET]);
-    expect_jog(AXIS_HEAD, -1158, STATUS_JOG_TOO_FAR);
-    expect_jog(AXIS_HEAD, -1157, STATUS_OK);
-    expect_jog(AXIS_LATERAL, -2000, STATUS_OK);
+    go(NEURO_AXIS_HEAD, -1000);
+    axis_lose_reference(&rig.controller.axes[NEURO_AXIS_FEET]);
+    expect_jog(NEURO_AXIS_HEAD, -1158, STATUS_JOG_TOO_FAR);
+    expect_jog(NEURO_AXIS_HEAD, -1157, STATUS_OK);
+    expect_jog(NEURO_AXIS_LATERAL, -2000, STATUS_OK);
 }
 
 void test_SWR_COUPLE_002_a_jog_that_would_end_beyond_the_limit_is_refused_by_name(void)
 {
     start_manual();
-    answer_t answer = jog(AXIS_HEAD, -11418);
+    answer_t answer = jog(NEURO_AXIS_HEAD, -11418);
     TEST_ASSERT_EQUAL_UINT32(STATUS_SEPARATION_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_HEAD, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_HEAD, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(0U, answer.is_maximum);
-    answer = jog(AXIS_FEET, -5000);
+    answer = jog(NEURO_AXIS_FEET, -5000);
     TEST_ASSERT_EQUAL_UINT32(STATUS_SEPARATION_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_FEET, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_FEET, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
-    answer = jog(AXIS_FEET, -5513);
+    answer = jog(NEURO_AXIS_FEET, -5513);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
     TEST_ASSERT_EQUAL_UINT32(0U, answer.is_maximum);
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
-    expect_jog(AXIS_HEAD, -5338, STATUS_OK);
-    expect_jog(AXIS_HEAD, -5339, STATUS_SEPARATION_LIMIT);
+    expect_jog(NEURO_AXIS_HEAD, -5338, STATUS_OK);
+    expect_jog(NEURO_AXIS_HEAD, -5339, STATUS_SEPARATION_LIMIT);
 }
 
 void test_SWR_COUPLE_002_a_target_and_a_jog_at_the_margin_are_reached(void)
 {
     start_manual();
-    go(AXIS_HEAD, -5338);
-    TEST_ASSERT_EQUAL_INT32(-5338, position(AXIS_HEAD));
-    go(AXIS_HEAD, -20);
-    go(AXIS_FEET, -200);
-    TEST_ASSERT_EQUAL_INT32(-200, position(AXIS_FEET));
+    go(NEURO_AXIS_HEAD, -5338);
+    TEST_ASSERT_EQUAL_INT32(-5338, position(NEURO_AXIS_HEAD));
+    go(NEURO_AXIS_HEAD, -20);
+    go(NEURO_AXIS_FEET, -200);
+    TEST_ASSERT_EQUAL_INT32(-200, position(NEURO_AXIS_FEET));
 }
 
 static void expect_needle(bool is_in)
 {
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const bool is_across = robot_neuro.axes[i].needle_motion == (uint32_t)NEEDLE_ACROSS;
-        expect_jog(i, position(i) + (((i == AXIS_FEET) || (i == AXIS_INSERTION)) ? 20 : -20),
-                   (is_in && is_across) ? STATUS_NEEDLE_IN : STATUS_OK);
+        expect_jog(
+            i, position(i) + (((i == NEURO_AXIS_FEET) || (i == NEURO_AXIS_INSERTION)) ? 20 : -20),
+            (is_in && is_across) ? STATUS_NEEDLE_IN : STATUS_OK);
     }
 }
 
@@ -249,11 +250,11 @@ void test_SWR_JOG_001_no_axis_is_jogged_across_a_needle_that_is_in(void)
             go(i, robot_neuro.axes[i].home_ticks - 100);
         }
     }
-    go(AXIS_INSERTION, 2000);
-    shift(AXIS_INSERTION, needle_out_ticks(&robot_neuro) - position(AXIS_INSERTION));
+    go(NEURO_AXIS_INSERTION, 2000);
+    shift(NEURO_AXIS_INSERTION, needle_out_ticks(&robot_neuro) - position(NEURO_AXIS_INSERTION));
     rig_cycle(&rig);
     expect_needle(false);
-    shift(AXIS_INSERTION, 1);
+    shift(NEURO_AXIS_INSERTION, 1);
     rig_cycle(&rig);
     expect_needle(true);
 }
@@ -263,11 +264,11 @@ void test_SWR_JOG_001_no_axis_is_jogged_across_a_needle_that_is_not_homed(void)
     rig_start(&rig);
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    expect_jog(AXIS_LATERAL, -20, STATUS_NEEDLE_IN);
+    expect_jog(NEURO_AXIS_LATERAL, -20, STATUS_NEEDLE_IN);
     rig_box(&rig, "switch insertion stuck");
     rig_cycles(&rig, 30U);
-    expect_jog(AXIS_LATERAL, -20, STATUS_NEEDLE_IN);
-    expect_jog(AXIS_ROTATION, -20, STATUS_OK);
+    expect_jog(NEURO_AXIS_LATERAL, -20, STATUS_NEEDLE_IN);
+    expect_jog(NEURO_AXIS_ROTATION, -20, STATUS_OK);
 }
 
 /* Both carriages are far out, and the head is in doubt: at its switch they would be too far apart.
@@ -275,14 +276,14 @@ void test_SWR_JOG_001_no_axis_is_jogged_across_a_needle_that_is_not_homed(void)
 static void lose_head_far_out(void)
 {
     start_manual();
-    go(AXIS_HEAD, -3500);
-    go(AXIS_FEET, -3000);
+    go(NEURO_AXIS_HEAD, -3500);
+    go(NEURO_AXIS_FEET, -3000);
     rig_box(&rig, "card head silent");
     rig_cycles(&rig, 20U);
     rig_box(&rig, "card head normal");
     rig_cycles(&rig, 20U);
     rig_forget(&rig);
-    TEST_ASSERT_FALSE(axis_is_homed(&rig.controller.axes[AXIS_HEAD]));
+    TEST_ASSERT_FALSE(axis_is_homed(&rig.controller.axes[NEURO_AXIS_HEAD]));
 }
 
 /* START_UP with the pedal held, until it ends. */
@@ -301,60 +302,60 @@ static void start_up_apart(answer_kind_t expected)
 void test_SWR_COUPLE_003_homing_that_the_limit_bars_is_discarded_by_name(void)
 {
     lose_head_far_out();
-    const double before = true_mm(AXIS_HEAD);
+    const double before = true_mm(NEURO_AXIS_HEAD);
     start_up_apart(ANSWER_ABORTED);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_HOMING_BARRED));
-    TEST_ASSERT_EQUAL_DOUBLE(before, true_mm(AXIS_HEAD));
+    TEST_ASSERT_EQUAL_DOUBLE(before, true_mm(NEURO_AXIS_HEAD));
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
-    while (position(AXIS_FEET) < -200) {
-        go(AXIS_FEET, position(AXIS_FEET) + 150); /* A short way only. */
+    while (position(NEURO_AXIS_FEET) < -200) {
+        go(NEURO_AXIS_FEET, position(NEURO_AXIS_FEET) + 150); /* A short way only. */
     }
     rig_forget(&rig);
     start_up_apart(ANSWER_DONE);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_HOMING_BARRED));
-    TEST_ASSERT_DOUBLE_WITHIN(0.1, 0.0, true_mm(AXIS_HEAD));
+    TEST_ASSERT_DOUBLE_WITHIN(0.1, 0.0, true_mm(NEURO_AXIS_HEAD));
 }
 
 void test_SWR_COUPLE_003_no_jog_drives_the_head_towards_a_switch_that_the_limit_bars(void)
 {
     lose_head_far_out();
-    const double before = true_mm(AXIS_HEAD);
+    const double before = true_mm(NEURO_AXIS_HEAD);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
-    expect_jog(AXIS_HEAD, position(AXIS_HEAD) + 100, STATUS_OK);
+    expect_jog(NEURO_AXIS_HEAD, position(NEURO_AXIS_HEAD) + 100, STATUS_OK);
     rig_press(&rig);
     for (uint32_t i = 0U; i < 500U; i++) {
         rig_cycle(&rig);
         TEST_ASSERT_FALSE(rig_is_driving(&rig));
     }
-    TEST_ASSERT_TRUE(has_reason(AXIS_HEAD, PERMIT_REASON_COUPLED_LIMIT));
+    TEST_ASSERT_TRUE(has_reason(NEURO_AXIS_HEAD, PERMIT_REASON_COUPLED_LIMIT));
     rig_release(&rig);
-    go(AXIS_HEAD, position(AXIS_HEAD) - 100);
-    TEST_ASSERT_DOUBLE_WITHIN(0.1, before - (100.0 / 78.74), true_mm(AXIS_HEAD));
+    go(NEURO_AXIS_HEAD, position(NEURO_AXIS_HEAD) - 100);
+    TEST_ASSERT_DOUBLE_WITHIN(0.1, before - (100.0 / 78.74), true_mm(NEURO_AXIS_HEAD));
 }
 
 /* Told at the jogged axis in every cycle, whether it is driven just then or not. */
 void test_SWR_JOG_001_a_needle_that_comes_in_stops_the_jog_that_runs(void)
 {
     start_manual();
-    go(AXIS_INSERTION, 2000);
-    shift(AXIS_INSERTION, needle_out_ticks(&robot_neuro) - position(AXIS_INSERTION));
-    expect_jog(AXIS_LATERAL, -2000, STATUS_OK);
+    go(NEURO_AXIS_INSERTION, 2000);
+    shift(NEURO_AXIS_INSERTION, needle_out_ticks(&robot_neuro) - position(NEURO_AXIS_INSERTION));
+    expect_jog(NEURO_AXIS_LATERAL, -2000, STATUS_OK);
     rig_press(&rig);
     rig_cycles(&rig, 500U);
-    TEST_ASSERT_FALSE(has_reason(AXIS_LATERAL, PERMIT_REASON_NEEDLE_IN));
-    shift(AXIS_INSERTION, 100);
+    TEST_ASSERT_FALSE(has_reason(NEURO_AXIS_LATERAL, PERMIT_REASON_NEEDLE_IN));
+    shift(NEURO_AXIS_INSERTION, 100);
     for (uint32_t i = 0U; i < 500U; i++) {
         rig_cycle(&rig);
         TEST_ASSERT_FALSE(rig_is_driving(&rig));
-        TEST_ASSERT_TRUE(has_reason(AXIS_LATERAL, PERMIT_REASON_NEEDLE_IN));
-        TEST_ASSERT_FALSE(has_reason(AXIS_PITCH, PERMIT_REASON_NEEDLE_IN));
+        TEST_ASSERT_TRUE(has_reason(NEURO_AXIS_LATERAL, PERMIT_REASON_NEEDLE_IN));
+        TEST_ASSERT_FALSE(has_reason(NEURO_AXIS_PITCH, PERMIT_REASON_NEEDLE_IN));
     }
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_RELEASE_PEDAL, rig.outputs.snapshot.next_step);
     rig_release(&rig);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    TEST_ASSERT_FALSE(has_reason(AXIS_LATERAL, PERMIT_REASON_NEEDLE_IN));
+    TEST_ASSERT_FALSE(has_reason(NEURO_AXIS_LATERAL, PERMIT_REASON_NEEDLE_IN));
 }
 
 void test_SWR_JOG_002_an_axis_that_is_not_homed_is_jogged_a_short_way_only(void)
@@ -362,7 +363,7 @@ void test_SWR_JOG_002_an_axis_that_is_not_homed_is_jogged_a_short_way_only(void)
     static const int32_t most[ROBOT_AXIS_MAX] = {157, 157, 94, 6666, 44, 27, 27};
     rig_start_needle_homed(&rig);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        if (i != (uint32_t)AXIS_INSERTION) {
+        if (i != (uint32_t)NEURO_AXIS_INSERTION) {
             axis_lose_reference(&rig.controller.axes[i]);
             expect_jog(i, position(i) + most[i], STATUS_OK);
             expect_jog(i, position(i) - most[i], STATUS_OK);
@@ -370,28 +371,29 @@ void test_SWR_JOG_002_an_axis_that_is_not_homed_is_jogged_a_short_way_only(void)
             expect_jog(i, position(i) - most[i] - 1, STATUS_JOG_TOO_FAR);
         }
     }
-    axis_lose_reference(&rig.controller.axes[AXIS_INSERTION]);
-    expect_jog(AXIS_INSERTION, position(AXIS_INSERTION) - most[AXIS_INSERTION], STATUS_OK);
-    expect_jog(AXIS_INSERTION, position(AXIS_INSERTION) - most[AXIS_INSERTION] - 1,
-               STATUS_JOG_TOO_FAR);
-    expect_jog(AXIS_YAW, INT32_MIN, STATUS_NEEDLE_IN);
-    expect_jog(AXIS_ROTATION, INT32_MIN, STATUS_JOG_TOO_FAR);
+    axis_lose_reference(&rig.controller.axes[NEURO_AXIS_INSERTION]);
+    expect_jog(NEURO_AXIS_INSERTION, position(NEURO_AXIS_INSERTION) - most[NEURO_AXIS_INSERTION],
+               STATUS_OK);
+    expect_jog(NEURO_AXIS_INSERTION,
+               position(NEURO_AXIS_INSERTION) - most[NEURO_AXIS_INSERTION] - 1, STATUS_JOG_TOO_FAR);
+    expect_jog(NEURO_AXIS_YAW, INT32_MIN, STATUS_NEEDLE_IN);
+    expect_jog(NEURO_AXIS_ROTATION, INT32_MIN, STATUS_JOG_TOO_FAR);
 }
 
 void test_SWR_JOG_002_however_often_the_pedal_is_pressed_the_jog_ends_where_it_was_accepted(void)
 {
     rig_start_needle_homed(&rig);
-    const int32_t end = position(AXIS_HEAD) - 157;
-    expect_jog(AXIS_HEAD, end, STATUS_OK);
+    const int32_t end = position(NEURO_AXIS_HEAD) - 157;
+    expect_jog(NEURO_AXIS_HEAD, end, STATUS_OK);
     for (uint32_t i = 0U; i < 5U; i++) {
         rig_press(&rig);
         rig_cycles(&rig, 200U);
         rig_release(&rig);
-        TEST_ASSERT_GREATER_OR_EQUAL_INT32(end, position(AXIS_HEAD));
+        TEST_ASSERT_GREATER_OR_EQUAL_INT32(end, position(NEURO_AXIS_HEAD));
     }
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 2000U).kind);
-    TEST_ASSERT_EQUAL_INT32(end, position(AXIS_HEAD));
+    TEST_ASSERT_EQUAL_INT32(end, position(NEURO_AXIS_HEAD));
 }
 
 static void start_unhomed(void)
@@ -405,17 +407,17 @@ static void start_unhomed(void)
 void test_SWR_JOG_003_a_needle_that_is_not_homed_is_jogged_outwards_only(void)
 {
     start_unhomed();
-    expect_jog(AXIS_INSERTION, position(AXIS_INSERTION) + 1, STATUS_NEEDLE_IN);
-    const double before = rig.box.axes[AXIS_INSERTION].motor.position_ticks;
-    go(AXIS_INSERTION, position(AXIS_INSERTION) - 1500);
+    expect_jog(NEURO_AXIS_INSERTION, position(NEURO_AXIS_INSERTION) + 1, STATUS_NEEDLE_IN);
+    const double before = rig.box.axes[NEURO_AXIS_INSERTION].motor.position_ticks;
+    go(NEURO_AXIS_INSERTION, position(NEURO_AXIS_INSERTION) - 1500);
     TEST_ASSERT_DOUBLE_WITHIN(10.0, before - 1500.0,
-                              rig.box.axes[AXIS_INSERTION].motor.position_ticks);
+                              rig.box.axes[NEURO_AXIS_INSERTION].motor.position_ticks);
 }
 
 void test_SWR_JOG_003_a_needle_that_is_not_homed_is_never_driven_inwards(void)
 {
     start_unhomed();
-    expect_jog(AXIS_INSERTION, position(AXIS_INSERTION) - 100, STATUS_OK);
+    expect_jog(NEURO_AXIS_INSERTION, position(NEURO_AXIS_INSERTION) - 100, STATUS_OK);
     rig.controller.mode.request.way.end_ticks = 5000;
     controller_seal(&rig.controller);
     rig_press(&rig);
@@ -423,36 +425,37 @@ void test_SWR_JOG_003_a_needle_that_is_not_homed_is_never_driven_inwards(void)
         rig_cycle(&rig);
         TEST_ASSERT_FALSE(rig_is_driving(&rig));
     }
-    TEST_ASSERT_TRUE(has_reason(AXIS_INSERTION, PERMIT_REASON_NEEDLE_IN));
+    TEST_ASSERT_TRUE(has_reason(NEURO_AXIS_INSERTION, PERMIT_REASON_NEEDLE_IN));
 }
 
 /* From 1 mm it is asked to come out by 2 mm. */
 void test_SWR_JOG_003_a_needle_that_meets_its_switch_stops_there_and_the_jog_ends_by_name(void)
 {
     start_unhomed();
-    expect_jog(AXIS_INSERTION, position(AXIS_INSERTION) - 6666, STATUS_OK);
+    expect_jog(NEURO_AXIS_INSERTION, position(NEURO_AXIS_INSERTION) - 6666, STATUS_OK);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 20000U).kind);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_OVERDUE));
-    TEST_ASSERT_DOUBLE_WITHIN(60.0, 0.0, rig.box.axes[AXIS_INSERTION].motor.position_ticks);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_INSERTION].power);
+    TEST_ASSERT_DOUBLE_WITHIN(60.0, 0.0, rig.box.axes[NEURO_AXIS_INSERTION].motor.position_ticks);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED,
+                             rig.outputs.snapshot.axes[NEURO_AXIS_INSERTION].power);
 }
 
 void test_SWR_JOG_004_a_jog_drives_no_other_axis(void)
 {
     start_manual();
-    expect_jog(AXIS_INSERTION, 20000, STATUS_OK);
+    expect_jog(NEURO_AXIS_INSERTION, 20000, STATUS_OK);
     rig_press(&rig);
     rig_cycles(&rig, 100U);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        if (i != (uint32_t)AXIS_INSERTION) {
+        if (i != (uint32_t)NEURO_AXIS_INSERTION) {
             shift(i, 5);
         }
     }
     while (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) {
         rig_cycle(&rig);
         for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-            TEST_ASSERT_TRUE((i == (uint32_t)AXIS_INSERTION) ||
+            TEST_ASSERT_TRUE((i == (uint32_t)NEURO_AXIS_INSERTION) ||
                              (rig_sent(&rig, i).drive.mode == (uint32_t)CARD_DRIVE_OFF));
         }
     }
@@ -475,16 +478,17 @@ static void expect_no_goal(uint32_t axis)
 void test_SWR_CON_048_the_goal_of_a_jog_is_shown_while_it_is_armed(void)
 {
     start_manual();
-    expect_no_goal(AXIS_INSERTION);
-    expect_jog(AXIS_INSERTION, 20000, STATUS_OK);
-    expect_goal(AXIS_INSERTION, 20000);
-    expect_no_goal(AXIS_YAW);
+    expect_no_goal(NEURO_AXIS_INSERTION);
+    expect_jog(NEURO_AXIS_INSERTION, 20000, STATUS_OK);
+    expect_goal(NEURO_AXIS_INSERTION, 20000);
+    expect_no_goal(NEURO_AXIS_YAW);
     rig_press(&rig);
     rig_cycles(&rig, 200U);
-    TEST_ASSERT_LESS_THAN_INT32(20000, rig.outputs.snapshot.axes[AXIS_INSERTION].setpoint_ticks);
-    expect_goal(AXIS_INSERTION, 20000);
+    TEST_ASSERT_LESS_THAN_INT32(20000,
+                                rig.outputs.snapshot.axes[NEURO_AXIS_INSERTION].setpoint_ticks);
+    expect_goal(NEURO_AXIS_INSERTION, 20000);
     (void)rig_workphase(&rig, WORKPHASE_STOP);
-    expect_no_goal(AXIS_INSERTION);
+    expect_no_goal(NEURO_AXIS_INSERTION);
 }
 
 /* As it comes, from whom it says. */
@@ -564,17 +568,17 @@ static uint32_t by_network(command_kind_t kind, uint32_t argument, int32_t value
 void test_SWR_FLOW_006_a_jog_by_openigtlink_is_one_as_of_the_console(void)
 {
     rig_start_homed(&rig);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_AUTHORITY, by_network(COMMAND_JOG, AXIS_YAW, -200));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_AUTHORITY, by_network(COMMAND_JOG, NEURO_AXIS_YAW, -200));
     rig_leave(&rig);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, by_network(COMMAND_JOG, AXIS_YAW, -200));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, by_network(COMMAND_JOG, NEURO_AXIS_YAW, -200));
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, by_network(COMMAND_WORKPHASE, WORKPHASE_MANUAL, 0));
-    TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, by_network(COMMAND_JOG, AXIS_YAW, 4000));
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, by_network(COMMAND_JOG, AXIS_YAW, -200));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, by_network(COMMAND_JOG, NEURO_AXIS_YAW, 4000));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, by_network(COMMAND_JOG, NEURO_AXIS_YAW, -200));
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 5000U).kind);
     rig_release(&rig);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, by_network(COMMAND_JOG_BY, AXIS_YAW, -50));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, by_network(COMMAND_JOG_BY, NEURO_AXIS_YAW, -50));
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 5000U).kind);
-    TEST_ASSERT_INT32_WITHIN(2, -250, rig_position(&rig, AXIS_YAW));
+    TEST_ASSERT_INT32_WITHIN(2, -250, rig_position(&rig, NEURO_AXIS_YAW));
 }

@@ -104,8 +104,8 @@ void test_SWR_MOTION_022_an_axis_with_magnitudes_is_homed_and_moved_by_them(void
     start(&robot, 1.0);
     begin_move(1U);
     (void)end_move(&largest);
-    TEST_ASSERT_GREATER_THAN_UINT32(robot.axes[AXIS_HEAD].minimum_duty, largest);
-    TEST_ASSERT_LESS_OR_EQUAL_UINT32(robot.axes[AXIS_HEAD].maximum_duty, largest);
+    TEST_ASSERT_GREATER_THAN_UINT32(robot.axes[NEURO_AXIS_HEAD].minimum_duty, largest);
+    TEST_ASSERT_LESS_OR_EQUAL_UINT32(robot.axes[NEURO_AXIS_HEAD].maximum_duty, largest);
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         TEST_ASSERT_INT32_WITHIN(robot.axes[i].deadband_ticks, rig.controller.plan.target_ticks[i],
                                  rig_position(&rig, i));
@@ -132,8 +132,8 @@ void test_SWR_MOTION_006_moves_by_magnitudes_are_done_in_time(void)
 void test_SWR_MOTION_022_a_motor_that_ignores_its_magnitude_is_found(void)
 {
     start(&robot, 1.0);
-    rig.box.axes[AXIS_HEAD].motor.minimum_duty = 0.0;
-    rig.box.axes[AXIS_HEAD].motor.maximum_duty = 0.0;
+    rig.box.axes[NEURO_AXIS_HEAD].motor.minimum_duty = 0.0;
+    rig.box.axes[NEURO_AXIS_HEAD].motor.maximum_duty = 0.0;
     begin_move(1U);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 20000U).kind);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_WRONG_SPEED));

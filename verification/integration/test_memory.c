@@ -78,18 +78,19 @@ void test_SWR_MEMORY_002_a_fresh_axis_that_is_damaged_is_lost(void)
 {
     rig_start(&rig);
     rig_forget(&rig);
-    rig.controller.axes[AXIS_FEET].encoder.reading ^= 0x40;
-    expect_noticed(EVENT_MEMORY_AXIS, AXIS_FEET);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[AXIS_FEET].reference);
+    rig.controller.axes[NEURO_AXIS_FEET].encoder.reading ^= 0x40;
+    expect_noticed(EVENT_MEMORY_AXIS, NEURO_AXIS_FEET);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST,
+                             rig.outputs.snapshot.axes[NEURO_AXIS_FEET].reference);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_FRESH,
-                             rig.outputs.snapshot.axes[AXIS_ROTATION].reference);
+                             rig.outputs.snapshot.axes[NEURO_AXIS_ROTATION].reference);
 }
 
 void test_SWR_MEMORY_002_what_was_damaged_can_be_started_and_homed_again(void)
 {
     begin_move();
-    rig.controller.axes[AXIS_YAW].setpoint_ticks ^= 0x8000;
-    expect_noticed(EVENT_MEMORY_AXIS, AXIS_YAW);
+    rig.controller.axes[NEURO_AXIS_YAW].setpoint_ticks ^= 0x8000;
+    expect_noticed(EVENT_MEMORY_AXIS, NEURO_AXIS_YAW);
     rig_release(&rig);
     rig_home(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
@@ -114,7 +115,7 @@ void test_SWR_MEMORY_002_a_damaged_card_is_lost_and_known_again_from_the_table(v
 void test_SWR_MEMORY_002_a_damaged_plan_is_no_plan(void)
 {
     begin_move();
-    rig.controller.plan.target_ticks[AXIS_INSERTION] ^= 0x1000;
+    rig.controller.plan.target_ticks[NEURO_AXIS_INSERTION] ^= 0x1000;
     expect_noticed(EVENT_MEMORY_PLAN, 0U);
     expect_aborted();
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
@@ -125,8 +126,8 @@ void test_SWR_MEMORY_002_a_damaged_plan_is_no_plan(void)
 void test_SWR_MEMORY_002_a_damaged_plan_is_found_where_something_else_is_too(void)
 {
     begin_move();
-    rig.controller.plan.target_ticks[AXIS_INSERTION] ^= 0x1000;
-    rig.controller.axes[AXIS_YAW].encoder.position_ticks ^= 0x1000;
+    rig.controller.plan.target_ticks[NEURO_AXIS_INSERTION] ^= 0x1000;
+    rig.controller.axes[NEURO_AXIS_YAW].encoder.position_ticks ^= 0x1000;
     rig.controller.has_arrived ^= 2U;
     rig_forget(&rig);
     rig_cycle(&rig);
@@ -137,10 +138,10 @@ void test_SWR_MEMORY_002_a_damaged_plan_is_found_where_something_else_is_too(voi
 void test_SWR_MEMORY_002_a_damaged_profile_ends_its_motion(void)
 {
     begin_move();
-    rig.controller.mode.leg.profile.end_ticks[AXIS_HEAD] ^= 0x100;
+    rig.controller.mode.leg.profile.end_ticks[NEURO_AXIS_HEAD] ^= 0x100;
     expect_noticed(EVENT_MEMORY_PROFILE, 0U);
     expect_aborted();
-    TEST_ASSERT_EQUAL_INT32(0, rig.controller.mode.leg.profile.end_ticks[AXIS_HEAD]);
+    TEST_ASSERT_EQUAL_INT32(0, rig.controller.mode.leg.profile.end_ticks[NEURO_AXIS_HEAD]);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
 }
 
@@ -209,7 +210,7 @@ void test_SWR_MEMORY_002_axes_that_wait_for_a_kept_position_that_is_damaged_are_
     box_init(&rig.box, &robot_neuro, 1U);
     controller_init(&rig.controller, &rig.robot);
     controller_restore(&rig.controller, &kept);
-    rig.controller.kept.axes[AXIS_FEET].position_ticks ^= 0x10;
+    rig.controller.kept.axes[NEURO_AXIS_FEET].position_ticks ^= 0x10;
     expect_noticed(EVENT_MEMORY_REST, 0U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.positions_awaited);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
@@ -220,8 +221,8 @@ void test_SWR_MEMORY_002_axes_that_wait_for_a_kept_position_that_is_damaged_are_
 void test_SWR_MEMORY_002_a_damaged_seal_is_damage(void)
 {
     begin_move();
-    rig.controller.seals[AXIS_PITCH] ^= 1U;
-    expect_noticed(EVENT_MEMORY_AXIS, AXIS_PITCH);
+    rig.controller.seals[NEURO_AXIS_PITCH] ^= 1U;
+    expect_noticed(EVENT_MEMORY_AXIS, NEURO_AXIS_PITCH);
 }
 
 /* One bit of each word of the state in turn; the charts and what only records are not under seal.
@@ -234,13 +235,13 @@ void test_SWR_MEMORY_003_the_numbers_of_every_axis_and_card_are_under_seal(void)
     for (size_t i = offsetof(axis_t, encoder); i < offsetof(axis_t, supervision.stall.now_us);
          i += 4U) {
         rig = moving;
-        ((uint8_t *)&rig.controller.axes[AXIS_LATERAL])[i] ^= 0x10U;
+        ((uint8_t *)&rig.controller.axes[NEURO_AXIS_LATERAL])[i] ^= 0x10U;
         rig_cycle(&rig);
         TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
     }
     for (size_t i = offsetof(link_t, sent); i < sizeof(link_t); i += 4U) {
         rig = moving;
-        ((uint8_t *)rig_link(&rig, AXIS_LATERAL))[i] ^= 0x10U;
+        ((uint8_t *)rig_link(&rig, NEURO_AXIS_LATERAL))[i] ^= 0x10U;
         rig_cycle(&rig);
         TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
     }
@@ -279,7 +280,7 @@ void test_SWR_MEMORY_003_kept_positions_count_no_more_once_they_were_compared(vo
     begin_move();
     rig.controller.kept.verdict = (uint32_t)KEPT_GOOD;
     controller_seal(&rig.controller);
-    rig.controller.kept.axes[AXIS_FEET].grade = (uint32_t)KEPT_KNOWN;
+    rig.controller.kept.axes[NEURO_AXIS_FEET].grade = (uint32_t)KEPT_KNOWN;
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_CONTRADICTED));
@@ -330,12 +331,13 @@ void test_SWR_MEMORY_004_a_damaged_geometry_is_a_damaged_table(void)
 
 void test_SWR_MEMORY_004_without_a_table_stop_is_obeyed_and_nothing_that_needs_it(void)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = -200};
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = -200};
     const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
     begin_move();
-    rig.robot.axes[AXIS_YAW].slot = 255U;
+    rig.robot.axes[NEURO_AXIS_YAW].slot = 255U;
     rig_cycle(&rig);
-    expect_blind(AXIS_YAW);
+    expect_blind(NEURO_AXIS_YAW);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, rig_command(&rig, jog).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, rig_target(&rig, &pose).status);
@@ -364,11 +366,11 @@ void test_SWR_MEMORY_004_a_table_that_is_damaged_at_the_start_moves_nothing(void
     (void)memset(&rig, 0, sizeof rig);
     rig.elapsed_us = 1000U;
     rig.robot = robot_neuro;
-    rig.robot.axes[AXIS_PITCH].maximum_ticks ^= 0x20;
+    rig.robot.axes[NEURO_AXIS_PITCH].maximum_ticks ^= 0x20;
     box_init(&rig.box, &robot_neuro, 1U);
     controller_init(&rig.controller, &rig.robot);
     rig_cycles(&rig, 20U);
-    expect_blind(AXIS_PITCH);
+    expect_blind(NEURO_AXIS_PITCH);
     TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, rig_workphase(&rig, WORKPHASE_START_UP).status);
 }
 
@@ -390,15 +392,16 @@ void test_SWR_MEMORY_005_a_target_that_does_not_lead_to_its_pose_is_not_armed(vo
 /* Wild numbers that the seal does not tell of: they came within a cycle. */
 void test_SWR_MEMORY_006_a_wild_slot_or_axis_stays_within_its_array(void)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = -200};
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = -200};
     rig_start_homed(&rig);
     rig.robot.crc ^= 1U; /* A table that is whole would be asked for the slot. */
     for (uint32_t slot = CARD_SLOT_COUNT; slot <= UINT8_MAX; slot++) {
-        rig.controller.cards.slots[AXIS_YAW] = slot;
+        rig.controller.cards.slots[NEURO_AXIS_YAW] = slot;
         controller_step(&rig.controller, &rig.robot, &rig.inputs, &rig.outputs);
         TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.frames_to_send >> CARD_SLOT_COUNT);
     }
-    (void)memset(&rig.robot.axes[AXIS_PITCH], 0xFF, sizeof rig.robot.axes[0]);
+    (void)memset(&rig.robot.axes[NEURO_AXIS_PITCH], 0xFF, sizeof rig.robot.axes[0]);
     controller_init(&rig.controller, &rig.robot);
     controller_step(&rig.controller, &rig.robot, &rig.inputs, &rig.outputs);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.frames_to_send >> CARD_SLOT_COUNT);

@@ -69,7 +69,7 @@ static void after_the_estop(void)
 static void without_a_place(void)
 {
     in_manual();
-    const command_t clear = {.kind = (uint32_t)COMMAND_CLEAR_AXIS, .argument = AXIS_FEET};
+    const command_t clear = {.kind = (uint32_t)COMMAND_CLEAR_AXIS, .argument = NEURO_AXIS_FEET};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
     rig_cycles(&rig, 20U);
 }
@@ -106,7 +106,7 @@ static void (*const scenes[])(void) = {in_undefined,      in_planning,
 /* One that its mode has nothing against. */
 static command_t command_for(mode_kind_t kind)
 {
-    command_t command = {.kind = mode_rows[kind].command, .argument = AXIS_YAW};
+    command_t command = {.kind = mode_rows[kind].command, .argument = NEURO_AXIS_YAW};
     if (kind == MODE_HOMING) {
         command.argument = (uint32_t)WORKPHASE_START_UP;
     } else if (kind == MODE_MOVE) {
@@ -116,7 +116,8 @@ static command_t command_for(mode_kind_t kind)
     } else if (kind == MODE_POSE) {
         command.argument = (uint32_t)POSE_PARK;
     } else {
-        command.value = (rig.outputs.snapshot.is_homed != 0U) ? -200 : rig_position(&rig, AXIS_YAW);
+        command.value =
+            (rig.outputs.snapshot.is_homed != 0U) ? -200 : rig_position(&rig, NEURO_AXIS_YAW);
     }
     return command;
 }
@@ -202,7 +203,8 @@ void test_SWR_MODE_004_a_base_that_is_not_aligned_is_named(void)
 
 void test_SWR_MODE_004_a_trajectory_that_begins_elsewhere_is_named(void)
 {
-    const command_t away = {.kind = (uint32_t)COMMAND_JOG_BY, .argument = AXIS_YAW, .value = -600};
+    const command_t away = {
+        .kind = (uint32_t)COMMAND_JOG_BY, .argument = NEURO_AXIS_YAW, .value = -600};
     with_a_trajectory();
     expect(MODE_TRAJECTORY, STATUS_OK);
     with_a_trajectory();

@@ -31,25 +31,25 @@ static void stall_pitch(void)
 {
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(AXIS_PITCH, -200)).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(NEURO_AXIS_PITCH, -200)).status);
     rig_box(&rig, "motor pitch stuck");
     rig_press(&rig);
     const answer_t answer = rig_finish(&rig, 5000U);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, answer.kind);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_PITCH, answer.axis);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_PITCH].power);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_PITCH, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[NEURO_AXIS_PITCH].power);
     rig_release(&rig);
 }
 
 void test_SWR_MODE_003_after_a_stall_of_one_axis_another_one_jogs_and_homes(void)
 {
     stall_pitch();
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(AXIS_YAW, -200)).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(NEURO_AXIS_YAW, -200)).status);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 5000U).kind);
-    TEST_ASSERT_EQUAL_INT32(-200, rig_position(&rig, AXIS_YAW));
+    TEST_ASSERT_EQUAL_INT32(-200, rig_position(&rig, NEURO_AXIS_YAW));
     rig_release(&rig);
-    const command_t home = {.kind = (uint32_t)COMMAND_HOME_AXIS, .argument = AXIS_YAW};
+    const command_t home = {.kind = (uint32_t)COMMAND_HOME_AXIS, .argument = NEURO_AXIS_YAW};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, home).status);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
@@ -60,10 +60,11 @@ void test_SWR_MODE_002_the_axis_that_has_stalled_and_what_needs_all_are_refused(
     stall_pitch();
     TEST_ASSERT_EQUAL_UINT32(
         STATUS_FAULT_PRESENT,
-        rig_command(&rig, jog(AXIS_PITCH, rig_position(&rig, AXIS_PITCH))).status);
+        rig_command(&rig, jog(NEURO_AXIS_PITCH, rig_position(&rig, NEURO_AXIS_PITCH))).status);
     rig_box(&rig, "card yaw silent");
     rig_cycles(&rig, 20U);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT, rig_command(&rig, jog(AXIS_HEAD, -200)).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT,
+                             rig_command(&rig, jog(NEURO_AXIS_HEAD, -200)).status);
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
 }
 
@@ -71,7 +72,7 @@ void test_SWR_MODE_003_the_fault_of_another_axis_ends_what_is_armed(void)
 {
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(AXIS_YAW, -200)).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(NEURO_AXIS_YAW, -200)).status);
     rig_box(&rig, "motor pitch runs");
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 5000U).kind);
 }
@@ -84,14 +85,14 @@ void test_SWR_MODE_003_after_the_fault_of_another_axis_the_needle_is_drawn_out(v
     rig_release(&rig);
     rig_box(&rig, "motor yaw runs");
     rig_cycles(&rig, 1000U);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_YAW].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[NEURO_AXIS_YAW].power);
     rig_box(&rig, "motor yaw normal");
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, retract).status);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
     TEST_ASSERT_LESS_OR_EQUAL_INT32(needle_retracted_ticks(&robot_neuro) +
-                                        robot_neuro.axes[AXIS_INSERTION].deadband_ticks,
-                                    rig_position(&rig, AXIS_INSERTION));
+                                        robot_neuro.axes[NEURO_AXIS_INSERTION].deadband_ticks,
+                                    rig_position(&rig, NEURO_AXIS_INSERTION));
 }
 
 static const snapshot_t *shown(void)
@@ -104,7 +105,7 @@ void test_SWR_MODE_006_what_is_armed_is_shown_and_how_far_it_has_come(void)
     rig_start_homed(&rig);
     TEST_ASSERT_EQUAL_UINT32(MODE_NONE, shown()->mode);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(AXIS_YAW, -400)).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(NEURO_AXIS_YAW, -400)).status);
     TEST_ASSERT_EQUAL_UINT32(MODE_JOG, shown()->mode);
     TEST_ASSERT_EQUAL_UINT32(0U, shown()->done_per_mille);
     TEST_ASSERT_EQUAL_UINT32(0U, shown()->left_ms);
@@ -128,7 +129,7 @@ void test_SWR_MODE_006_the_time_left_is_that_of_the_set_points(void)
 {
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(AXIS_YAW, -400)).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(NEURO_AXIS_YAW, -400)).status);
     rig_press(&rig);
     const uint32_t left = shown()->left_ms;
     TEST_ASSERT_NOT_EQUAL_UINT32(0U, left);
@@ -160,8 +161,8 @@ void test_SWR_MODE_006_homing_shows_how_many_axes_are_homed(void)
 static command_t speed(int32_t ticks_per_s, int32_t bound)
 {
     command_t command = {
-        .kind = (uint32_t)COMMAND_VELOCITY, .argument = 1UL << AXIS_YAW, .value = bound};
-    command.ticks[AXIS_YAW] = ticks_per_s;
+        .kind = (uint32_t)COMMAND_VELOCITY, .argument = 1UL << NEURO_AXIS_YAW, .value = bound};
+    command.ticks[NEURO_AXIS_YAW] = ticks_per_s;
     return command;
 }
 
@@ -223,7 +224,7 @@ void test_SWR_FLOW_001_what_is_armed_and_done_is_named(void)
     rig_release(&rig);
     expect_named(EVENT_ORDER_DONE, MODE_HOMING, 0);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(AXIS_YAW, -400)).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(NEURO_AXIS_YAW, -400)).status);
     expect_named(EVENT_ORDER_ARMED, MODE_JOG, WORKPHASE_MANUAL);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 5000U).kind);
@@ -234,7 +235,7 @@ void test_SWR_FLOW_001_of_two_motions_the_one_that_gives_way_and_the_new_one_are
 {
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    (void)rig_command(&rig, jog(AXIS_YAW, -400));
+    (void)rig_command(&rig, jog(NEURO_AXIS_YAW, -400));
     rig_forget(&rig);
     (void)rig_command(&rig, speed(-400, 1500));
     TEST_ASSERT_EQUAL_UINT32(2U, rig.event_count);

@@ -44,7 +44,7 @@ void test_SWR_IGTL_014_the_pose_is_known_only_while_every_axis_is_homed_and_regi
 /* So near to home that the switch may be active. */
 void test_SWR_MOTION_005_a_move_that_a_switch_blocks_is_discarded_by_name(void)
 {
-    command_t jog = {.kind = COMMAND_JOG, .argument = AXIS_LATERAL, .value = -27};
+    command_t jog = {.kind = COMMAND_JOG, .argument = NEURO_AXIS_LATERAL, .value = -27};
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     (void)rig_command(&rig, jog);
@@ -57,7 +57,7 @@ void test_SWR_MOTION_005_a_move_that_a_switch_blocks_is_discarded_by_name(void)
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 7000U).kind);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_OVERDUE));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_LATERAL, rig.events[rig.event_count - 2U].subject);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_LATERAL, rig.events[rig.event_count - 2U].subject);
     TEST_ASSERT_INT32_WITHIN(2, 20, rig.events[rig.event_count - 2U].value);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
 }
@@ -79,12 +79,12 @@ void test_SWR_PERMIT_002_the_frame_carries_a_drive_only_with_the_permit(void)
 {
     rig_start_moving(&rig);
     TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL,
-                          rig_sent(&rig, AXIS_HEAD).system_state);
-    TEST_ASSERT_EQUAL_HEX32(CARD_CONTROL_AMPLIFIER, rig_sent(&rig, AXIS_HEAD).control);
+                          rig_sent(&rig, NEURO_AXIS_HEAD).system_state);
+    TEST_ASSERT_EQUAL_HEX32(CARD_CONTROL_AMPLIFIER, rig_sent(&rig, NEURO_AXIS_HEAD).control);
     rig_release(&rig);
     TEST_ASSERT_BITS_LOW(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL,
-                         rig_sent(&rig, AXIS_HEAD).system_state);
-    TEST_ASSERT_EQUAL_HEX32(0U, rig_sent(&rig, AXIS_HEAD).control);
+                         rig_sent(&rig, NEURO_AXIS_HEAD).system_state);
+    TEST_ASSERT_EQUAL_HEX32(0U, rig_sent(&rig, NEURO_AXIS_HEAD).control);
 }
 
 void test_SWR_LOOP_003_a_late_cycle_advances_the_profile_by_one_cycle(void)
@@ -124,11 +124,11 @@ void test_SWR_MOTION_002_the_needle_is_retracted_before_the_base_moves_again(voi
     (void)rig_workphase(&rig, WORKPHASE_TARGETING);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &other).status);
     (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
-    const int32_t head = rig_position(&rig, AXIS_HEAD);
+    const int32_t head = rig_position(&rig, NEURO_AXIS_HEAD);
     rig_press(&rig);
-    const int32_t stroke = robot_neuro.axes[AXIS_INSERTION].maximum_ticks;
-    while (rig_position(&rig, AXIS_INSERTION) > (stroke / 64)) {
-        TEST_ASSERT_INT32_WITHIN(1, head, rig_position(&rig, AXIS_HEAD));
+    const int32_t stroke = robot_neuro.axes[NEURO_AXIS_INSERTION].maximum_ticks;
+    while (rig_position(&rig, NEURO_AXIS_INSERTION) > (stroke / 64)) {
+        TEST_ASSERT_INT32_WITHIN(1, head, rig_position(&rig, NEURO_AXIS_HEAD));
         rig_cycle(&rig);
         TEST_ASSERT_LESS_THAN_UINT32(100000U, rig.controller.cycle);
     }
@@ -150,8 +150,8 @@ void test_SWR_MOTION_004_the_base_also_moves_towards_larger_positions(void)
     (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
-    TEST_ASSERT_EQUAL_INT32(rig.controller.plan.target_ticks[AXIS_HEAD],
-                            rig_position(&rig, AXIS_HEAD));
+    TEST_ASSERT_EQUAL_INT32(rig.controller.plan.target_ticks[NEURO_AXIS_HEAD],
+                            rig_position(&rig, NEURO_AXIS_HEAD));
 }
 
 void test_SWR_CMD_003_no_sequence_of_commands_drives_an_axis_without_the_pedal(void)

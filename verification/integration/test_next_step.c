@@ -202,9 +202,9 @@ void test_SWR_NEXT_007_what_is_armed_is_stopped_before_a_position_is_confirmed(v
 {
     rig_start_homed(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
-    fail_axis(AXIS_FEET);
-    expect_named(NEXT_STEP_CONFIRM, AXIS_FEET, CARD_SLOT_COUNT, EVENT_AXIS_REFERENCE_LOST);
-    jog(AXIS_ROTATION);
+    fail_axis(NEURO_AXIS_FEET);
+    expect_named(NEXT_STEP_CONFIRM, NEURO_AXIS_FEET, CARD_SLOT_COUNT, EVENT_AXIS_REFERENCE_LOST);
+    jog(NEURO_AXIS_ROTATION);
     expect(NEXT_STEP_STOP);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
     expect(NEXT_STEP_CONFIRM);
@@ -247,7 +247,7 @@ void test_SWR_NEXT_003_a_card_that_is_lost_is_named_until_it_answers(void)
     rig_start_homed(&rig);
     rig_box(&rig, "card head silent");
     rig_cycles(&rig, 200U);
-    expect_named(NEXT_STEP_CHECK_CARDS, AXIS_HEAD, slot_of(AXIS_HEAD), EVENT_CARD_LOST);
+    expect_named(NEXT_STEP_CHECK_CARDS, NEURO_AXIS_HEAD, slot_of(NEURO_AXIS_HEAD), EVENT_CARD_LOST);
     rig_box(&rig, "card head normal");
     rig_cycles(&rig, 20U);
     expect_named(NEXT_STEP_START_UP, ROBOT_AXIS_MAX, CARD_SLOT_COUNT, EVENT_STARTED);
@@ -271,9 +271,9 @@ void test_SWR_NEXT_005_a_hot_motor_is_waited_for(void)
     rig_start_homed(&rig);
     rig_box(&rig, "motor yaw hot");
     rig_cycles(&rig, 60000U);
-    expect_named(NEXT_STEP_WAIT, AXIS_YAW, CARD_SLOT_COUNT, EVENT_AXIS_HOT);
+    expect_named(NEXT_STEP_WAIT, NEURO_AXIS_YAW, CARD_SLOT_COUNT, EVENT_AXIS_HOT);
     rig_box(&rig, "motor yaw normal");
-    rig.box.axes[AXIS_YAW].card.motor_temperature_c = 20.0;
+    rig.box.axes[NEURO_AXIS_YAW].card.motor_temperature_c = 20.0;
     rig_cycles(&rig, 20U);
     expect(NEXT_STEP_START_UP);
 }
@@ -283,7 +283,7 @@ void test_SWR_NEXT_005_a_hot_driver_is_waited_for(void)
     rig_start_homed(&rig);
     rig_box(&rig, "card yaw hot");
     rig_cycles(&rig, 100U);
-    expect_named(NEXT_STEP_WAIT, AXIS_YAW, slot_of(AXIS_YAW), EVENT_CARD_HOT);
+    expect_named(NEXT_STEP_WAIT, NEURO_AXIS_YAW, slot_of(NEURO_AXIS_YAW), EVENT_CARD_HOT);
     rig_box(&rig, "card yaw normal");
     rig_cycles(&rig, 100U);
     expect(NEXT_STEP_START_UP);
@@ -292,10 +292,10 @@ void test_SWR_NEXT_005_a_hot_driver_is_waited_for(void)
 void test_SWR_NEXT_005_a_position_that_moves_is_not_to_be_confirmed(void)
 {
     rig_start_homed(&rig);
-    fail_axis(AXIS_FEET);
+    fail_axis(NEURO_AXIS_FEET);
     rig_box(&rig, "motor feet runs");
     rig_cycles(&rig, 100U);
-    expect_named(NEXT_STEP_WAIT, AXIS_FEET, CARD_SLOT_COUNT, EVENT_AXIS_MOVED_OFF);
+    expect_named(NEXT_STEP_WAIT, NEURO_AXIS_FEET, CARD_SLOT_COUNT, EVENT_AXIS_MOVED_OFF);
     rig_box(&rig, "scanner on");
     rig_cycles(&rig, 100U);
     expect(NEXT_STEP_SCANNER);
@@ -343,7 +343,7 @@ void test_SWR_NEXT_003_what_was_just_granted_is_not_to_be_taken(void)
 /* At its switch the head would be too far from the feet. */
 static void go_out(void)
 {
-    static const uint32_t axes[] = {AXIS_HEAD, AXIS_FEET};
+    static const uint32_t axes[] = {NEURO_AXIS_HEAD, NEURO_AXIS_FEET};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     for (uint32_t i = 0U; i < 2U; i++) {
         const command_t out = {.kind = (uint32_t)COMMAND_JOG, .argument = axes[i], .value = -2000};
@@ -359,9 +359,9 @@ void test_SWR_NEXT_003_an_axis_that_must_not_be_homed_asks_for_room_and_gets_it_
 {
     rig_start_homed(&rig);
     go_out();
-    fail_axis(AXIS_HEAD);
-    expect_named(NEXT_STEP_MAKE_ROOM, AXIS_HEAD, CARD_SLOT_COUNT, EVENT_HOMING_BARRED);
-    jog(AXIS_FEET);
+    fail_axis(NEURO_AXIS_HEAD);
+    expect_named(NEXT_STEP_MAKE_ROOM, NEURO_AXIS_HEAD, CARD_SLOT_COUNT, EVENT_HOMING_BARRED);
+    jog(NEURO_AXIS_FEET);
     expect(NEXT_STEP_MAKE_ROOM);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
@@ -388,11 +388,11 @@ void test_SWR_NEXT_004_an_encoder_that_stays_reversed_is_for_service_and_named(v
         expect(NEXT_STEP_START_UP);
         start_up_in_vain();
     }
-    expect_named(NEXT_STEP_SERVICE, AXIS_INSERTION, CARD_SLOT_COUNT, EVENT_AXIS_WRONG_WAY);
+    expect_named(NEXT_STEP_SERVICE, NEURO_AXIS_INSERTION, CARD_SLOT_COUNT, EVENT_AXIS_WRONG_WAY);
     rig_box(&rig, "encoder insertion normal");
     rig_home(&rig);
     expect(NEXT_STEP_PLANNING);
-    fail_axis(AXIS_HEAD);
+    fail_axis(NEURO_AXIS_HEAD);
     expect(NEXT_STEP_START_UP);
 }
 
@@ -407,5 +407,5 @@ void test_SWR_NEXT_004_a_card_that_is_lost_in_each_START_UP_is_for_service_and_n
         rig_box(&rig, "card head normal");
         rig_cycles(&rig, 100U);
     }
-    expect_named(NEXT_STEP_SERVICE, ROBOT_AXIS_MAX, slot_of(AXIS_HEAD), EVENT_CARD_LOST);
+    expect_named(NEXT_STEP_SERVICE, ROBOT_AXIS_MAX, slot_of(NEURO_AXIS_HEAD), EVENT_CARD_LOST);
 }

@@ -65,17 +65,18 @@ void test_SWR_PEDAL_005_pressing_again_continues_from_the_actual_position_from_r
     rig_start_moving(&rig);
     rig_release(&rig);
     rig_cycles(&rig, 100U);
-    const int32_t held = rig_position(&rig, AXIS_HEAD);
+    const int32_t held = rig_position(&rig, NEURO_AXIS_HEAD);
     rig_cycles(&rig, 500U);
-    TEST_ASSERT_EQUAL_INT32(held, rig_position(&rig, AXIS_HEAD));
+    TEST_ASSERT_EQUAL_INT32(held, rig_position(&rig, NEURO_AXIS_HEAD));
     rig_box(&rig, "pedal press");
     while (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_MOVING) {
         rig_cycle(&rig);
     }
-    TEST_ASSERT_INT32_WITHIN(1, held, rig.outputs.snapshot.axes[AXIS_HEAD].setpoint_ticks);
-    const int32_t limit_q8 = (robot_neuro.axes[AXIS_HEAD].acceleration_ticks_per_s2 * 256) / 500;
-    TEST_ASSERT_INT32_WITHIN(limit_q8, 0,
-                             rig.outputs.snapshot.axes[AXIS_HEAD].setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_INT32_WITHIN(1, held, rig.outputs.snapshot.axes[NEURO_AXIS_HEAD].setpoint_ticks);
+    const int32_t limit_q8 =
+        (robot_neuro.axes[NEURO_AXIS_HEAD].acceleration_ticks_per_s2 * 256) / 500;
+    TEST_ASSERT_INT32_WITHIN(
+        limit_q8, 0, rig.outputs.snapshot.axes[NEURO_AXIS_HEAD].setpoint_speed_ticks_per_s_q8);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 30000U).kind);
 }
 

@@ -57,7 +57,7 @@ static void expect_there(uint32_t pose, double needle_ticks)
     double ticks[ROBOT_AXIS_MAX];
     box_true_positions(&rig.box, ticks);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        const bool is_needle = i == (uint32_t)AXIS_INSERTION;
+        const bool is_needle = i == (uint32_t)NEURO_AXIS_INSERTION;
         TEST_ASSERT_DOUBLE_WITHIN(
             3.0, is_needle ? needle_ticks : (double)robot_neuro.poses[pose].ticks[i], ticks[i]);
     }
@@ -70,7 +70,7 @@ void test_SWR_POSE_001_the_robot_goes_from_pose_to_pose_and_the_needle_stays_out
     box_true_positions(&rig.box, before);
     for (uint32_t pose = POSE_NAME_COUNT - 1U; pose >= (uint32_t)POSE_PARK; pose--) {
         run(to(pose));
-        expect_there(pose, before[AXIS_INSERTION]);
+        expect_there(pose, before[NEURO_AXIS_INSERTION]);
         TEST_ASSERT_EQUAL_UINT32(WORKPHASE_MANUAL, rig.outputs.snapshot.workphase);
     }
 }
@@ -91,7 +91,7 @@ void test_SWR_POSE_001_it_pauses_without_the_pedal_and_goes_on(void)
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
     rig_release(&rig);
     rig_cycles(&rig, 100U);
-    expect_there(POSE_DRAPING, before[AXIS_INSERTION]);
+    expect_there(POSE_DRAPING, before[NEURO_AXIS_INSERTION]);
 }
 
 void test_SWR_POSE_002_with_the_needle_in_it_is_refused_until_that_was_retracted(void)
@@ -116,7 +116,7 @@ void test_SWR_POSE_003_what_the_file_does_not_name_is_refused(void)
     start_manual();
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_POSE, status_of(to(POSE_HOME)));
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_POSE, status_of(to(POSE_NAME_COUNT)));
-    rig.robot.poses[POSE_EGRESS].ticks[AXIS_HEAD] ^= 64;
+    rig.robot.poses[POSE_EGRESS].ticks[NEURO_AXIS_HEAD] ^= 64;
     TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, status_of(to(POSE_EGRESS)));
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(to(POSE_PARK)));
 }

@@ -155,7 +155,8 @@ void test_SWR_PROBE_004_no_probe_is_taken_where_the_needle_is_not_known_to_be_ou
 
 void test_SWR_PROBE_004_no_probe_is_taken_while_something_is_armed(void)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = -200};
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = -200};
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);

@@ -133,24 +133,24 @@ void test_SWR_PROG_011_a_program_goes_through_its_steps_shows_them_and_tells_its
     start_held();
     TEST_ASSERT_EQUAL_UINT32(2U, rig.outputs.snapshot.program_steps);
     TEST_ASSERT_EQUAL_HEX32(sum, rig.outputs.snapshot.program_crc);
-    const double yaw = truly(AXIS_YAW);
+    const double yaw = truly(NEURO_AXIS_YAW);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, send(COMMAND_RUN_PROGRAM, sum).status);
     TEST_ASSERT_EQUAL_UINT32(MODE_PROGRAM, rig.outputs.snapshot.mode);
     rig_press(&rig);
     run_until_dwelling(0U);
-    TEST_ASSERT_INT32_WITHIN(20, depth() - 10000, (int32_t)truly(AXIS_INSERTION));
-    TEST_ASSERT_INT32_WITHIN(4, 400, (int32_t)truly(AXIS_ROTATION));
+    TEST_ASSERT_INT32_WITHIN(20, depth() - 10000, (int32_t)truly(NEURO_AXIS_INSERTION));
+    TEST_ASSERT_INT32_WITHIN(4, 400, (int32_t)truly(NEURO_AXIS_ROTATION));
     rig_cycles(&rig, 249U);
     TEST_ASSERT_EQUAL_UINT32(500U, rig.outputs.snapshot.done_per_mille);
     TEST_ASSERT_EQUAL_UINT32(250U, rig.outputs.snapshot.left_ms);
     run_until_dwelling(1U);
-    TEST_ASSERT_INT32_WITHIN(20, depth(), (int32_t)truly(AXIS_INSERTION));
+    TEST_ASSERT_INT32_WITHIN(20, depth(), (int32_t)truly(NEURO_AXIS_INSERTION));
     const answer_t answer = rig_finish(&rig, LONG_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, answer.kind);
     TEST_ASSERT_EQUAL_UINT32(COMMAND_RUN_PROGRAM, answer.command);
     TEST_ASSERT_EQUAL_UINT32(2U, rig.outputs.snapshot.program_step);
     TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_PROGRAM_STEP));
-    TEST_ASSERT_TRUE(truly(AXIS_YAW) == yaw);
+    TEST_ASSERT_TRUE(truly(NEURO_AXIS_YAW) == yaw);
 }
 
 void test_SWR_MODE_011_its_end_is_shown_as_that_of_a_program_not_as_the_target(void)
@@ -315,7 +315,7 @@ void test_SWR_PROG_010_a_refused_step_is_named_and_nothing_is_held(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, send_step(0U, depth(), 0, 1).status);
     const answer_t answer = send_step(1U, depth(), 9000, 1);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_ROTATION, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_ROTATION, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
     TEST_ASSERT_EQUAL_UINT32(STATUS_PROGRAM_ORDER, send(COMMAND_PROGRAM_END, sum).status);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.program_steps);

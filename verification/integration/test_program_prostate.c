@@ -48,12 +48,12 @@ void test_SWR_PROG_011_another_robot_that_turns_its_needle_runs_a_program(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, entry(&pose)).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
     run((command_t){.kind = (uint32_t)COMMAND_ALIGN});
-    const int64_t tick_q16 = robot_prostate.axes[AXIS_INSERTION].unit_per_tick_q16;
-    const int32_t depth = rig.controller.plan.target_ticks[AXIS_INSERTION] -
+    const int64_t tick_q16 = robot_prostate.axes[PROSTATE_AXIS_INSERTION].unit_per_tick_q16;
+    const int32_t depth = rig.controller.plan.target_ticks[PROSTATE_AXIS_INSERTION] -
                           (int32_t)((INT64_C(2000000) * 65536) / tick_q16);
     command_t command = {.kind = (uint32_t)COMMAND_PROGRAM_STEP, .value = 300};
-    command.ticks[AXIS_INSERTION] = depth;
-    command.ticks[AXIS_ROTATION] = 417;
+    command.ticks[PROSTATE_AXIS_INSERTION] = depth;
+    command.ticks[PROSTATE_AXIS_ROTATION] = 417;
     const command_t begin = {.kind = (uint32_t)COMMAND_PROGRAM_BEGIN, .argument = 1U};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, begin).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
@@ -62,6 +62,6 @@ void test_SWR_PROG_011_another_robot_that_turns_its_needle_runs_a_program(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, end).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
     run((command_t){.kind = (uint32_t)COMMAND_RUN_PROGRAM, .argument = sum});
-    TEST_ASSERT_INT32_WITHIN(10, depth, rig_position(&rig, AXIS_INSERTION));
-    TEST_ASSERT_INT32_WITHIN(5, 417, rig_position(&rig, AXIS_ROTATION));
+    TEST_ASSERT_INT32_WITHIN(10, depth, rig_position(&rig, PROSTATE_AXIS_INSERTION));
+    TEST_ASSERT_INT32_WITHIN(5, 417, rig_position(&rig, PROSTATE_AXIS_ROTATION));
 }

@@ -130,7 +130,7 @@ static void play(uint32_t axis, uint32_t count)
 {
     uint32_t scenes = 0U;
     while (scenes < count) {
-        int32_t ticks[ROBOT_AXIS_MAX] = {[AXIS_INSERTION] = 200};
+        int32_t ticks[ROBOT_AXIS_MAX] = {[PROSTATE_AXIS_INSERTION] = 200};
         if (find_pose(ticks)) {
             start_at(ticks);
             expect_homed_again(axis);
@@ -148,7 +148,8 @@ static uint32_t asked(const char *name, uint32_t otherwise)
 
 void test_SWR_AXIS_051_a_carriage_homes_again_from_any_legal_pose(void)
 {
-    static const uint32_t carriages[] = {AXIS_FRONT_LEFT, AXIS_FRONT_RIGHT, AXIS_REAR_RIGHT};
+    static const uint32_t carriages[] = {PROSTATE_AXIS_FRONT_LEFT, PROSTATE_AXIS_FRONT_RIGHT,
+                                         PROSTATE_AXIS_REAR_RIGHT};
     seed = asked("SEED", 1U);
     for (uint32_t i = 0U; i < 3U; i++) {
         play(carriages[i], asked("POSES", 1U));

@@ -50,24 +50,25 @@ static void start_with_doubt(uint32_t axis)
 
 void test_SWR_REF_006_the_operator_holds_the_button_and_the_axis_is_verified(void)
 {
-    start_with_doubt(AXIS_ROTATION);
-    const int32_t position = rig.outputs.snapshot.axes[AXIS_ROTATION].position_ticks;
+    start_with_doubt(NEURO_AXIS_ROTATION);
+    const int32_t position = rig.outputs.snapshot.axes[NEURO_AXIS_ROTATION].position_ticks;
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button(HOLD_CYCLES + 1U));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_ROTATION));
-    TEST_ASSERT_EQUAL_INT32(position, rig.outputs.snapshot.axes[AXIS_ROTATION].position_ticks);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(AXIS_FEET));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(NEURO_AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_INT32(position,
+                            rig.outputs.snapshot.axes[NEURO_AXIS_ROTATION].position_ticks);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(NEURO_AXIS_FEET));
 }
 
 void test_SWR_REF_006_a_short_press_confirms_nothing(void)
 {
-    start_with_doubt(AXIS_ROTATION);
+    start_with_doubt(NEURO_AXIS_ROTATION);
     TEST_ASSERT_EQUAL_UINT32(0U, hold_button(HOLD_CYCLES - 2U));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(NEURO_AXIS_ROTATION));
 }
 
 void test_SWR_REF_006_a_button_that_is_held_from_the_start_confirms_nothing(void)
 {
-    start_with_doubt(AXIS_ROTATION);
+    start_with_doubt(NEURO_AXIS_ROTATION);
     rig_box(&rig, "button press");
     rig_cycle(&rig);
     rig.controller.confirm = (confirm_button_t){0U, 0U};
@@ -80,11 +81,11 @@ void test_SWR_REF_006_nothing_is_confirmed_while_an_order_is_armed(void)
 {
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_FEET, .value = 10};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_FEET, .value = 10};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
-    axis_lose_reference(&rig.controller.axes[AXIS_ROTATION]);
+    axis_lose_reference(&rig.controller.axes[NEURO_AXIS_ROTATION]);
     TEST_ASSERT_EQUAL_UINT32(0U, hold_button(3U * HOLD_CYCLES));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(NEURO_AXIS_ROTATION));
     (void)rig_workphase(&rig, WORKPHASE_STOP);
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button(HOLD_CYCLES + 1U));
@@ -92,7 +93,7 @@ void test_SWR_REF_006_nothing_is_confirmed_while_an_order_is_armed(void)
 
 void test_SWR_REF_006_nothing_is_confirmed_while_the_emergency_stop_is_open(void)
 {
-    start_with_doubt(AXIS_FEET);
+    start_with_doubt(NEURO_AXIS_FEET);
     rig_box(&rig, "estop pull");
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(0U, hold_button(3U * HOLD_CYCLES));
@@ -103,17 +104,17 @@ void test_SWR_REF_006_nothing_is_confirmed_while_the_emergency_stop_is_open(void
 
 void test_SWR_REF_007_an_axis_whose_card_is_silent_is_not_confirmed(void)
 {
-    start_with_doubt(AXIS_FEET);
-    axis_doubt(&rig.controller.axes[AXIS_ROTATION]);
+    start_with_doubt(NEURO_AXIS_FEET);
+    axis_doubt(&rig.controller.axes[NEURO_AXIS_ROTATION]);
     rig_box(&rig, "card rotation silent");
     rig_cycles(&rig, 20U);
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button(HOLD_CYCLES + 1U));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_FEET));
-    TEST_ASSERT_NOT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(NEURO_AXIS_FEET));
+    TEST_ASSERT_NOT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(NEURO_AXIS_ROTATION));
     rig_box(&rig, "card rotation normal");
     rig_cycles(&rig, 20U);
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button(HOLD_CYCLES + 1U));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(NEURO_AXIS_ROTATION));
 }
 
 static void expect_start_up(status_t expected)
@@ -131,7 +132,7 @@ static void expect_step(next_step_t expected)
 
 void test_SWR_REF_008_start_up_waits_for_the_operator_when_an_axis_without_switch_is_in_doubt(void)
 {
-    start_with_doubt(AXIS_FEET);
+    start_with_doubt(NEURO_AXIS_FEET);
     expect_start_up(STATUS_CONFIRM_POSITIONS);
     expect_step(NEXT_STEP_CONFIRM);
     (void)hold_button(HOLD_CYCLES + 1U);
@@ -142,7 +143,7 @@ void test_SWR_REF_008_start_up_waits_for_the_operator_when_an_axis_without_switc
 void test_SWR_REF_008_start_up_waits_for_the_operator_when_an_axis_without_switch_is_lost(void)
 {
     rig_start_homed(&rig);
-    axis_lose_reference(&rig.controller.axes[AXIS_ROTATION]);
+    axis_lose_reference(&rig.controller.axes[NEURO_AXIS_ROTATION]);
     rig_cycle(&rig);
     expect_start_up(STATUS_CONFIRM_POSITIONS);
     (void)hold_button(HOLD_CYCLES + 1U);
@@ -156,18 +157,18 @@ void test_SWR_REF_008_a_refused_start_up_clears_nothing(void)
     rig_cycles(&rig, 2U);
     rig_box(&rig, "estop reset");
     rig_cycles(&rig, 2U);
-    axis_doubt(&rig.controller.axes[AXIS_FEET]);
+    axis_doubt(&rig.controller.axes[NEURO_AXIS_FEET]);
     expect_start_up(STATUS_CONFIRM_POSITIONS);
     TEST_ASSERT_EQUAL_UINT32(ESTOP_LATCH_STATE_LATCHED, rig.outputs.snapshot.estop);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[AXIS_HEAD].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[NEURO_AXIS_HEAD].power);
 }
 
 void test_SWR_REF_008_what_a_switch_finds_needs_no_operator(void)
 {
-    start_with_doubt(AXIS_YAW);
+    start_with_doubt(NEURO_AXIS_YAW);
     expect_step(NEXT_STEP_START_UP);
     rig_home(&rig);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_YAW));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(NEURO_AXIS_YAW));
 }
 
 void test_SWR_REF_008_a_first_start_up_that_failed_is_repeated_without_the_operator(void)
@@ -179,9 +180,9 @@ void test_SWR_REF_008_a_first_start_up_that_failed_is_repeated_without_the_opera
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 31000U).kind);
     rig_release(&rig);
     rig_box(&rig, "motor insertion normal");
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_FRESH, grade(AXIS_FEET));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_FRESH, grade(NEURO_AXIS_FEET));
     rig_home(&rig);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(AXIS_FEET));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(NEURO_AXIS_FEET));
 }
 
 void test_SWR_NEXT_001_the_cards_and_the_operator_come_before_start_up(void)
@@ -201,7 +202,7 @@ void test_SWR_NEXT_001_the_cards_and_the_operator_come_before_start_up(void)
 
 void test_SWR_NEXT_001_a_pedal_fault_and_a_lost_position_ask_for_the_operator(void)
 {
-    start_with_doubt(AXIS_FEET);
+    start_with_doubt(NEURO_AXIS_FEET);
     rig_box(&rig, "pedal a close");
     rig_cycles(&rig, 200U);
     expect_step(NEXT_STEP_PEDAL_FAULT);
@@ -213,15 +214,16 @@ void test_SWR_NEXT_001_a_pedal_fault_and_a_lost_position_ask_for_the_operator(vo
 void test_SWR_REF_009_an_axis_whose_card_falls_silent_at_rest_is_unverified(void)
 {
     rig_start_homed(&rig);
-    const int32_t position = rig.outputs.snapshot.axes[AXIS_ROTATION].position_ticks;
+    const int32_t position = rig.outputs.snapshot.axes[NEURO_AXIS_ROTATION].position_ticks;
     rig_box(&rig, "card rotation silent");
     rig_cycles(&rig, 3000U);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(NEURO_AXIS_ROTATION));
     rig_box(&rig, "card rotation normal");
     rig_cycles(&rig, 3000U);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(AXIS_ROTATION));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(AXIS_FEET));
-    TEST_ASSERT_EQUAL_INT32(position, rig.outputs.snapshot.axes[AXIS_ROTATION].position_ticks);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(NEURO_AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(NEURO_AXIS_FEET));
+    TEST_ASSERT_EQUAL_INT32(position,
+                            rig.outputs.snapshot.axes[NEURO_AXIS_ROTATION].position_ticks);
 }
 
 void test_SWR_REF_009_an_axis_that_comes_back_elsewhere_is_lost(void)
@@ -233,16 +235,16 @@ void test_SWR_REF_009_an_axis_that_comes_back_elsewhere_is_lost(void)
     rig_cycles(&rig, 100U);
     rig_box(&rig, "motor rotation normal");
     rig_cycles(&rig, 20U);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(NEURO_AXIS_ROTATION));
     rig_box(&rig, "card rotation normal");
     rig_cycles(&rig, 2U);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(NEURO_AXIS_ROTATION));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_MOVED_OFF));
 }
 
 void test_SWR_REF_009_an_axis_that_was_confirmed_and_falls_silent_again_is_unverified(void)
 {
-    start_with_doubt(AXIS_FEET);
+    start_with_doubt(NEURO_AXIS_FEET);
     rig_box(&rig, "card feet silent");
     rig_cycles(&rig, 20U);
     rig_box(&rig, "card feet normal");
@@ -250,7 +252,7 @@ void test_SWR_REF_009_an_axis_that_was_confirmed_and_falls_silent_again_is_unver
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button(HOLD_CYCLES + 1U));
     rig_box(&rig, "card feet silent");
     rig_cycles(&rig, 20U);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(AXIS_FEET));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(NEURO_AXIS_FEET));
 }
 
 static void begin_move(void)
@@ -267,7 +269,7 @@ void test_SWR_REF_009_an_axis_whose_card_falls_silent_while_it_is_driven_is_lost
     begin_move();
     rig_box(&rig, "card head silent");
     rig_cycles(&rig, 20U);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_HEAD));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(NEURO_AXIS_HEAD));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_UNVERIFIED));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_REFERENCE_LOST));
 }
@@ -280,7 +282,7 @@ static uint32_t grade_of_silence_after(uint32_t cycles)
     rig_cycles(&rig, cycles);
     rig_box(&rig, "card head silent");
     rig_cycles(&rig, 20U);
-    return grade(AXIS_HEAD);
+    return grade(NEURO_AXIS_HEAD);
 }
 
 void test_SWR_REF_009_only_what_was_off_in_every_frame_that_may_have_been_applied_is_in_doubt(void)
@@ -297,18 +299,19 @@ void test_SWR_REF_009_an_axis_that_was_just_told_to_move_is_lost(void)
         rig_start_targeted(&rig);
         (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
         rig_box(&rig, "pedal press");
-        while (rig_sent(&rig, AXIS_HEAD).drive.mode == (uint32_t)CARD_DRIVE_OFF) {
+        while (rig_sent(&rig, NEURO_AXIS_HEAD).drive.mode == (uint32_t)CARD_DRIVE_OFF) {
             rig_cycle(&rig);
         }
         if (later != 0U) {
             rig_box(&rig, "pedal a open");
             rig_cycle(&rig);
         }
-        rig.box.axes[AXIS_HEAD].card.faults |= CARD_STATUS_WATCHDOG;
+        rig.box.axes[NEURO_AXIS_HEAD].card.faults |= CARD_STATUS_WATCHDOG;
         rig_cycle(&rig);
-        TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, rig_link(&rig, AXIS_HEAD)->chart.state);
-        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_HEAD));
-        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(AXIS_FEET));
+        TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST,
+                                 rig_link(&rig, NEURO_AXIS_HEAD)->chart.state);
+        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(NEURO_AXIS_HEAD));
+        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(NEURO_AXIS_FEET));
     }
 }
 
@@ -333,11 +336,11 @@ void test_SWR_REF_009_any_other_trouble_of_a_card_at_rest_loses_the_position(voi
     rig_start_homed(&rig);
     rig_box(&rig, "card rotation foreign");
     rig_cycles(&rig, 3U);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(NEURO_AXIS_ROTATION));
     rig_start_homed(&rig);
-    rig.box.axes[AXIS_FEET].card.faults |= CARD_STATUS_HOT;
+    rig.box.axes[NEURO_AXIS_FEET].card.faults |= CARD_STATUS_HOT;
     rig_cycles(&rig, 3U);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_FEET));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(NEURO_AXIS_FEET));
 }
 
 /* Why the card was given up the last time says nothing of this time. */
@@ -350,17 +353,17 @@ void test_SWR_REF_009_a_damaged_link_at_rest_loses_the_position(void)
     rig_cycles(&rig, 20U);
     (void)hold_button(HOLD_CYCLES + 1U);
     expect_start_up(STATUS_OK);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(NEURO_AXIS_ROTATION));
     rig_cycles(&rig, 20U);
-    rig_link(&rig, AXIS_ROTATION)->chart.state_inverse ^= 4U;
+    rig_link(&rig, NEURO_AXIS_ROTATION)->chart.state_inverse ^= 4U;
     rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(NEURO_AXIS_ROTATION));
 }
 
 void test_SWR_REF_010_a_doubt_ends_the_move_and_forgets_the_target(void)
 {
     begin_move();
-    axis_doubt(&rig.controller.axes[AXIS_PITCH]);
+    axis_doubt(&rig.controller.axes[NEURO_AXIS_PITCH]);
     rig_forget(&rig);
     rig_cycle(&rig);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
@@ -374,7 +377,7 @@ void test_SWR_REF_010_nobody_moves_to_a_target_with_an_axis_in_doubt(void)
 {
     const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
     rig_start_targeted(&rig);
-    axis_doubt(&rig.controller.axes[AXIS_PITCH]);
+    axis_doubt(&rig.controller.axes[NEURO_AXIS_PITCH]);
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED,
@@ -399,7 +402,7 @@ static void expect_told(event_id_t id, uint32_t axis)
 
 void test_SWR_REF_011_each_change_of_trust_names_its_axis(void)
 {
-    const uint32_t axis = AXIS_ROTATION;
+    const uint32_t axis = NEURO_AXIS_ROTATION;
     rig_start_homed(&rig);
     encoder_set_position(&rig.controller.axes[axis].encoder, 12);
     supervision_shift(&rig.controller.axes[axis].supervision, 12);
@@ -419,12 +422,12 @@ void test_SWR_REF_011_each_change_of_trust_names_its_axis(void)
 
 void test_SWR_REF_011_what_an_axis_in_doubt_loses_is_told_and_what_was_never_known_is_not(void)
 {
-    start_with_doubt(AXIS_ROTATION);
-    axis_lose_reference(&rig.controller.axes[AXIS_ROTATION]);
+    start_with_doubt(NEURO_AXIS_ROTATION);
+    axis_lose_reference(&rig.controller.axes[NEURO_AXIS_ROTATION]);
     rig_cycle(&rig);
-    expect_told(EVENT_AXIS_REFERENCE_LOST, AXIS_ROTATION);
+    expect_told(EVENT_AXIS_REFERENCE_LOST, NEURO_AXIS_ROTATION);
     rig_start(&rig);
-    axis_forget(&rig.controller.axes[AXIS_ROTATION]);
+    axis_forget(&rig.controller.axes[NEURO_AXIS_ROTATION]);
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_REFERENCE_LOST));
 }
@@ -434,7 +437,7 @@ void test_SWR_REF_011_a_fault_tells_the_loss_itself(void)
     begin_move();
     rig_box(&rig, "motor head stuck");
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 700U).kind);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_HEAD));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(NEURO_AXIS_HEAD));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_REFERENCE_LOST));
 }
 
@@ -443,20 +446,20 @@ void test_SWR_REF_011_an_axis_without_switch_is_taken_and_not_homed(void)
     rig_start(&rig);
     rig_home(&rig);
     TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_AXIS_TAKEN));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_ROTATION, last_event(EVENT_AXIS_TAKEN)->subject);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(AXIS_ROTATION));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_HEAD));
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_ROTATION, last_event(EVENT_AXIS_TAKEN)->subject);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(NEURO_AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(NEURO_AXIS_HEAD));
 }
 
 void test_SWR_REF_006_nothing_is_confirmed_while_an_axis_in_doubt_moves(void)
 {
-    start_with_doubt(AXIS_FEET);
-    axis_lose_reference(&rig.controller.axes[AXIS_ROTATION]);
+    start_with_doubt(NEURO_AXIS_FEET);
+    axis_lose_reference(&rig.controller.axes[NEURO_AXIS_ROTATION]);
     rig_cycle(&rig);
     const uint32_t before = rig_count(&rig, EVENT_AXIS_CONFIRMED);
     rig_box(&rig, "button press");
     for (uint32_t i = 0U; i < (2U * HOLD_CYCLES); i++) {
-        rig.box.axes[AXIS_ROTATION].motor.position_ticks += 0.05;
+        rig.box.axes[NEURO_AXIS_ROTATION].motor.position_ticks += 0.05;
         rig_cycle(&rig);
     }
     rig_cycles(&rig, 2U * HOLD_CYCLES);
@@ -475,15 +478,15 @@ void test_SWR_REF_013_an_axis_that_runs_by_itself_at_power_on_is_never_taken(voi
     rig_press(&rig);
     rig_cycles(&rig, 20000U);
     rig_release(&rig);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(NEURO_AXIS_ROTATION));
     for (uint32_t i = 0U; i < rig.event_count; i++) {
         TEST_ASSERT_FALSE((rig.events[i].id == (uint32_t)EVENT_AXIS_TAKEN) &&
-                          (rig.events[i].subject == (uint32_t)AXIS_ROTATION));
+                          (rig.events[i].subject == (uint32_t)NEURO_AXIS_ROTATION));
     }
     rig_box(&rig, "motor rotation normal");
     rig_cycles(&rig, 200U);
     expect_start_up(STATUS_CONFIRM_POSITIONS);
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button(HOLD_CYCLES + 1U));
     rig_home(&rig);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(NEURO_AXIS_ROTATION));
 }

@@ -129,17 +129,17 @@ void test_SWR_REPLAY_001_acts_on_single_axes_are_replayed_as_well(void)
     rig_cycles(&rig, 500U);
     take_checkpoint();
     replay_act(COMMAND_WORKPHASE, WORKPHASE_MANUAL, 5U);
-    replay_act(COMMAND_SET_HOME, AXIS_FEET, 5U);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, axes[AXIS_FEET].reference);
-    replay_act(COMMAND_CONFIRM_AXIS, AXIS_FEET, 5U);
+    replay_act(COMMAND_SET_HOME, NEURO_AXIS_FEET, 5U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, axes[NEURO_AXIS_FEET].reference);
+    replay_act(COMMAND_CONFIRM_AXIS, NEURO_AXIS_FEET, 5U);
     rig_box(&rig, "button press");
     replay_cycles(LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US + 2U);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, axes[AXIS_FEET].reference);
-    replay_act(COMMAND_CLEAR_AXIS, AXIS_YAW, 5U);
-    replay_act(COMMAND_HOME_AXIS, AXIS_YAW, 5U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, axes[NEURO_AXIS_FEET].reference);
+    replay_act(COMMAND_CLEAR_AXIS, NEURO_AXIS_YAW, 5U);
+    replay_act(COMMAND_HOME_AXIS, NEURO_AXIS_YAW, 5U);
     rig_box(&rig, "pedal press");
     replay_cycles(CYCLES);
-    TEST_ASSERT_TRUE(axis_is_homing(&rig.controller.axes[AXIS_YAW]));
+    TEST_ASSERT_TRUE(axis_is_homing(&rig.controller.axes[NEURO_AXIS_YAW]));
 }
 
 static void expect_sentence(const char *where)

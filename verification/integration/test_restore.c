@@ -136,8 +136,8 @@ void test_SWR_STORE_005_what_was_counted_meanwhile_is_added(void)
 
 void test_SWR_STORE_005_the_way_of_rest_is_still_believed(void)
 {
-    count_up(AXIS_HEAD, supervision_rest_ticks(&robot_neuro.axes[AXIS_HEAD]));
-    count_up(AXIS_YAW, -supervision_rest_ticks(&robot_neuro.axes[AXIS_YAW]));
+    count_up(NEURO_AXIS_HEAD, supervision_rest_ticks(&robot_neuro.axes[NEURO_AXIS_HEAD]));
+    count_up(NEURO_AXIS_YAW, -supervision_rest_ticks(&robot_neuro.axes[NEURO_AXIS_YAW]));
     restart();
     assert_references(AXIS_REFERENCE_UNVERIFIED);
 }
@@ -147,7 +147,7 @@ void test_SWR_STORE_005_an_axis_whose_card_is_silent_waits_for_its_first_report(
     rig_box(&rig, "card feet silent");
     restart();
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.positions_awaited);
-    assert_reference(AXIS_FEET, AXIS_REFERENCE_FRESH);
+    assert_reference(NEURO_AXIS_FEET, AXIS_REFERENCE_FRESH);
     TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY,
                              rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_box(&rig, "card feet normal");
@@ -158,20 +158,20 @@ void test_SWR_STORE_005_an_axis_whose_card_is_silent_waits_for_its_first_report(
 
 void test_SWR_STORE_006_an_axis_with_another_reading_is_lost_by_that_much(void)
 {
-    const int32_t way = supervision_rest_ticks(&robot_neuro.axes[AXIS_ROTATION]) + 1;
+    const int32_t way = supervision_rest_ticks(&robot_neuro.axes[NEURO_AXIS_ROTATION]) + 1;
 
-    count_up(AXIS_ROTATION, way);
-    count_up(AXIS_INSERTION, -100000);
+    count_up(NEURO_AXIS_ROTATION, way);
+    count_up(NEURO_AXIS_INSERTION, -100000);
     restart();
-    assert_reference(AXIS_ROTATION, AXIS_REFERENCE_LOST);
-    assert_reference(AXIS_INSERTION, AXIS_REFERENCE_LOST);
-    assert_reference(AXIS_FEET, AXIS_REFERENCE_UNVERIFIED);
-    TEST_ASSERT_EQUAL_INT32(upwards(AXIS_ROTATION, way),
-                            event_of(EVENT_AXIS_CONTRADICTED, AXIS_ROTATION)->value);
-    TEST_ASSERT_EQUAL_INT32(upwards(AXIS_INSERTION, -100000),
-                            event_of(EVENT_AXIS_CONTRADICTED, AXIS_INSERTION)->value);
+    assert_reference(NEURO_AXIS_ROTATION, AXIS_REFERENCE_LOST);
+    assert_reference(NEURO_AXIS_INSERTION, AXIS_REFERENCE_LOST);
+    assert_reference(NEURO_AXIS_FEET, AXIS_REFERENCE_UNVERIFIED);
+    TEST_ASSERT_EQUAL_INT32(upwards(NEURO_AXIS_ROTATION, way),
+                            event_of(EVENT_AXIS_CONTRADICTED, NEURO_AXIS_ROTATION)->value);
+    TEST_ASSERT_EQUAL_INT32(upwards(NEURO_AXIS_INSERTION, -100000),
+                            event_of(EVENT_AXIS_CONTRADICTED, NEURO_AXIS_INSERTION)->value);
     TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_WARNING,
-                             event_of(EVENT_AXIS_CONTRADICTED, AXIS_ROTATION)->severity);
+                             event_of(EVENT_AXIS_CONTRADICTED, NEURO_AXIS_ROTATION)->severity);
     TEST_ASSERT_EQUAL_UINT32(robot_neuro.axis_count - 2U, rig_count(&rig, EVENT_AXIS_RESTORED));
 }
 
@@ -183,38 +183,38 @@ void test_SWR_STORE_006_an_axis_that_moved_between_the_programs_is_lost(void)
     rig_box(&rig, "motor insertion normal");
     controller_restore(&rig.controller, &kept);
     rig_cycles(&rig, 50U);
-    assert_reference(AXIS_INSERTION, AXIS_REFERENCE_LOST);
-    assert_reference(AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);
+    assert_reference(NEURO_AXIS_INSERTION, AXIS_REFERENCE_LOST);
+    assert_reference(NEURO_AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);
 }
 
 void test_SWR_STORE_003_what_was_lost_stays_lost_and_what_was_fresh_stays_fresh(void)
 {
-    kept.axes[AXIS_FEET].grade = (uint32_t)KEPT_LOST;
-    kept.axes[AXIS_ROTATION].grade = (uint32_t)KEPT_FRESH;
+    kept.axes[NEURO_AXIS_FEET].grade = (uint32_t)KEPT_LOST;
+    kept.axes[NEURO_AXIS_ROTATION].grade = (uint32_t)KEPT_FRESH;
     restart();
-    assert_reference(AXIS_FEET, AXIS_REFERENCE_LOST);
-    assert_reference(AXIS_ROTATION, AXIS_REFERENCE_FRESH);
-    assert_reference(AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);
+    assert_reference(NEURO_AXIS_FEET, AXIS_REFERENCE_LOST);
+    assert_reference(NEURO_AXIS_ROTATION, AXIS_REFERENCE_FRESH);
+    assert_reference(NEURO_AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);
 }
 
 void test_SWR_STORE_019_an_axis_with_an_unknown_grade_is_lost(void)
 {
-    kept.axes[AXIS_FEET].grade = (uint32_t)KEPT_KNOWN + 1U;
-    kept.axes[AXIS_ROTATION].grade = UINT32_MAX;
+    kept.axes[NEURO_AXIS_FEET].grade = (uint32_t)KEPT_KNOWN + 1U;
+    kept.axes[NEURO_AXIS_ROTATION].grade = UINT32_MAX;
     restart();
-    assert_reference(AXIS_FEET, AXIS_REFERENCE_LOST);
-    assert_reference(AXIS_ROTATION, AXIS_REFERENCE_LOST);
-    assert_reference(AXIS_LATERAL, AXIS_REFERENCE_UNVERIFIED);
+    assert_reference(NEURO_AXIS_FEET, AXIS_REFERENCE_LOST);
+    assert_reference(NEURO_AXIS_ROTATION, AXIS_REFERENCE_LOST);
+    assert_reference(NEURO_AXIS_LATERAL, AXIS_REFERENCE_UNVERIFIED);
 }
 
 void test_SWR_STORE_006_a_fresh_axis_that_was_moved_unseen_is_lost(void)
 {
-    kept.axes[AXIS_FEET].grade = (uint32_t)KEPT_FRESH;
-    kept.axes[AXIS_ROTATION].grade = (uint32_t)KEPT_FRESH;
-    count_up(AXIS_ROTATION, 100000);
+    kept.axes[NEURO_AXIS_FEET].grade = (uint32_t)KEPT_FRESH;
+    kept.axes[NEURO_AXIS_ROTATION].grade = (uint32_t)KEPT_FRESH;
+    count_up(NEURO_AXIS_ROTATION, 100000);
     restart();
-    assert_reference(AXIS_FEET, AXIS_REFERENCE_FRESH);
-    assert_reference(AXIS_ROTATION, AXIS_REFERENCE_LOST);
+    assert_reference(NEURO_AXIS_FEET, AXIS_REFERENCE_FRESH);
+    assert_reference(NEURO_AXIS_ROTATION, AXIS_REFERENCE_LOST);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_CONTRADICTED));
 }
 
@@ -253,7 +253,7 @@ void test_SWR_REPLAY_001_a_start_with_kept_positions_is_replayed_from_its_checkp
     static cycle_record_t record;
     const cycle_known_t known = {.is_whole = true};
 
-    count_up(AXIS_PITCH, 100000);
+    count_up(NEURO_AXIS_PITCH, 100000);
     end_programs();
     controller_restore(&rig.controller, &kept);
     replay_init(&replay);
@@ -268,8 +268,8 @@ void test_SWR_REPLAY_001_a_start_with_kept_positions_is_replayed_from_its_checkp
         record.body.cycle.outputs = rig.outputs;
         TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record, &known));
     }
-    assert_reference(AXIS_PITCH, AXIS_REFERENCE_LOST);
-    assert_reference(AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);
+    assert_reference(NEURO_AXIS_PITCH, AXIS_REFERENCE_LOST);
+    assert_reference(NEURO_AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);
 }
 
 /* The operator does, once everything has come to rest. */
@@ -285,7 +285,7 @@ static void confirm(void)
 void test_SWR_AXIS_027_counts_that_come_and_go_are_found_where_a_kept_position_was_confirmed(void)
 {
     const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_INSERTION, .value = 120000};
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_INSERTION, .value = 120000};
     uint32_t cycle = 0U;
     restart();
     confirm();
@@ -300,19 +300,20 @@ void test_SWR_AXIS_027_counts_that_come_and_go_are_found_where_a_kept_position_w
         rig_cycle(&rig);
         cycle++;
     }
-    assert_reference(AXIS_INSERTION, AXIS_REFERENCE_LOST);
-    TEST_ASSERT_DOUBLE_WITHIN(300.0, (double)position(AXIS_INSERTION),
-                              rig.box.axes[AXIS_INSERTION].motor.position_ticks);
+    assert_reference(NEURO_AXIS_INSERTION, AXIS_REFERENCE_LOST);
+    TEST_ASSERT_DOUBLE_WITHIN(300.0, (double)position(NEURO_AXIS_INSERTION),
+                              rig.box.axes[NEURO_AXIS_INSERTION].motor.position_ticks);
 }
 
 /* The carriage stands where its counts have it: `ticks` from where the true switch is. */
 static void home_contradicted_lateral(int32_t ticks)
 {
-    count_up(AXIS_LATERAL, upwards(AXIS_LATERAL, -100));
-    kept.axes[AXIS_LATERAL].position_ticks += ticks + 100;
+    count_up(NEURO_AXIS_LATERAL, upwards(NEURO_AXIS_LATERAL, -100));
+    kept.axes[NEURO_AXIS_LATERAL].position_ticks += ticks + 100;
     restart();
-    assert_reference(AXIS_LATERAL, AXIS_REFERENCE_LOST);
-    TEST_ASSERT_EQUAL_INT32(kept.axes[AXIS_LATERAL].position_ticks - 100, position(AXIS_LATERAL));
+    assert_reference(NEURO_AXIS_LATERAL, AXIS_REFERENCE_LOST);
+    TEST_ASSERT_EQUAL_INT32(kept.axes[NEURO_AXIS_LATERAL].position_ticks - 100,
+                            position(NEURO_AXIS_LATERAL));
     confirm();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_press(&rig);
@@ -323,13 +324,13 @@ static void home_contradicted_lateral(int32_t ticks)
 void test_SWR_AXIS_026_homing_is_compared_with_counts_that_contradict_a_kept_position(void)
 {
     home_contradicted_lateral(0);
-    assert_reference(AXIS_LATERAL, AXIS_REFERENCE_VERIFIED);
+    assert_reference(NEURO_AXIS_LATERAL, AXIS_REFERENCE_VERIFIED);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_SWITCH_ELSEWHERE));
 }
 
 void test_SWR_AXIS_026_homing_elsewhere_than_counts_that_contradict_a_kept_position_is_lost(void)
 {
     home_contradicted_lateral(100);
-    assert_reference(AXIS_LATERAL, AXIS_REFERENCE_LOST);
+    assert_reference(NEURO_AXIS_LATERAL, AXIS_REFERENCE_LOST);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_SWITCH_ELSEWHERE));
 }

@@ -54,7 +54,7 @@ void test_SWR_MOTION_023_the_needle_is_drawn_out_under_the_pedal_and_the_base_st
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_PRESS_PEDAL, rig.outputs.snapshot.next_step);
     rig_cycles(&rig, 500U);
     box_true_positions(&rig.box, after);
-    TEST_ASSERT_DOUBLE_WITHIN(1.0, before[AXIS_INSERTION], after[AXIS_INSERTION]);
+    TEST_ASSERT_DOUBLE_WITHIN(1.0, before[NEURO_AXIS_INSERTION], after[NEURO_AXIS_INSERTION]);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_HOLD_PEDAL, rig.outputs.snapshot.next_step);
     const answer_t answer = rig_finish(&rig, 30000U);
@@ -63,9 +63,10 @@ void test_SWR_MOTION_023_the_needle_is_drawn_out_under_the_pedal_and_the_base_st
     TEST_ASSERT_EQUAL_UINT32(1U, answer.is_final);
     rig_cycles(&rig, 100U);
     box_true_positions(&rig.box, after);
-    TEST_ASSERT_DOUBLE_WITHIN(5.0, needle_retracted_ticks(&robot_neuro), after[AXIS_INSERTION]);
+    TEST_ASSERT_DOUBLE_WITHIN(5.0, needle_retracted_ticks(&robot_neuro),
+                              after[NEURO_AXIS_INSERTION]);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        if (i != (uint32_t)AXIS_INSERTION) {
+        if (i != (uint32_t)NEURO_AXIS_INSERTION) {
             TEST_ASSERT_DOUBLE_WITHIN(1.5, before[i], after[i]);
         }
     }
@@ -76,10 +77,10 @@ void test_SWR_PEDAL_005_a_pedal_that_is_held_already_does_not_retract(void)
 {
     start_inserted();
     rig_press(&rig);
-    const int32_t before = rig_position(&rig, AXIS_INSERTION);
+    const int32_t before = rig_position(&rig, NEURO_AXIS_INSERTION);
     expect_armed();
     rig_cycles(&rig, 300U);
-    TEST_ASSERT_INT32_WITHIN(1, before, rig_position(&rig, AXIS_INSERTION));
+    TEST_ASSERT_INT32_WITHIN(1, before, rig_position(&rig, NEURO_AXIS_INSERTION));
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_RELEASE_PEDAL, rig.outputs.snapshot.next_step);
     rig_release(&rig);
     rig_press(&rig);
@@ -121,9 +122,9 @@ void test_SWR_NEXT_002_a_retracted_needle_is_not_shown_as_arrived_and_may_go_in_
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
     rig_release(&rig);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_NOTHING, rig.outputs.snapshot.next_step);
-    TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[AXIS_INSERTION].deadband_ticks,
-                             rig.controller.plan.target_ticks[AXIS_INSERTION],
-                             rig_position(&rig, AXIS_INSERTION));
+    TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[NEURO_AXIS_INSERTION].deadband_ticks,
+                             rig.controller.plan.target_ticks[NEURO_AXIS_INSERTION],
+                             rig_position(&rig, NEURO_AXIS_INSERTION));
 }
 
 void test_SWR_MOTION_023_a_needle_that_is_out_is_done_at_once_and_not_taken_in(void)
@@ -133,13 +134,13 @@ void test_SWR_MOTION_023_a_needle_that_is_out_is_done_at_once_and_not_taken_in(v
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 30000U).kind);
     rig_release(&rig);
-    const int32_t before = rig_position(&rig, AXIS_INSERTION);
+    const int32_t before = rig_position(&rig, NEURO_AXIS_INSERTION);
     rig_forget(&rig);
     expect_armed();
     TEST_ASSERT_EQUAL_UINT32(2U, rig.answer_count);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig.answers[1].kind);
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
-    TEST_ASSERT_EQUAL_INT32(before, rig_position(&rig, AXIS_INSERTION));
+    TEST_ASSERT_EQUAL_INT32(before, rig_position(&rig, NEURO_AXIS_INSERTION));
 }
 
 void test_SWR_PHASE_009_refusals_name_what_is_missing(void)
@@ -193,16 +194,17 @@ void test_SWR_PHASE_008_the_needle_is_drawn_out_in_each_workphase(void)
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, workphases[i]).status);
         expect_drawn_out();
         TEST_ASSERT_EQUAL_UINT32(workphases[i], rig.outputs.snapshot.workphase);
-        TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[AXIS_INSERTION].deadband_ticks,
+        TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[NEURO_AXIS_INSERTION].deadband_ticks,
                                  needle_retracted_ticks(&robot_neuro),
-                                 rig_position(&rig, AXIS_INSERTION));
+                                 rig_position(&rig, NEURO_AXIS_INSERTION));
     }
 }
 
 /* The needle deep in, its place forgotten. */
 static void lose_needle(void)
 {
-    const command_t clear = {.kind = (uint32_t)COMMAND_CLEAR_AXIS, .argument = AXIS_INSERTION};
+    const command_t clear = {.kind = (uint32_t)COMMAND_CLEAR_AXIS,
+                             .argument = NEURO_AXIS_INSERTION};
     start_inserted();
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
@@ -214,7 +216,7 @@ void test_SWR_MODE_005_a_needle_whose_place_is_lost_goes_out_slowly_to_its_switc
     double before[ROBOT_AXIS_MAX];
     double after[ROBOT_AXIS_MAX];
     double last[ROBOT_AXIS_MAX];
-    const double most_ticks = (double)robot_neuro.axes[AXIS_INSERTION].speed_ticks_per_s *
+    const double most_ticks = (double)robot_neuro.axes[NEURO_AXIS_INSERTION].speed_ticks_per_s *
                               ((double)LIMIT_UNHOMED_SPEED_PERCENT / 100.0) * 1.15 / 1000.0;
     lose_needle();
     box_true_positions(&rig.box, before);
@@ -227,20 +229,21 @@ void test_SWR_MODE_005_a_needle_whose_place_is_lost_goes_out_slowly_to_its_switc
         is_done = rig.outputs.snapshot.order == (uint32_t)ARMING_STATE_NONE;
         if ((i % 100U) == 99U) {
             box_true_positions(&rig.box, after);
-            TEST_ASSERT_TRUE(after[AXIS_INSERTION] <= (last[AXIS_INSERTION] + 1.0));
-            TEST_ASSERT_TRUE(after[AXIS_INSERTION] >=
-                             (last[AXIS_INSERTION] - (100.0 * most_ticks)));
+            TEST_ASSERT_TRUE(after[NEURO_AXIS_INSERTION] <= (last[NEURO_AXIS_INSERTION] + 1.0));
+            TEST_ASSERT_TRUE(after[NEURO_AXIS_INSERTION] >=
+                             (last[NEURO_AXIS_INSERTION] - (100.0 * most_ticks)));
             box_true_positions(&rig.box, last);
         }
     }
     TEST_ASSERT_TRUE(is_done);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_DONE));
-    TEST_ASSERT_NOT_EQUAL_UINT32(0U, rig.outputs.snapshot.axes[AXIS_INSERTION].limit_switches);
+    TEST_ASSERT_NOT_EQUAL_UINT32(0U,
+                                 rig.outputs.snapshot.axes[NEURO_AXIS_INSERTION].limit_switches);
     rig_cycles(&rig, 100U);
     box_true_positions(&rig.box, after);
-    TEST_ASSERT_DOUBLE_WITHIN(300.0, 0.0, after[AXIS_INSERTION]);
+    TEST_ASSERT_DOUBLE_WITHIN(300.0, 0.0, after[NEURO_AXIS_INSERTION]);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        if (i != (uint32_t)AXIS_INSERTION) {
+        if (i != (uint32_t)NEURO_AXIS_INSERTION) {
             TEST_ASSERT_DOUBLE_WITHIN(1.5, before[i], after[i]);
         }
     }
@@ -249,15 +252,16 @@ void test_SWR_MODE_005_a_needle_whose_place_is_lost_goes_out_slowly_to_its_switc
 void test_SWR_MODE_005_with_the_pedal_pressed_anew_it_goes_on_to_the_same_end(void)
 {
     lose_needle();
-    const int32_t place = rig_position(&rig, AXIS_INSERTION);
+    const int32_t place = rig_position(&rig, NEURO_AXIS_INSERTION);
     expect_armed();
     const int32_t end_ticks = rig.controller.mode.request.way.end_ticks;
-    TEST_ASSERT_EQUAL_INT32(place - robot_neuro.axes[AXIS_INSERTION].maximum_ticks, end_ticks);
+    TEST_ASSERT_EQUAL_INT32(place - robot_neuro.axes[NEURO_AXIS_INSERTION].maximum_ticks,
+                            end_ticks);
     rig_press(&rig);
     rig_cycles(&rig, 2000U);
     rig_release(&rig);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
-    TEST_ASSERT_LESS_THAN_INT32(place, rig_position(&rig, AXIS_INSERTION));
+    TEST_ASSERT_LESS_THAN_INT32(place, rig_position(&rig, NEURO_AXIS_INSERTION));
     rig_press(&rig);
     TEST_ASSERT_EQUAL_INT32(end_ticks, rig.controller.mode.request.way.end_ticks);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
@@ -271,7 +275,7 @@ void test_SWR_MODE_005_a_switch_that_never_comes_ends_at_the_stop_with_a_fault(v
     rig_press(&rig);
     const answer_t answer = rig_finish(&rig, 60000U);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, answer.kind);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_INSERTION, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_INSERTION, answer.axis);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
 }
 

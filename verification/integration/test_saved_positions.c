@@ -129,11 +129,11 @@ void test_SWR_STORE_020_what_was_homed_is_unverified_as_well_and_the_others_stay
     rest();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
-    saved.argument = BIT(AXIS_HEAD) | BIT(AXIS_ROTATION);
+    saved.argument = BIT(NEURO_AXIS_HEAD) | BIT(NEURO_AXIS_ROTATION);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, restore());
     assert_placed(saved.argument);
-    assert_reference(AXIS_LATERAL, AXIS_REFERENCE_VERIFIED);
-    assert_reference(AXIS_FEET, AXIS_REFERENCE_TAKEN);
+    assert_reference(NEURO_AXIS_LATERAL, AXIS_REFERENCE_VERIFIED);
+    assert_reference(NEURO_AXIS_FEET, AXIS_REFERENCE_TAKEN);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_homed);
 }
@@ -151,7 +151,7 @@ void test_SWR_STORE_020_lost_axes_are_restored_before_START_UP_and_the_button_co
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_EQUAL_INT32(saved.ticks[i], rig_position(&rig, i));
     }
-    assert_reference(AXIS_FEET, AXIS_REFERENCE_VERIFIED);
+    assert_reference(NEURO_AXIS_FEET, AXIS_REFERENCE_VERIFIED);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
 }
 
@@ -159,15 +159,15 @@ void test_SWR_STORE_020_lost_axes_are_restored_before_START_UP_and_the_button_co
 void test_SWR_STORE_020_a_switch_that_contradicts_a_saved_position_is_told(void)
 {
     start_homed(WORKPHASE_MANUAL);
-    saved.argument = BIT(AXIS_LATERAL);
-    saved.ticks[AXIS_LATERAL] = rig_position(&rig, AXIS_LATERAL) - 1000;
+    saved.argument = BIT(NEURO_AXIS_LATERAL);
+    saved.ticks[NEURO_AXIS_LATERAL] = rig_position(&rig, NEURO_AXIS_LATERAL) - 1000;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, restore());
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_forget(&rig);
     rig_press(&rig);
     (void)rig_finish(&rig, 60000U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_SWITCH_ELSEWHERE));
-    assert_reference(AXIS_LATERAL, AXIS_REFERENCE_LOST);
+    assert_reference(NEURO_AXIS_LATERAL, AXIS_REFERENCE_LOST);
 }
 
 void test_SWR_STORE_020_who_does_not_command_restores_nothing(void)
@@ -178,7 +178,7 @@ void test_SWR_STORE_020_who_does_not_command_restores_nothing(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_AUTHORITY, restore());
     saved.source = (uint32_t)COMMAND_SOURCE_IGTL;
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_ALLOWED, restore());
-    assert_reference(AXIS_HEAD, AXIS_REFERENCE_FRESH);
+    assert_reference(NEURO_AXIS_HEAD, AXIS_REFERENCE_FRESH);
 }
 
 void test_SWR_STORE_020_an_axis_that_the_robot_does_not_have_is_refused(void)
@@ -212,7 +212,8 @@ void test_SWR_STORE_021_positions_are_restored_where_nothing_moves_by_itself(voi
 
 void test_SWR_STORE_021_an_armed_jog_bars_it(void)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_LATERAL, .value = -2000};
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_LATERAL, .value = -2000};
     start_homed(WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     assert_refused(STATUS_NOT_AT_REST);
@@ -223,7 +224,7 @@ void test_SWR_STORE_021_an_axis_that_moves_bars_it_whichever_is_named(void)
     start();
     rig_box(&rig, "motor insertion runs");
     rig_cycles(&rig, 50U);
-    saved.argument = BIT(AXIS_HEAD);
+    saved.argument = BIT(NEURO_AXIS_HEAD);
     assert_refused(STATUS_NOT_AT_REST);
     rig_box(&rig, "motor insertion normal");
     rig_cycles(&rig, 1000U);
@@ -245,8 +246,8 @@ void test_SWR_STORE_021_a_silent_card_bars_its_axis_alone(void)
     rig_box(&rig, "card feet silent");
     rig_cycles(&rig, 50U);
     assert_refused(STATUS_HARDWARE_NOT_READY);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_FEET, rig.outputs.answers[0].axis);
-    saved.argument = ALL & ~BIT(AXIS_FEET);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_FEET, rig.outputs.answers[0].axis);
+    saved.argument = ALL & ~BIT(NEURO_AXIS_FEET);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, restore());
     assert_placed(saved.argument);
 }
@@ -263,7 +264,7 @@ void test_SWR_STORE_022_a_press_that_began_before_confirms_nothing(void)
     rig_box(&rig, "button release");
     rig_cycles(&rig, 10U);
     confirm();
-    assert_reference(AXIS_HEAD, AXIS_REFERENCE_VERIFIED);
+    assert_reference(NEURO_AXIS_HEAD, AXIS_REFERENCE_VERIFIED);
 }
 
 void test_SWR_STORE_023_a_position_where_its_axis_cannot_stand_is_refused_with_all_others(void)
@@ -280,9 +281,9 @@ void test_SWR_STORE_023_a_position_where_its_axis_cannot_stand_is_refused_with_a
         assert_refused(STATUS_OUT_OF_RANGE);
         saved.ticks[i] = good;
     }
-    saved.ticks[AXIS_YAW] = INT32_MIN;
+    saved.ticks[NEURO_AXIS_YAW] = INT32_MIN;
     assert_refused(STATUS_OUT_OF_RANGE);
-    saved.ticks[AXIS_YAW] = INT32_MAX;
+    saved.ticks[NEURO_AXIS_YAW] = INT32_MAX;
     assert_refused(STATUS_OUT_OF_RANGE);
 }
 

@@ -31,7 +31,7 @@ void tearDown(void)
 
 static void scan_for_a_minute(uint32_t noise)
 {
-    rig.box.axes[AXIS_ROTATION].encoder.random.state = noise;
+    rig.box.axes[PROSTATE_AXIS_ROTATION].encoder.random.state = noise;
     rig_box(&rig, "scanner on");
     rig_cycles(&rig, SCAN_CYCLES);
     rig_box(&rig, "scanner off");
@@ -40,7 +40,7 @@ static void scan_for_a_minute(uint32_t noise)
 
 static int32_t drifted_ticks(void)
 {
-    return rig.controller.axes[AXIS_ROTATION].drift.idle_ticks;
+    return rig.controller.axes[PROSTATE_AXIS_ROTATION].drift.idle_ticks;
 }
 
 void test_SWR_AXIS_022_a_minute_of_a_scan_leaves_a_coarse_rotation_verified(void)
@@ -48,7 +48,7 @@ void test_SWR_AXIS_022_a_minute_of_a_scan_leaves_a_coarse_rotation_verified(void
     scan_for_a_minute(126704U);
     TEST_ASSERT_GREATER_THAN_INT32(ARE_SCENES_WHOLE ? 4 : -1, abs(drifted_ticks()));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_DRIFTED));
-    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
+    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
     TEST_ASSERT_EQUAL_UINT32(ARE_SCENES_WHOLE ? 1U : 0U, rig.outputs.snapshot.is_homed);
 }
 
@@ -56,7 +56,7 @@ void test_SWR_AXIS_016_the_trembling_of_a_coarse_rotation_in_a_scan_is_no_motion
 {
     scan_for_a_minute(79190U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_MOVED_OFF));
-    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
+    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
 }
 
 void test_SWR_AXIS_016_a_rotation_that_moves_while_off_is_a_fault(void)
@@ -64,5 +64,5 @@ void test_SWR_AXIS_016_a_rotation_that_moves_while_off_is_a_fault(void)
     rig_box(&rig, "motor rotation runs");
     rig_cycles(&rig, 40U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_MOVED_OFF));
-    TEST_ASSERT_FALSE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
+    TEST_ASSERT_FALSE(axis_is_homed(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
 }

@@ -101,21 +101,21 @@ void test_SWR_AXIS_022_beyond_the_bound_there_is_no_target_any_more(void)
 
 void test_SWR_AXIS_046_a_doubt_that_grows_beyond_the_bound_forgets_the_target_and_says_so(void)
 {
-    const int32_t bound = (int32_t)robot_neuro.axes[AXIS_HEAD].drift_ticks;
-    drift_to(AXIS_HEAD, bound);
-    expect_in_doubt(AXIS_HEAD, 1U);
+    const int32_t bound = (int32_t)robot_neuro.axes[NEURO_AXIS_HEAD].drift_ticks;
+    drift_to(NEURO_AXIS_HEAD, bound);
+    expect_in_doubt(NEURO_AXIS_HEAD, 1U);
     rig_forget(&rig);
-    drift_to(AXIS_HEAD, bound + 1);
+    drift_to(NEURO_AXIS_HEAD, bound + 1);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_DRIFTED));
-    expect_in_doubt(AXIS_HEAD, 0U);
+    expect_in_doubt(NEURO_AXIS_HEAD, 0U);
     rig_cycles(&rig, 10U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_DRIFTED));
 }
 
 void test_SWR_REF_010_any_other_doubt_forgets_the_target_of_one_that_has_drifted(void)
 {
-    drift_to(AXIS_HEAD, (int32_t)robot_neuro.axes[AXIS_HEAD].drift_ticks);
-    expect_in_doubt(AXIS_HEAD, 1U);
+    drift_to(NEURO_AXIS_HEAD, (int32_t)robot_neuro.axes[NEURO_AXIS_HEAD].drift_ticks);
+    expect_in_doubt(NEURO_AXIS_HEAD, 1U);
     rig_box(&rig, "card pitch silent");
     rig_cycles(&rig, 100U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
@@ -123,8 +123,8 @@ void test_SWR_REF_010_any_other_doubt_forgets_the_target_of_one_that_has_drifted
 
 void test_SWR_AXIS_045_homing_that_is_given_up_after_a_drift_forgets_the_target(void)
 {
-    drift_to(AXIS_HEAD, (int32_t)robot_neuro.axes[AXIS_HEAD].drift_ticks);
-    expect_in_doubt(AXIS_HEAD, 1U);
+    drift_to(NEURO_AXIS_HEAD, (int32_t)robot_neuro.axes[NEURO_AXIS_HEAD].drift_ticks);
+    expect_in_doubt(NEURO_AXIS_HEAD, 1U);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
     rig_press(&rig);
@@ -132,6 +132,7 @@ void test_SWR_AXIS_045_homing_that_is_given_up_after_a_drift_forgets_the_target(
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
     (void)rig_workphase(&rig, WORKPHASE_STOP);
     rig_cycles(&rig, 2U);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[AXIS_HEAD].reference);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST,
+                             rig.outputs.snapshot.axes[NEURO_AXIS_HEAD].reference);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
 }

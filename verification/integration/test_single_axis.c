@@ -131,7 +131,7 @@ static void home(uint32_t axis)
 
 void test_SWR_AXIS_034_one_axis_homes_under_the_pedal_and_no_other_is_driven(void)
 {
-    static const uint32_t homed[] = {AXIS_LATERAL, AXIS_INSERTION, AXIS_HEAD};
+    static const uint32_t homed[] = {NEURO_AXIS_LATERAL, NEURO_AXIS_INSERTION, NEURO_AXIS_HEAD};
     start_manual();
     for (uint32_t i = 0U; i < (sizeof homed / sizeof homed[0]); i++) {
         const double before = shown_apart(homed[i]);
@@ -145,7 +145,7 @@ void test_SWR_AXIS_034_nothing_moves_before_the_pedal_is_pressed_anew(void)
 {
     start_manual();
     rig_press(&rig);
-    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_LATERAL);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, NEURO_AXIS_LATERAL);
     for (uint32_t i = 0U; i < 500U; i++) {
         rig_cycle(&rig);
         TEST_ASSERT_FALSE(rig_is_driving(&rig));
@@ -159,30 +159,30 @@ void test_SWR_AXIS_034_nothing_moves_before_the_pedal_is_pressed_anew(void)
 void test_SWR_AXIS_034_an_axis_without_a_switch_is_taken_once_as_in_start_up(void)
 {
     start_fresh();
-    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_ROTATION);
-    expect_grade(AXIS_REFERENCE_FRESH, AXIS_ROTATION);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, NEURO_AXIS_ROTATION);
+    expect_grade(AXIS_REFERENCE_FRESH, NEURO_AXIS_ROTATION);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 100U).kind);
-    expect_grade(AXIS_REFERENCE_TAKEN, AXIS_ROTATION);
+    expect_grade(AXIS_REFERENCE_TAKEN, NEURO_AXIS_ROTATION);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_TAKEN));
     rig_release(&rig);
-    expect(STATUS_HOMES_OTHERWISE, COMMAND_HOME_AXIS, AXIS_ROTATION);
-    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_ROTATION);
-    expect(STATUS_HOMES_OTHERWISE, COMMAND_HOME_AXIS, AXIS_ROTATION);
+    expect(STATUS_HOMES_OTHERWISE, COMMAND_HOME_AXIS, NEURO_AXIS_ROTATION);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, NEURO_AXIS_ROTATION);
+    expect(STATUS_HOMES_OTHERWISE, COMMAND_HOME_AXIS, NEURO_AXIS_ROTATION);
 }
 
 void test_SWR_AXIS_034_a_homing_that_is_given_up_is_answered_and_leaves_the_axis_lost(void)
 {
     start_manual();
-    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_LATERAL);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, NEURO_AXIS_LATERAL);
     rig_press(&rig);
     rig_cycles(&rig, 300U);
-    TEST_ASSERT_TRUE(axis_is_homing(&rig.controller.axes[AXIS_LATERAL]));
+    TEST_ASSERT_TRUE(axis_is_homing(&rig.controller.axes[NEURO_AXIS_LATERAL]));
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig.outputs.answers[0].kind);
     TEST_ASSERT_EQUAL_UINT32(COMMAND_HOME_AXIS, rig.outputs.answers[0].command);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
-    expect_grade(AXIS_REFERENCE_LOST, AXIS_LATERAL);
+    expect_grade(AXIS_REFERENCE_LOST, NEURO_AXIS_LATERAL);
     rig_release(&rig);
 }
 
@@ -190,10 +190,10 @@ void test_SWR_AXIS_034_a_homing_that_is_given_up_is_answered_and_leaves_the_axis
 void test_SWR_AXIS_034_a_limit_that_bars_the_way_fails_the_homing(void)
 {
     start_manual();
-    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_HEAD);
-    encoder_set_position(&rig.controller.axes[AXIS_FEET].encoder, -5000);
-    supervision_shift(&rig.controller.axes[AXIS_FEET].supervision, -5000);
-    drift_audit_settle(&rig.controller.axes[AXIS_FEET].drift, -5000);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, NEURO_AXIS_HEAD);
+    encoder_set_position(&rig.controller.axes[NEURO_AXIS_FEET].encoder, -5000);
+    supervision_shift(&rig.controller.axes[NEURO_AXIS_FEET].supervision, -5000);
+    drift_audit_settle(&rig.controller.axes[NEURO_AXIS_FEET].drift, -5000);
     controller_seal(&rig.controller);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_HOMING_BARRED));
@@ -206,8 +206,8 @@ void test_SWR_AXIS_035_who_homes_anew_is_not_relied_on_from_then_on(void)
     start_manual();
     rig_forget(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
-    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_YAW);
-    expect_grade(AXIS_REFERENCE_LOST, AXIS_YAW);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, NEURO_AXIS_YAW);
+    expect_grade(AXIS_REFERENCE_LOST, NEURO_AXIS_YAW);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
     rig_cycles(&rig, 3U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_REFERENCE_LOST));
@@ -217,33 +217,33 @@ void test_SWR_AXIS_035_who_homes_anew_is_not_relied_on_from_then_on(void)
 void test_SWR_AXIS_035_who_was_unverified_may_still_be_confirmed(void)
 {
     start_manual();
-    axis_doubt(&rig.controller.axes[AXIS_LATERAL]);
+    axis_doubt(&rig.controller.axes[NEURO_AXIS_LATERAL]);
     rig_cycle(&rig);
-    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_LATERAL);
-    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_LATERAL);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, NEURO_AXIS_LATERAL);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, NEURO_AXIS_LATERAL);
     enter_manual();
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
-    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_LATERAL);
+    expect_grade(AXIS_REFERENCE_VERIFIED, NEURO_AXIS_LATERAL);
 }
 
 void test_SWR_AXIS_036_nothing_homes_across_a_needle_that_is_not_homed_and_out(void)
 {
     start_manual();
-    jog(AXIS_INSERTION, 20000);
-    expect(STATUS_NEEDLE_IN, COMMAND_HOME_AXIS, AXIS_PITCH);
-    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_PITCH);
-    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_INSERTION);
-    expect(STATUS_NEEDLE_IN, COMMAND_HOME_AXIS, AXIS_PITCH);
-    home(AXIS_INSERTION);
-    home(AXIS_PITCH);
+    jog(NEURO_AXIS_INSERTION, 20000);
+    expect(STATUS_NEEDLE_IN, COMMAND_HOME_AXIS, NEURO_AXIS_PITCH);
+    expect_grade(AXIS_REFERENCE_VERIFIED, NEURO_AXIS_PITCH);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, NEURO_AXIS_INSERTION);
+    expect(STATUS_NEEDLE_IN, COMMAND_HOME_AXIS, NEURO_AXIS_PITCH);
+    home(NEURO_AXIS_INSERTION);
+    home(NEURO_AXIS_PITCH);
 }
 
 void test_SWR_AXIS_036_a_needle_that_comes_in_meanwhile_stops_it(void)
 {
     start_manual();
-    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_LATERAL);
-    axis_lose_reference(&rig.controller.axes[AXIS_INSERTION]);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, NEURO_AXIS_LATERAL);
+    axis_lose_reference(&rig.controller.axes[NEURO_AXIS_INSERTION]);
     rig_box(&rig, "pedal press");
     for (uint32_t i = 0U; i < 500U; i++) {
         rig_cycle(&rig);
@@ -256,25 +256,25 @@ void test_SWR_AXIS_036_a_needle_that_comes_in_meanwhile_stops_it(void)
 void test_SWR_AXIS_036_a_limit_that_its_switch_would_miss_bars_it_by_name(void)
 {
     start_manual();
-    jog(AXIS_HEAD, -2000);
-    jog(AXIS_FEET, -2000);
-    const answer_t answer = act(COMMAND_HOME_AXIS, AXIS_HEAD);
+    jog(NEURO_AXIS_HEAD, -2000);
+    jog(NEURO_AXIS_FEET, -2000);
+    const answer_t answer = act(COMMAND_HOME_AXIS, NEURO_AXIS_HEAD);
     TEST_ASSERT_EQUAL_UINT32(STATUS_SEPARATION_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_HEAD, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_HEAD, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
-    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_HEAD);
-    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_HEAD);
-    expect(STATUS_SEPARATION_LIMIT, COMMAND_HOME_AXIS, AXIS_HEAD);
+    expect_grade(AXIS_REFERENCE_VERIFIED, NEURO_AXIS_HEAD);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, NEURO_AXIS_HEAD);
+    expect(STATUS_SEPARATION_LIMIT, COMMAND_HOME_AXIS, NEURO_AXIS_HEAD);
 }
 
 void test_SWR_AXIS_036_who_shares_its_limit_must_be_homed(void)
 {
     start_manual();
-    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_FEET);
-    expect(STATUS_NOT_HOMED, COMMAND_HOME_AXIS, AXIS_HEAD);
-    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_HEAD);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, NEURO_AXIS_FEET);
+    expect(STATUS_NOT_HOMED, COMMAND_HOME_AXIS, NEURO_AXIS_HEAD);
+    expect_grade(AXIS_REFERENCE_VERIFIED, NEURO_AXIS_HEAD);
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
-    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_HEAD);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, NEURO_AXIS_HEAD);
 }
 
 static const command_kind_t acts[] = {COMMAND_HOME_AXIS, COMMAND_CLEAR_AXIS,  COMMAND_CONFIRM_AXIS,
@@ -284,7 +284,7 @@ static const command_kind_t acts[] = {COMMAND_HOME_AXIS, COMMAND_CLEAR_AXIS,  CO
 void test_SWR_AXIS_037_they_are_for_manual_only(void)
 {
     start_manual();
-    axis_doubt(&rig.controller.axes[AXIS_FEET]);
+    axis_doubt(&rig.controller.axes[NEURO_AXIS_FEET]);
     rig_cycle(&rig);
     for (uint32_t phase = (uint32_t)WORKPHASE_START_UP; phase < WORKPHASE_COUNT; phase++) {
         if ((rig_workphase(&rig, (workphase_t)phase).status != (uint32_t)STATUS_OK) ||
@@ -292,12 +292,13 @@ void test_SWR_AXIS_037_they_are_for_manual_only(void)
             continue;
         }
         for (uint32_t i = 0U; i < ACTS; i++) {
-            const uint32_t axis = (i == 0U) ? (uint32_t)AXIS_LATERAL : (uint32_t)AXIS_FEET;
+            const uint32_t axis =
+                (i == 0U) ? (uint32_t)NEURO_AXIS_LATERAL : (uint32_t)NEURO_AXIS_FEET;
             expect(STATUS_WRONG_WORKPHASE, acts[i], axis);
         }
     }
-    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
-    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_LATERAL);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, NEURO_AXIS_FEET);
+    expect_grade(AXIS_REFERENCE_VERIFIED, NEURO_AXIS_LATERAL);
 }
 
 void test_SWR_AXIS_037_they_are_for_axes_of_the_robot_and_the_console(void)
@@ -321,7 +322,7 @@ void test_SWR_AXIS_037_who_has_no_authority_is_refused(void)
         const command_t other = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
                                  .peer = RIG_PAGE + 1U,
                                  .kind = (uint32_t)acts[i],
-                                 .argument = AXIS_FEET};
+                                 .argument = NEURO_AXIS_FEET};
         TEST_ASSERT_EQUAL_UINT32(STATUS_NO_AUTHORITY, rig_command(&rig, other).status);
     }
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
@@ -330,10 +331,10 @@ void test_SWR_AXIS_037_who_has_no_authority_is_refused(void)
 void test_SWR_AXIS_037_nothing_is_done_by_a_table_that_was_damaged(void)
 {
     start_manual();
-    rig.robot.axes[AXIS_FEET].home_ticks++;
+    rig.robot.axes[NEURO_AXIS_FEET].home_ticks++;
     rig_cycle(&rig);
     for (uint32_t i = 0U; i < ACTS; i++) {
-        expect(STATUS_MEMORY_DAMAGED, acts[i], AXIS_FEET);
+        expect(STATUS_MEMORY_DAMAGED, acts[i], NEURO_AXIS_FEET);
     }
 }
 
@@ -342,38 +343,38 @@ void test_SWR_AXIS_038_a_reference_is_forgotten_by_command(void)
     start_manual();
     rig_forget(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
-    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_LATERAL);
-    expect_grade(AXIS_REFERENCE_LOST, AXIS_LATERAL);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, NEURO_AXIS_LATERAL);
+    expect_grade(AXIS_REFERENCE_LOST, NEURO_AXIS_LATERAL);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_homed);
-    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_LATERAL);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, NEURO_AXIS_LATERAL);
     rig_cycles(&rig, 3U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_REFERENCE_LOST));
     TEST_ASSERT_EQUAL_UINT32(EVENT_CAUSE_CONSOLE, rig.events[0].cause);
-    home(AXIS_LATERAL);
+    home(NEURO_AXIS_LATERAL);
 }
 
 void test_SWR_AXIS_038_who_was_never_known_stays_fresh(void)
 {
     start_fresh();
-    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_FEET);
-    expect_grade(AXIS_REFERENCE_FRESH, AXIS_FEET);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, NEURO_AXIS_FEET);
+    expect_grade(AXIS_REFERENCE_FRESH, NEURO_AXIS_FEET);
 }
 
 void test_SWR_AXIS_038_nothing_is_forgotten_under_an_order(void)
 {
     start_manual();
-    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_LATERAL);
-    expect(STATUS_NOT_AT_REST, COMMAND_CLEAR_AXIS, AXIS_YAW);
-    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_YAW);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, NEURO_AXIS_LATERAL);
+    expect(STATUS_NOT_AT_REST, COMMAND_CLEAR_AXIS, NEURO_AXIS_YAW);
+    expect_grade(AXIS_REFERENCE_VERIFIED, NEURO_AXIS_YAW);
 }
 
 /* Two axes in doubt, in MANUAL. */
 static void start_doubted(void)
 {
     start_manual();
-    axis_doubt(&rig.controller.axes[AXIS_FEET]);
-    axis_doubt(&rig.controller.axes[AXIS_YAW]);
+    axis_doubt(&rig.controller.axes[NEURO_AXIS_FEET]);
+    axis_doubt(&rig.controller.axes[NEURO_AXIS_YAW]);
     rig_cycle(&rig);
 }
 
@@ -381,17 +382,17 @@ void test_SWR_AXIS_039_the_next_press_confirms_that_axis_and_the_one_after_it_th
 {
     start_doubted();
     rig_forget(&rig);
-    expect(STATUS_OK, COMMAND_CONFIRM_AXIS, AXIS_YAW);
+    expect(STATUS_OK, COMMAND_CONFIRM_AXIS, NEURO_AXIS_YAW);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CONFIRM_ASKED));
     TEST_ASSERT_EQUAL_UINT32(AUTHORITY_REQUEST_CONFIRM_AXIS, rig.outputs.snapshot.request);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_YAW, rig.outputs.snapshot.request_axis);
-    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, rig.outputs.snapshot.request_axis);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, NEURO_AXIS_YAW);
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
-    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_YAW);
-    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
+    expect_grade(AXIS_REFERENCE_VERIFIED, NEURO_AXIS_YAW);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, NEURO_AXIS_FEET);
     TEST_ASSERT_EQUAL_UINT32(AUTHORITY_REQUEST_NONE, rig.outputs.snapshot.request);
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
-    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_FEET);
+    expect_grade(AXIS_REFERENCE_VERIFIED, NEURO_AXIS_FEET);
 }
 
 void test_SWR_AXIS_039_it_lapses_and_a_press_from_before_means_nothing(void)
@@ -399,9 +400,9 @@ void test_SWR_AXIS_039_it_lapses_and_a_press_from_before_means_nothing(void)
     start_doubted();
     rig_box(&rig, "button press");
     rig_cycles(&rig, HOLD_CYCLES / 2U);
-    expect(STATUS_OK, COMMAND_CONFIRM_AXIS, AXIS_YAW);
+    expect(STATUS_OK, COMMAND_CONFIRM_AXIS, NEURO_AXIS_YAW);
     rig_cycles(&rig, 2U * HOLD_CYCLES);
-    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_YAW);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, NEURO_AXIS_YAW);
     rig_box(&rig, "button release");
     rig_cycles(&rig, ASK_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(AUTHORITY_REQUEST_NONE, rig.outputs.snapshot.request);
@@ -416,67 +417,70 @@ void test_SWR_AXIS_039_another_ones_request_is_not_replaced(void)
                             .argument = AUTHORITY_REQUEST_TAKE};
     start_doubted();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, take).status);
-    expect(STATUS_BUSY, COMMAND_CONFIRM_AXIS, AXIS_YAW);
+    expect(STATUS_BUSY, COMMAND_CONFIRM_AXIS, NEURO_AXIS_YAW);
     TEST_ASSERT_EQUAL_UINT32(AUTHORITY_REQUEST_TAKE, rig.outputs.snapshot.request);
 }
 
 void test_SWR_AXIS_040_what_a_press_would_not_verify_is_refused(void)
 {
     start_manual();
-    expect(STATUS_NOTHING_TO_CONFIRM, COMMAND_CONFIRM_AXIS, AXIS_YAW);
-    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_YAW);
-    expect(STATUS_NOTHING_TO_CONFIRM, COMMAND_CONFIRM_AXIS, AXIS_YAW);
-    rig.controller.axes[AXIS_YAW].elsewhere_ticks = 500;
+    expect(STATUS_NOTHING_TO_CONFIRM, COMMAND_CONFIRM_AXIS, NEURO_AXIS_YAW);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, NEURO_AXIS_YAW);
+    expect(STATUS_NOTHING_TO_CONFIRM, COMMAND_CONFIRM_AXIS, NEURO_AXIS_YAW);
+    rig.controller.axes[NEURO_AXIS_YAW].elsewhere_ticks = 500;
     controller_seal(&rig.controller);
-    expect(STATUS_OK, COMMAND_CONFIRM_AXIS, AXIS_YAW);
+    expect(STATUS_OK, COMMAND_CONFIRM_AXIS, NEURO_AXIS_YAW);
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
-    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_FEET);
-    expect(STATUS_OK, COMMAND_CONFIRM_AXIS, AXIS_FEET);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, NEURO_AXIS_FEET);
+    expect(STATUS_OK, COMMAND_CONFIRM_AXIS, NEURO_AXIS_FEET);
     start_fresh();
-    expect(STATUS_NOTHING_TO_CONFIRM, COMMAND_CONFIRM_AXIS, AXIS_FEET);
+    expect(STATUS_NOTHING_TO_CONFIRM, COMMAND_CONFIRM_AXIS, NEURO_AXIS_FEET);
 }
 
 void test_SWR_AXIS_040_without_a_button_nothing_is_asked_of_it(void)
 {
     start_doubted();
     rig.has_no_button = true;
-    expect(STATUS_NO_BUTTON, COMMAND_CONFIRM_AXIS, AXIS_YAW);
+    expect(STATUS_NO_BUTTON, COMMAND_CONFIRM_AXIS, NEURO_AXIS_YAW);
     TEST_ASSERT_EQUAL_UINT32(AUTHORITY_REQUEST_NONE, rig.outputs.snapshot.request);
 }
 
 void test_SWR_AXIS_041_where_the_axis_stands_is_its_home_once_the_operator_has_confirmed_it(void)
 {
     start_manual();
-    jog(AXIS_FEET, 800);
-    const double place = rig.box.axes[AXIS_FEET].motor.position_ticks;
+    jog(NEURO_AXIS_FEET, 800);
+    const double place = rig.box.axes[NEURO_AXIS_FEET].motor.position_ticks;
     rig_forget(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
-    expect(STATUS_OK, COMMAND_SET_HOME, AXIS_FEET);
-    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
-    TEST_ASSERT_EQUAL_INT32(robot_neuro.axes[AXIS_FEET].home_ticks, rig_position(&rig, AXIS_FEET));
+    expect(STATUS_OK, COMMAND_SET_HOME, NEURO_AXIS_FEET);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, NEURO_AXIS_FEET);
+    TEST_ASSERT_EQUAL_INT32(robot_neuro.axes[NEURO_AXIS_FEET].home_ticks,
+                            rig_position(&rig, NEURO_AXIS_FEET));
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_homed);
     rig_cycles(&rig, 2000U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_UNVERIFIED));
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
-    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_FEET);
+    expect_grade(AXIS_REFERENCE_VERIFIED, NEURO_AXIS_FEET);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
-    TEST_ASSERT_EQUAL_INT32(robot_neuro.axes[AXIS_FEET].home_ticks, rig_position(&rig, AXIS_FEET));
-    TEST_ASSERT_DOUBLE_WITHIN(0.5, place, rig.box.axes[AXIS_FEET].motor.position_ticks);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_FEET].power);
-    jog(AXIS_FEET, -100);
-    TEST_ASSERT_DOUBLE_WITHIN(3.0, place - 100.0, rig.box.axes[AXIS_FEET].motor.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(robot_neuro.axes[NEURO_AXIS_FEET].home_ticks,
+                            rig_position(&rig, NEURO_AXIS_FEET));
+    TEST_ASSERT_DOUBLE_WITHIN(0.5, place, rig.box.axes[NEURO_AXIS_FEET].motor.position_ticks);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[NEURO_AXIS_FEET].power);
+    jog(NEURO_AXIS_FEET, -100);
+    TEST_ASSERT_DOUBLE_WITHIN(3.0, place - 100.0,
+                              rig.box.axes[NEURO_AXIS_FEET].motor.position_ticks);
 }
 
 void test_SWR_AXIS_041_the_home_of_a_lost_or_unverified_axis_is_set_as_well(void)
 {
     start_manual();
-    jog(AXIS_ROTATION, 300);
-    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_ROTATION);
-    expect(STATUS_OK, COMMAND_SET_HOME, AXIS_ROTATION);
-    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_ROTATION);
-    TEST_ASSERT_EQUAL_INT32(0, rig_position(&rig, AXIS_ROTATION));
-    expect(STATUS_OK, COMMAND_SET_HOME, AXIS_ROTATION);
+    jog(NEURO_AXIS_ROTATION, 300);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, NEURO_AXIS_ROTATION);
+    expect(STATUS_OK, COMMAND_SET_HOME, NEURO_AXIS_ROTATION);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, NEURO_AXIS_ROTATION);
+    TEST_ASSERT_EQUAL_INT32(0, rig_position(&rig, NEURO_AXIS_ROTATION));
+    expect(STATUS_OK, COMMAND_SET_HOME, NEURO_AXIS_ROTATION);
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
 }
 
@@ -485,9 +489,9 @@ void test_SWR_AXIS_041_a_press_from_before_does_not_confirm_the_home(void)
     start_manual();
     rig_box(&rig, "button press");
     rig_cycles(&rig, HOLD_CYCLES / 2U);
-    expect(STATUS_OK, COMMAND_SET_HOME, AXIS_FEET);
+    expect(STATUS_OK, COMMAND_SET_HOME, NEURO_AXIS_FEET);
     rig_cycles(&rig, 2U * HOLD_CYCLES);
-    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, NEURO_AXIS_FEET);
 }
 
 /* Somebody else asks for authority while the home that was set waits to be confirmed. */
@@ -498,7 +502,7 @@ static void start_asked(void)
                            .argument = (uint32_t)AUTHORITY_REQUEST_TAKE,
                            .peer = OTHER_PAGE};
     start_manual();
-    expect(STATUS_OK, COMMAND_SET_HOME, AXIS_FEET);
+    expect(STATUS_OK, COMMAND_SET_HOME, NEURO_AXIS_FEET);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, ask).status);
 }
 
@@ -509,7 +513,7 @@ void test_SWR_AUTH_009_a_press_for_a_request_that_lapses_confirms_nothing(void)
     rig_box(&rig, "button press");
     rig_cycles(&rig, 2U * HOLD_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.requester_peer);
-    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, NEURO_AXIS_FEET);
     rig_box(&rig, "button release");
     rig_cycles(&rig, 2U);
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
@@ -525,7 +529,7 @@ void test_SWR_AUTH_009_a_press_for_a_request_that_is_withdrawn_confirms_nothing(
     rig_cycles(&rig, HOLD_CYCLES / 2U);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, withdraw).status);
     rig_cycles(&rig, 2U * HOLD_CYCLES);
-    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, NEURO_AXIS_FEET);
 }
 
 void test_SWR_AUTH_009_a_press_for_a_request_that_memory_lost_confirms_nothing(void)
@@ -536,54 +540,55 @@ void test_SWR_AUTH_009_a_press_for_a_request_that_memory_lost_confirms_nothing(v
     rig.controller.authority.chart.state_inverse ^= 1U;
     rig_cycles(&rig, 2U * HOLD_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.requester_peer);
-    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, NEURO_AXIS_FEET);
 }
 
 void test_SWR_AXIS_042_an_axis_with_a_switch_finds_home_by_it(void)
 {
     start_manual();
-    expect(STATUS_HOMES_OTHERWISE, COMMAND_SET_HOME, AXIS_LATERAL);
+    expect(STATUS_HOMES_OTHERWISE, COMMAND_SET_HOME, NEURO_AXIS_LATERAL);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
 }
 
 void test_SWR_AXIS_042_home_is_not_set_in_a_hurry(void)
 {
     start_manual();
-    jog(AXIS_FEET, 800);
-    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_LATERAL);
-    expect(STATUS_NOT_AT_REST, COMMAND_SET_HOME, AXIS_FEET);
+    jog(NEURO_AXIS_FEET, 800);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, NEURO_AXIS_LATERAL);
+    expect(STATUS_NOT_AT_REST, COMMAND_SET_HOME, NEURO_AXIS_FEET);
     enter_manual();
     rig_press(&rig);
-    expect(STATUS_NOT_AT_REST, COMMAND_SET_HOME, AXIS_FEET);
+    expect(STATUS_NOT_AT_REST, COMMAND_SET_HOME, NEURO_AXIS_FEET);
     rig_release(&rig);
     rig_box(&rig, "motor feet runs");
     rig_cycles(&rig, 20U);
-    expect(STATUS_NOT_AT_REST, COMMAND_SET_HOME, AXIS_FEET);
-    TEST_ASSERT_NOT_EQUAL_INT32(0, rig_position(&rig, AXIS_FEET));
+    expect(STATUS_NOT_AT_REST, COMMAND_SET_HOME, NEURO_AXIS_FEET);
+    TEST_ASSERT_NOT_EQUAL_INT32(0, rig_position(&rig, NEURO_AXIS_FEET));
 }
 
 void test_SWR_AXIS_042_home_is_set_only_of_what_is_seen_and_without_a_needle_that_is_in(void)
 {
     start_manual();
-    jog(AXIS_FEET, 800);
-    jog(AXIS_INSERTION, 20000);
-    expect(STATUS_NEEDLE_IN, COMMAND_SET_HOME, AXIS_FEET);
+    jog(NEURO_AXIS_FEET, 800);
+    jog(NEURO_AXIS_INSERTION, 20000);
+    expect(STATUS_NEEDLE_IN, COMMAND_SET_HOME, NEURO_AXIS_FEET);
     rig_box(&rig, "card feet silent");
     rig_cycles(&rig, 3U);
-    expect(STATUS_HARDWARE_NOT_READY, COMMAND_SET_HOME, AXIS_FEET);
-    TEST_ASSERT_NOT_EQUAL_INT32(0, rig_position(&rig, AXIS_FEET));
+    expect(STATUS_HARDWARE_NOT_READY, COMMAND_SET_HOME, NEURO_AXIS_FEET);
+    TEST_ASSERT_NOT_EQUAL_INT32(0, rig_position(&rig, NEURO_AXIS_FEET));
 }
 
 void test_SWR_AXIS_043_who_set_a_home_and_how_far_it_went_is_told(void)
 {
     start_manual();
-    jog(AXIS_FEET, 800);
-    const int32_t position = rig_position(&rig, AXIS_FEET);
+    jog(NEURO_AXIS_FEET, 800);
+    const int32_t position = rig_position(&rig, NEURO_AXIS_FEET);
     rig_forget(&rig);
-    expect(STATUS_OK, COMMAND_SET_HOME, AXIS_FEET);
+    expect(STATUS_OK, COMMAND_SET_HOME, NEURO_AXIS_FEET);
     TEST_ASSERT_EQUAL_UINT32(EVENT_HOME_SET, rig.events[0].id);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_FEET, rig.events[0].subject);
-    TEST_ASSERT_EQUAL_INT32(robot_neuro.axes[AXIS_FEET].home_ticks - position, rig.events[0].value);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_FEET, rig.events[0].subject);
+    TEST_ASSERT_EQUAL_INT32(robot_neuro.axes[NEURO_AXIS_FEET].home_ticks - position,
+                            rig.events[0].value);
     TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_WARNING, rig.events[0].severity);
     TEST_ASSERT_EQUAL_UINT32(EVENT_CAUSE_CONSOLE, rig.events[0].cause);
     TEST_ASSERT_EQUAL_UINT32(RIG_PAGE, rig.events[0].peer);
@@ -598,8 +603,8 @@ static void jog_by(status_t status, uint32_t axis, int32_t way)
 void test_SWR_MODE_007_a_jog_by_a_way_ends_that_far_from_where_the_axis_stood(void)
 {
     start_manual();
-    const int32_t before = rig_position(&rig, AXIS_YAW);
-    jog_by(STATUS_OK, AXIS_YAW, -150);
+    const int32_t before = rig_position(&rig, NEURO_AXIS_YAW);
+    jog_by(STATUS_OK, NEURO_AXIS_YAW, -150);
     rig_press(&rig);
     rig_cycles(&rig, 20U);
     rig_release(&rig);
@@ -607,19 +612,19 @@ void test_SWR_MODE_007_a_jog_by_a_way_ends_that_far_from_where_the_axis_stood(vo
     const answer_t answer = rig_finish(&rig, MOST_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, answer.kind);
     TEST_ASSERT_EQUAL_UINT32(COMMAND_JOG_BY, answer.command);
-    TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[AXIS_YAW].deadband_ticks, before - 150,
-                             rig_position(&rig, AXIS_YAW));
+    TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[NEURO_AXIS_YAW].deadband_ticks, before - 150,
+                             rig_position(&rig, NEURO_AXIS_YAW));
 }
 
 void test_SWR_MODE_007_a_jog_by_a_way_is_judged_by_where_it_ends(void)
 {
     start_manual();
-    jog_by(STATUS_AXIS_LIMIT, AXIS_YAW, INT32_MAX);
-    jog_by(STATUS_AXIS_LIMIT, AXIS_YAW, INT32_MIN);
+    jog_by(STATUS_AXIS_LIMIT, NEURO_AXIS_YAW, INT32_MAX);
+    jog_by(STATUS_AXIS_LIMIT, NEURO_AXIS_YAW, INT32_MIN);
     jog_by(STATUS_UNKNOWN_COMMAND, ROBOT_AXIS_MAX, 1);
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
     (void)rig_workphase(&rig, WORKPHASE_PLANNING);
-    jog_by(STATUS_WRONG_WORKPHASE, AXIS_YAW, -150);
+    jog_by(STATUS_WRONG_WORKPHASE, NEURO_AXIS_YAW, -150);
 }
 
 static uint32_t power(uint32_t axis)
@@ -632,27 +637,27 @@ static void stall_yaw(void)
 {
     start_manual();
     rig_box(&rig, "motor yaw stuck");
-    jog_by(STATUS_OK, AXIS_YAW, -150);
+    jog_by(STATUS_OK, NEURO_AXIS_YAW, -150);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, MOST_CYCLES).kind);
     rig_release(&rig);
     rig_box(&rig, "motor yaw normal");
     rig_cycles(&rig, REST_CYCLES);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, power(AXIS_YAW));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, power(NEURO_AXIS_YAW));
 }
 
 void test_SWR_MODE_008_one_that_has_stalled_is_enabled_and_homed_alone(void)
 {
     stall_yaw();
-    expect(STATUS_FAULT_PRESENT, COMMAND_HOME_AXIS, AXIS_YAW);
+    expect(STATUS_FAULT_PRESENT, COMMAND_HOME_AXIS, NEURO_AXIS_YAW);
     rig_forget(&rig);
-    expect(STATUS_OK, COMMAND_ENABLE_AXIS, AXIS_YAW);
+    expect(STATUS_OK, COMMAND_ENABLE_AXIS, NEURO_AXIS_YAW);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_ENABLED));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, power(AXIS_YAW));
-    expect_grade(AXIS_REFERENCE_LOST, AXIS_YAW);
-    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_LATERAL);
-    home(AXIS_YAW);
-    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, power(NEURO_AXIS_YAW));
+    expect_grade(AXIS_REFERENCE_LOST, NEURO_AXIS_YAW);
+    expect_grade(AXIS_REFERENCE_VERIFIED, NEURO_AXIS_LATERAL);
+    home(NEURO_AXIS_YAW);
+    expect_grade(AXIS_REFERENCE_VERIFIED, NEURO_AXIS_YAW);
 }
 
 void test_SWR_MODE_008_the_fault_of_another_axis_stays(void)
@@ -661,43 +666,43 @@ void test_SWR_MODE_008_the_fault_of_another_axis_stays(void)
     rig_box(&rig, "motor pitch runs");
     rig_cycles(&rig, 1000U);
     rig_box(&rig, "motor pitch normal");
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, power(AXIS_PITCH));
-    expect(STATUS_OK, COMMAND_ENABLE_AXIS, AXIS_YAW);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, power(AXIS_PITCH));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, power(NEURO_AXIS_PITCH));
+    expect(STATUS_OK, COMMAND_ENABLE_AXIS, NEURO_AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, power(NEURO_AXIS_PITCH));
 }
 
 void test_SWR_MODE_008_one_that_is_disabled_is_not_driven_and_keeps_its_place(void)
 {
     start_manual();
     rig_forget(&rig);
-    expect(STATUS_OK, COMMAND_DISABLE_AXIS, AXIS_YAW);
+    expect(STATUS_OK, COMMAND_DISABLE_AXIS, NEURO_AXIS_YAW);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_DISABLED));
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, power(AXIS_YAW));
-    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_YAW);
-    jog_by(STATUS_FAULT_PRESENT, AXIS_YAW, -150);
-    jog(AXIS_PITCH, rig_position(&rig, AXIS_PITCH) - 150);
-    expect(STATUS_OK, COMMAND_ENABLE_AXIS, AXIS_YAW);
-    jog_by(STATUS_OK, AXIS_YAW, -150);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, power(NEURO_AXIS_YAW));
+    expect_grade(AXIS_REFERENCE_VERIFIED, NEURO_AXIS_YAW);
+    jog_by(STATUS_FAULT_PRESENT, NEURO_AXIS_YAW, -150);
+    jog(NEURO_AXIS_PITCH, rig_position(&rig, NEURO_AXIS_PITCH) - 150);
+    expect(STATUS_OK, COMMAND_ENABLE_AXIS, NEURO_AXIS_YAW);
+    jog_by(STATUS_OK, NEURO_AXIS_YAW, -150);
 }
 
 void test_SWR_MODE_008_refusals_name_what_is_missing(void)
 {
     start_manual();
-    jog_by(STATUS_OK, AXIS_YAW, -150);
-    expect(STATUS_NOT_AT_REST, COMMAND_DISABLE_AXIS, AXIS_YAW);
-    expect(STATUS_NOT_AT_REST, COMMAND_ENABLE_AXIS, AXIS_YAW);
+    jog_by(STATUS_OK, NEURO_AXIS_YAW, -150);
+    expect(STATUS_NOT_AT_REST, COMMAND_DISABLE_AXIS, NEURO_AXIS_YAW);
+    expect(STATUS_NOT_AT_REST, COMMAND_ENABLE_AXIS, NEURO_AXIS_YAW);
     start_manual();
     rig_box(&rig, "card yaw silent");
     rig_cycles(&rig, 20U);
-    expect(STATUS_HARDWARE_NOT_READY, COMMAND_ENABLE_AXIS, AXIS_YAW);
+    expect(STATUS_HARDWARE_NOT_READY, COMMAND_ENABLE_AXIS, NEURO_AXIS_YAW);
     start_manual();
     rig_box(&rig, "estop pull");
     rig_cycles(&rig, 50U);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
     enter_manual();
-    expect(STATUS_FAULT_PRESENT, COMMAND_ENABLE_AXIS, AXIS_YAW);
+    expect(STATUS_FAULT_PRESENT, COMMAND_ENABLE_AXIS, NEURO_AXIS_YAW);
     rig_box(&rig, "estop reset");
     rig_cycles(&rig, 50U);
-    expect(STATUS_FAULT_PRESENT, COMMAND_ENABLE_AXIS, AXIS_YAW);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, power(AXIS_YAW));
+    expect(STATUS_FAULT_PRESENT, COMMAND_ENABLE_AXIS, NEURO_AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, power(NEURO_AXIS_YAW));
 }

@@ -106,9 +106,9 @@ void test_SWR_LINK_003_a_lost_card_returns_only_by_start_up_and_is_homed_again(v
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST,
-                             rig.outputs.snapshot.axes[AXIS_LATERAL].reference);
+                             rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].reference);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED,
-                             rig.outputs.snapshot.axes[AXIS_HEAD].reference);
+                             rig.outputs.snapshot.axes[NEURO_AXIS_HEAD].reference);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
 }

@@ -41,7 +41,7 @@ static void arm(void)
 {
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     rig_forget(&rig);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, sweep(AXIS_ROTATION, 1).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, sweep(PROSTATE_AXIS_ROTATION, 1).status);
 }
 
 /* Into a run of the search, in which the motor is driven. */
@@ -77,22 +77,23 @@ static void expect_aborted(status_t status)
     const answer_t answer = rig_finish(&rig, LONG_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, answer.kind);
     TEST_ASSERT_EQUAL_UINT32(status, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_ROTATION, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(PROSTATE_AXIS_ROTATION, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_SWEEP_ENDED));
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
 }
 
 void test_SWR_SWEEP_001_it_is_armed_in_manual_alone_with_every_axis_homed(void)
 {
-    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, sweep(AXIS_ROTATION, 1).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, sweep(PROSTATE_AXIS_ROTATION, 1).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_FREE, sweep(AXIS_ROTATION, 0).status);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_FREE, sweep(AXIS_ROTATION, 2).status);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_SWEEP, sweep(AXIS_FRONT_LEFT, 1).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_FREE, sweep(PROSTATE_AXIS_ROTATION, 0).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_FREE, sweep(PROSTATE_AXIS_ROTATION, 2).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_SWEEP, sweep(PROSTATE_AXIS_FRONT_LEFT, 1).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, sweep(UINT32_MAX, 1).status);
-    const command_t clear = {.kind = (uint32_t)COMMAND_CLEAR_AXIS, .argument = AXIS_REAR_LEFT};
+    const command_t clear = {.kind = (uint32_t)COMMAND_CLEAR_AXIS,
+                             .argument = PROSTATE_AXIS_REAR_LEFT};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED, sweep(AXIS_ROTATION, 1).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED, sweep(PROSTATE_AXIS_ROTATION, 1).status);
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
 }
 
@@ -131,8 +132,8 @@ void test_SWR_SWEEP_001_the_published_curve_is_measured_up_to_the_speed_of_the_a
         }
     }
     TEST_ASSERT_EQUAL_UINT32(8U, compared);
-    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
-    TEST_ASSERT_TRUE(axis_is_enabled(&rig.controller.axes[AXIS_ROTATION]));
+    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
+    TEST_ASSERT_TRUE(axis_is_enabled(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
 }
 
 void test_SWR_SWEEP_007_heat_aborts_it(void)
@@ -190,7 +191,7 @@ static void expect_outlook(mode_kind_t kind, status_t status)
 void test_SWR_MODE_004_a_needle_that_is_in_is_named_beforehand(void)
 {
     const command_t in = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_INSERTION, .value = 20000};
+        .kind = (uint32_t)COMMAND_JOG, .argument = PROSTATE_AXIS_INSERTION, .value = 20000};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     expect_outlook(MODE_SWEEP, STATUS_OK);
     expect_outlook(MODE_POSE, STATUS_OK);
@@ -200,5 +201,5 @@ void test_SWR_MODE_004_a_needle_that_is_in_is_named_beforehand(void)
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
     expect_outlook(MODE_SWEEP, STATUS_NEEDLE_IN);
     expect_outlook(MODE_POSE, STATUS_NEEDLE_IN);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NEEDLE_IN, sweep(AXIS_ROTATION, 1).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NEEDLE_IN, sweep(PROSTATE_AXIS_ROTATION, 1).status);
 }

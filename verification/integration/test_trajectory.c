@@ -30,7 +30,7 @@ static trajectory_row_t row;
 /* Free of its switch; homing leaves it there. */
 static int32_t begin_ticks(void)
 {
-    return robot_neuro.axes[AXIS_YAW].target_maximum_ticks;
+    return robot_neuro.axes[NEURO_AXIS_YAW].target_maximum_ticks;
 }
 
 void setUp(void)
@@ -41,7 +41,7 @@ void setUp(void)
     for (uint32_t i = 0U; i < rig.robot.axis_count; i++) {
         row.ticks[i] = rig_position(&rig, i);
     }
-    row.ticks[AXIS_YAW] = begin_ticks();
+    row.ticks[NEURO_AXIS_YAW] = begin_ticks();
     sum = 0U;
 }
 
@@ -77,13 +77,13 @@ static void send_list(void)
 {
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_BEGIN, 4U).status);
     expect_row(0U, 0U, STATUS_OK);
-    row.ticks[AXIS_YAW] -= WAY / 2;
-    row.speeds_ticks_per_s[AXIS_YAW] = -(WAY / 3);
+    row.ticks[NEURO_AXIS_YAW] -= WAY / 2;
+    row.speeds_ticks_per_s[NEURO_AXIS_YAW] = -(WAY / 3);
     expect_row(1U, 1500U, STATUS_OK);
-    row.ticks[AXIS_YAW] -= WAY / 2;
-    row.speeds_ticks_per_s[AXIS_YAW] = 0;
+    row.ticks[NEURO_AXIS_YAW] -= WAY / 2;
+    row.speeds_ticks_per_s[NEURO_AXIS_YAW] = 0;
     expect_row(2U, 3000U, STATUS_OK);
-    row.ticks[AXIS_YAW] += WAY;
+    row.ticks[NEURO_AXIS_YAW] += WAY;
     expect_row(3U, 7000U, STATUS_OK);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_END, sum).status);
 }
@@ -106,7 +106,7 @@ static void run_until(uint32_t time_us)
 
 static int32_t yaw(void)
 {
-    return rig.outputs.snapshot.axes[AXIS_YAW].position_ticks;
+    return rig.outputs.snapshot.axes[NEURO_AXIS_YAW].position_ticks;
 }
 
 void test_SWR_TRAJ_014_a_trajectory_is_driven_in_its_time_and_told_at_its_end(void)
@@ -151,7 +151,7 @@ void test_SWR_MODE_006_of_a_trajectory_the_time_of_its_list_is_shown(void)
 void test_SWR_MODE_006_of_a_list_of_one_row_its_way_is_shown(void)
 {
     const snapshot_t *const shown = &rig.outputs.snapshot;
-    row.ticks[AXIS_YAW] -= WAY / 20;
+    row.ticks[NEURO_AXIS_YAW] -= WAY / 20;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_BEGIN, 1U).status);
     expect_row(0U, 0U, STATUS_OK);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_END, sum).status);
@@ -240,11 +240,11 @@ void test_SWR_TRAJ_001_a_refused_row_is_named_and_nothing_is_held(void)
                              list(COMMAND_LIST_BEGIN, LIMIT_TRAJECTORY_ROWS + 1U).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_BEGIN, 2U).status);
     expect_row(0U, 0U, STATUS_OK);
-    row.ticks[AXIS_YAW] = rig.robot.axes[AXIS_YAW].maximum_ticks + 1;
+    row.ticks[NEURO_AXIS_YAW] = rig.robot.axes[NEURO_AXIS_YAW].maximum_ticks + 1;
     const answer_t answer = send_row(1U, 1000U);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
     TEST_ASSERT_EQUAL_UINT32(1U, answer.argument);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_YAW, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
     TEST_ASSERT_EQUAL_UINT32(STATUS_TRAJECTORY_ORDER, list(COMMAND_LIST_END, sum).status);
     expect_run(STATUS_TRAJECTORY_EMPTY);
@@ -265,7 +265,7 @@ void test_SWR_TRAJ_012_a_row_that_is_damaged_ends_it_by_name(void)
     rig_press(&rig);
     run_until(1000000U);
     rig_forget(&rig);
-    rig.controller.rows[2].ticks[AXIS_YAW] ^= 1;
+    rig.controller.rows[2].ticks[NEURO_AXIS_YAW] ^= 1;
     const answer_t answer = rig_finish(&rig, LONG_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, answer.kind);
     TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, answer.status);
@@ -322,7 +322,7 @@ void test_SWR_TRAJ_014_a_row_that_was_damaged_differs_in_the_cycle_that_finds_it
     rig_press(&rig);
     run_until(1000000U);
     memcpy(sent, rig.controller.rows, sizeof sent);
-    rig.controller.rows[2].ticks[AXIS_YAW] ^= 1;
+    rig.controller.rows[2].ticks[NEURO_AXIS_YAW] ^= 1;
     rig_forget(&rig);
     begin_replay(sent);
     while (is_replayed_cycle()) {
@@ -342,7 +342,7 @@ void test_SWR_TRAJ_001_the_longest_list_is_held_and_its_last_row_driven_to(void)
     const uint32_t last = LIMIT_TRAJECTORY_ROWS - 1U;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_BEGIN, LIMIT_TRAJECTORY_ROWS).status);
     for (uint32_t i = 0U; i <= last; i++) {
-        row.ticks[AXIS_YAW] = begin_ticks() - (((i % 200U) == 199U) ? 1 : 0);
+        row.ticks[NEURO_AXIS_YAW] = begin_ticks() - (((i % 200U) == 199U) ? 1 : 0);
         expect_row(i, i * 10U, STATUS_OK);
     }
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_END, sum).status);
@@ -363,7 +363,7 @@ static solution_t hold(int32_t way, uint32_t *refused)
         kept[i] = row;
         kept[i].time_ms = i * 1000U;
     }
-    kept[1].ticks[AXIS_YAW] += way;
+    kept[1].ticks[NEURO_AXIS_YAW] += way;
     controller_init(&rig.controller, &rig.robot);
     return controller_hold(&rig.controller, &rig.robot, kept, 3U, refused);
 }
@@ -385,9 +385,9 @@ void test_SWR_TRAJ_020_a_list_of_a_file_is_held_from_the_first_cycle_on_and_told
 void test_SWR_TRAJ_020_one_that_is_refused_is_not_held_and_its_row_is_named(void)
 {
     uint32_t refused = 7U;
-    const solution_t judged = hold(rig.robot.axes[AXIS_YAW].maximum_ticks, &refused);
+    const solution_t judged = hold(rig.robot.axes[NEURO_AXIS_YAW].maximum_ticks, &refused);
     TEST_ASSERT_NOT_EQUAL_UINT32(STATUS_OK, judged.status);
-    TEST_ASSERT_EQUAL_UINT8(AXIS_YAW, judged.axis);
+    TEST_ASSERT_EQUAL_UINT8(NEURO_AXIS_YAW, judged.axis);
     TEST_ASSERT_EQUAL_UINT32(1U, refused);
     rig_forget(&rig);
     rig_cycle(&rig);

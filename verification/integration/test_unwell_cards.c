@@ -83,7 +83,8 @@ void test_SWR_CARD_011_a_pulled_estop_takes_the_supply_and_blames_no_card(void)
 
 static void begin_jog(void)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_LATERAL, .value = -2000};
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_LATERAL, .value = -2000};
 
     rig_home(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
@@ -105,7 +106,7 @@ void test_SWR_CARD_012_a_warm_driver_is_told_and_driven_on(void)
 
 void test_SWR_CARD_012_a_driver_that_is_too_hot_is_not_driven_and_keeps_its_position(void)
 {
-    const uint32_t slot = robot.axes[AXIS_LATERAL].slot;
+    const uint32_t slot = robot.axes[NEURO_AXIS_LATERAL].slot;
 
     begin_jog();
     rig_box(&rig, "card lateral hot");
@@ -114,10 +115,11 @@ void test_SWR_CARD_012_a_driver_that_is_too_hot_is_not_driven_and_keeps_its_posi
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_HOT));
     TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_UNWELL, slot, CARD_TROUBLE_DRIVER_HOT));
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[AXIS_LATERAL].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED,
+                             rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].power);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED,
-                             rig.outputs.snapshot.axes[AXIS_LATERAL].reference);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_YAW].power);
+                             rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].reference);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[NEURO_AXIS_YAW].power);
 }
 
 void test_SWR_CARD_012_a_card_without_an_axis_disables_none(void)
@@ -132,9 +134,10 @@ void test_SWR_CARD_012_a_card_without_an_axis_disables_none(void)
 
 void test_SWR_CARD_012_of_an_axis_that_is_disabled_there_is_nothing_to_disable(void)
 {
-    const uint32_t slot = robot.axes[AXIS_LATERAL].slot;
+    const uint32_t slot = robot.axes[NEURO_AXIS_LATERAL].slot;
 
-    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[AXIS_LATERAL].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED,
+                             rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].power);
     rig_box(&rig, "card lateral hot");
     rig_cycles(&rig, ROUND);
     TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_UNWELL, slot, CARD_TROUBLE_DRIVER_HOT));
@@ -148,7 +151,7 @@ void test_SWR_CARD_013_a_noisy_wire_is_told_while_motion_goes_on(void)
     rig_cycles(&rig, 200U);
     TEST_ASSERT_TRUE(rig_is_driving(&rig));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_UNWELL));
-    TEST_ASSERT_GREATER_THAN_UINT32(1U, shown(robot.axes[AXIS_LATERAL].slot)->rx_crc_errors);
+    TEST_ASSERT_GREATER_THAN_UINT32(1U, shown(robot.axes[NEURO_AXIS_LATERAL].slot)->rx_crc_errors);
 }
 
 void test_SWR_CARD_013_a_card_that_hears_nothing_trips_and_is_lost(void)
@@ -179,13 +182,13 @@ static int32_t cause_of_loss(uint32_t slot)
 void test_SWR_CARD_015_a_card_that_does_not_answer_is_lost_by_age(void)
 {
     rig_box(&rig, "card lateral silent");
-    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_AGE, cause_of_loss(robot.axes[AXIS_LATERAL].slot));
+    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_AGE, cause_of_loss(robot.axes[NEURO_AXIS_LATERAL].slot));
 }
 
 void test_SWR_CARD_015_a_card_whose_frames_are_refused_is_lost_by_that(void)
 {
     rig_box(&rig, "card lateral corrupt");
-    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_REFUSED, cause_of_loss(robot.axes[AXIS_LATERAL].slot));
+    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_REFUSED, cause_of_loss(robot.axes[NEURO_AXIS_LATERAL].slot));
 }
 
 void test_SWR_CARD_015_a_card_without_an_axis_is_lost_by_late_frames(void)
@@ -196,12 +199,14 @@ void test_SWR_CARD_015_a_card_without_an_axis_is_lost_by_late_frames(void)
 
 void test_SWR_CARD_015_a_bus_that_fails_is_named(void)
 {
-    rig.frames_failed = (uint32_t)1U << robot.axes[AXIS_LATERAL].slot;
-    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_BUS_ERROR, cause_of_loss(robot.axes[AXIS_LATERAL].slot));
+    rig.frames_failed = (uint32_t)1U << robot.axes[NEURO_AXIS_LATERAL].slot;
+    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_BUS_ERROR,
+                            cause_of_loss(robot.axes[NEURO_AXIS_LATERAL].slot));
 }
 
 void test_SWR_CARD_015_another_cause_stays(void)
 {
     rig_box(&rig, "card lateral foreign");
-    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_WRONG_CARD, cause_of_loss(robot.axes[AXIS_LATERAL].slot));
+    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_WRONG_CARD,
+                            cause_of_loss(robot.axes[NEURO_AXIS_LATERAL].slot));
 }

@@ -26,7 +26,7 @@ void tearDown(void)
 static void jog(int32_t ticks)
 {
     const command_t command = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_ROTATION, .value = ticks};
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_ROTATION, .value = ticks};
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, rig_command(&rig, command).kind);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
@@ -44,7 +44,7 @@ static void jog_to_and_fro(uint32_t times)
 /* As after minutes of drive; it does not cool down much in a test. */
 static void warm_up(double temperature_c)
 {
-    rig.box.axes[AXIS_ROTATION].card.motor_temperature_c = temperature_c;
+    rig.box.axes[NEURO_AXIS_ROTATION].card.motor_temperature_c = temperature_c;
     rig_cycles(&rig, 20U);
 }
 
@@ -53,7 +53,7 @@ void test_SWR_DRIVE_016_a_motor_that_has_grown_warm_is_not_taken_for_a_faulty_on
     jog_to_and_fro(2U);
     warm_up(54.9);
     jog_to_and_fro(2U);
-    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
+    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[NEURO_AXIS_ROTATION]));
 }
 
 void test_SWR_DRIVE_016_nor_one_that_has_cooled_down(void)
@@ -62,7 +62,7 @@ void test_SWR_DRIVE_016_nor_one_that_has_cooled_down(void)
     jog_to_and_fro(2U);
     warm_up(22.0);
     jog_to_and_fro(2U);
-    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
+    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[NEURO_AXIS_ROTATION]));
 }
 
 /* Half of its counts are missing, and no report of heat excuses that. */
@@ -71,11 +71,11 @@ void test_SWR_DRIVE_016_a_warm_motor_that_counts_half_is_found(void)
     warm_up(54.9);
     rig_box(&rig, "encoder rotation half");
     const command_t command = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_ROTATION, .value = 7000};
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_ROTATION, .value = 7000};
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, rig_command(&rig, command).kind);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 60000U).kind);
-    TEST_ASSERT_FALSE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
+    TEST_ASSERT_FALSE(axis_is_homed(&rig.controller.axes[NEURO_AXIS_ROTATION]));
     rig_release(&rig);
 }
 
@@ -106,7 +106,7 @@ static uint32_t lateness_ms(uint32_t axis, int32_t ticks)
  * the second a third. */
 void test_SWR_MOTION_006_a_warm_motor_is_done_in_the_time_that_was_told(void)
 {
-    static const uint32_t axes[] = {AXIS_LATERAL, AXIS_ROTATION};
+    static const uint32_t axes[] = {NEURO_AXIS_LATERAL, NEURO_AXIS_ROTATION};
     static const int32_t ways[] = {-1000, -3500};
     for (uint32_t i = 0U; i < 2U; i++) {
         const uint32_t axis = axes[i];

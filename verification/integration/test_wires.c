@@ -140,7 +140,8 @@ void test_SWR_NEXT_002_arrival_is_shown_until_the_next_order(void)
 
 void test_SWR_NEXT_002_a_jog_that_is_done_is_no_arrival(void)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = -200};
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = -200};
     rig_start_targeted(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     (void)rig_command(&rig, jog);
@@ -190,7 +191,7 @@ void test_SWR_LINK_008_a_wrong_card_is_named_whenever_it_is_put_in(void)
     rig_box(&rig, "card yaw foreign");
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(EVENT_CARD_LOST, rig.events[0].id);
-    TEST_ASSERT_EQUAL_UINT32(robot_neuro.axes[AXIS_YAW].slot, rig.events[0].subject);
+    TEST_ASSERT_EQUAL_UINT32(robot_neuro.axes[NEURO_AXIS_YAW].slot, rig.events[0].subject);
     TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_WRONG_CARD, rig.events[0].value);
     TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY,
                              rig_workphase(&rig, WORKPHASE_START_UP).status);
@@ -204,7 +205,7 @@ void test_SWR_LINK_008_a_wrong_card_is_named_whenever_it_is_put_in(void)
 void test_SWR_BOX_008_a_replay_of_old_frames_moves_no_motor_beyond_the_watchdog(void)
 {
     static uint8_t old[50][CARD_FRAME_BYTES];
-    const uint32_t slot = robot_neuro.axes[AXIS_LATERAL].slot;
+    const uint32_t slot = robot_neuro.axes[NEURO_AXIS_LATERAL].slot;
     double before[ROBOT_AXIS_MAX];
     double after[ROBOT_AXIS_MAX];
     begin_move();
@@ -220,7 +221,7 @@ void test_SWR_BOX_008_a_replay_of_old_frames_moves_no_motor_beyond_the_watchdog(
         }
     }
     box_true_positions(&rig.box, after);
-    TEST_ASSERT_DOUBLE_WITHIN(0.001, before[AXIS_LATERAL], after[AXIS_LATERAL]);
+    TEST_ASSERT_DOUBLE_WITHIN(0.001, before[NEURO_AXIS_LATERAL], after[NEURO_AXIS_LATERAL]);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
 }
 
@@ -372,37 +373,37 @@ void test_SWR_AXIS_006_an_axis_that_is_not_homed_has_its_reason_in_a_move(void)
 /* Homing was given up just before the switch: it comes first. */
 void test_SWR_AXIS_005_an_active_switch_stops_what_drives_towards_it(void)
 {
-    const int32_t maximum_ticks = robot_neuro.axes[AXIS_PITCH].maximum_ticks;
-    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_PITCH};
+    const int32_t maximum_ticks = robot_neuro.axes[NEURO_AXIS_PITCH].maximum_ticks;
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_PITCH};
     double true_ticks[ROBOT_AXIS_MAX];
     rig_start(&rig);
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
     rig_press(&rig);
-    while (rig.box.axes[AXIS_PITCH].motor.position_ticks < (maximum_ticks - 15)) {
+    while (rig.box.axes[NEURO_AXIS_PITCH].motor.position_ticks < (maximum_ticks - 15)) {
         TEST_ASSERT_LESS_THAN_UINT32(20000U, rig.controller.cycle);
         rig_cycle(&rig);
     }
     rig_release(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    jog.value = rig.outputs.snapshot.axes[AXIS_PITCH].position_ticks + 27;
+    jog.value = rig.outputs.snapshot.axes[NEURO_AXIS_PITCH].position_ticks + 27;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
-    for (uint32_t i = 0U; rig.outputs.snapshot.axes[AXIS_PITCH].limit_switches == 0U; i++) {
+    for (uint32_t i = 0U; rig.outputs.snapshot.axes[NEURO_AXIS_PITCH].limit_switches == 0U; i++) {
         TEST_ASSERT_LESS_THAN_UINT32(10000U, i);
         rig_cycle(&rig);
     }
     bool has_stood = false;
     for (uint32_t i = 0U; i < 400U; i++) {
-        const uint32_t switches = rig.outputs.snapshot.axes[AXIS_PITCH].limit_switches;
+        const uint32_t switches = rig.outputs.snapshot.axes[NEURO_AXIS_PITCH].limit_switches;
         TEST_ASSERT_TRUE((switches == 0U) ||
-                         (rig_sent(&rig, AXIS_PITCH).drive.mode == (uint32_t)CARD_DRIVE_OFF));
-        has_stood = has_stood || ((rig.outputs.snapshot.axes[AXIS_PITCH].permit_reasons &
+                         (rig_sent(&rig, NEURO_AXIS_PITCH).drive.mode == (uint32_t)CARD_DRIVE_OFF));
+        has_stood = has_stood || ((rig.outputs.snapshot.axes[NEURO_AXIS_PITCH].permit_reasons &
                                    (1UL << PERMIT_REASON_LIMIT_SWITCH)) != 0U);
         rig_cycle(&rig);
     }
     TEST_ASSERT_TRUE(has_stood);
     box_true_positions(&rig.box, true_ticks);
-    TEST_ASSERT_DOUBLE_WITHIN(10.0, (double)maximum_ticks, true_ticks[AXIS_PITCH]);
+    TEST_ASSERT_DOUBLE_WITHIN(10.0, (double)maximum_ticks, true_ticks[NEURO_AXIS_PITCH]);
 }
 
 /* Nobody knows where the lateral axis is, on its way to its switch, which chatters far from there.
@@ -411,9 +412,9 @@ void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(
 {
     const uint32_t reason = UINT32_C(1) << PERMIT_REASON_LIMIT_SWITCH;
     const command_t away = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_LATERAL, .value = -1000};
-    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_LATERAL};
-    const snapshot_axis_t *const lateral = &rig.outputs.snapshot.axes[AXIS_LATERAL];
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_LATERAL, .value = -1000};
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_LATERAL};
+    const snapshot_axis_t *const lateral = &rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL];
     uint32_t changes = 0U;
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
@@ -421,7 +422,7 @@ void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 20000U).kind);
     rig_release(&rig);
-    axis_lose_reference(&rig.controller.axes[AXIS_LATERAL]);
+    axis_lose_reference(&rig.controller.axes[NEURO_AXIS_LATERAL]);
     jog.value = lateral->position_ticks + 94;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
@@ -429,9 +430,10 @@ void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(
     rig_cycles(&rig, 150U);
     const uint32_t since = lateral->permit_since_cycle;
     for (uint32_t i = 0U; i < 200U; i++) {
-        const uint32_t before = rig.controller.records[AXIS_LATERAL].speed_cap_percent;
+        const uint32_t before = rig.controller.records[NEURO_AXIS_LATERAL].speed_cap_percent;
         rig_cycle(&rig);
-        changes += (rig.controller.records[AXIS_LATERAL].speed_cap_percent != before) ? 1U : 0U;
+        changes +=
+            (rig.controller.records[NEURO_AXIS_LATERAL].speed_cap_percent != before) ? 1U : 0U;
         TEST_ASSERT_EQUAL_HEX32(reason, lateral->permit_reasons);
         TEST_ASSERT_EQUAL_UINT32(since, lateral->permit_since_cycle);
         expect_step(NEXT_STEP_HOLD_PEDAL);
@@ -442,9 +444,9 @@ void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(
 /* A jog whose end was damaged after it had been accepted. */
 void test_SWR_AXIS_004_the_soft_limit_stops_what_was_accepted(void)
 {
-    const int32_t minimum_ticks = robot_neuro.axes[AXIS_YAW].minimum_ticks;
+    const int32_t minimum_ticks = robot_neuro.axes[NEURO_AXIS_YAW].minimum_ticks;
     const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = minimum_ticks};
+        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = minimum_ticks};
     bool has_stood = false;
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
@@ -454,7 +456,7 @@ void test_SWR_AXIS_004_the_soft_limit_stops_what_was_accepted(void)
     rig_press(&rig);
     for (uint32_t i = 0U; i < 4000U; i++) {
         rig_cycle(&rig);
-        const snapshot_axis_t *const yaw = &rig.outputs.snapshot.axes[AXIS_YAW];
+        const snapshot_axis_t *const yaw = &rig.outputs.snapshot.axes[NEURO_AXIS_YAW];
         TEST_ASSERT_GREATER_OR_EQUAL_INT32(minimum_ticks - 5, yaw->position_ticks);
         has_stood = has_stood || ((yaw->permit_reasons & (1UL << PERMIT_REASON_SOFT_LIMIT)) != 0U);
     }
@@ -552,7 +554,7 @@ static void settle_target(void)
 
 void test_SWR_MOTION_002_the_needle_is_retracted_before_any_other_axis_moves(void)
 {
-    const axis_config_t *const needle = &robot_neuro.axes[AXIS_INSERTION];
+    const axis_config_t *const needle = &robot_neuro.axes[NEURO_AXIS_INSERTION];
     begin_move();
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 30000U).kind);
     rig_release(&rig);
@@ -565,11 +567,11 @@ void test_SWR_MOTION_002_the_needle_is_retracted_before_any_other_axis_moves(voi
         rig_press(&rig);
         const int32_t retracted =
             needle->home_ticks + ((needle->maximum_ticks - needle->minimum_ticks) / 128);
-        const int32_t expected = (i == (uint32_t)AXIS_INSERTION)
-                                     ? rig.controller.plan.target_ticks[AXIS_INSERTION]
+        const int32_t expected = (i == (uint32_t)NEURO_AXIS_INSERTION)
+                                     ? rig.controller.plan.target_ticks[NEURO_AXIS_INSERTION]
                                      : retracted;
         TEST_ASSERT_EQUAL_INT32(expected,
-                                rig.controller.mode.leg.profile.end_ticks[AXIS_INSERTION]);
+                                rig.controller.mode.leg.profile.end_ticks[NEURO_AXIS_INSERTION]);
     }
 }
 
@@ -609,7 +611,7 @@ void test_SWR_EVENT_002_events_beyond_the_bound_are_counted(void)
 static void creep(int32_t ticks)
 {
     for (int32_t i = 0; i < ticks; i++) {
-        rig.box.axes[AXIS_HEAD].encoder.count++;
+        rig.box.axes[NEURO_AXIS_HEAD].encoder.count++;
         rig_cycles(&rig, 300U);
     }
 }
@@ -626,13 +628,13 @@ void test_SWR_AXIS_022_wrong_counts_in_small_steps_make_an_axis_unverified(void)
     TEST_ASSERT_EQUAL_UINT32(3U, rig.event_count);
     TEST_ASSERT_EQUAL_UINT32(EVENT_AXIS_DRIFTED, rig.events[0].id);
     TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_WARNING, rig.events[0].severity);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_HEAD, rig.events[0].subject);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_HEAD, rig.events[0].subject);
     TEST_ASSERT_EQUAL_INT32(8, abs(rig.events[0].value));
     TEST_ASSERT_EQUAL_UINT32(EVENT_AXIS_UNVERIFIED, rig.events[1].id);
     TEST_ASSERT_EQUAL_UINT32(EVENT_ORDER_DISCARDED, rig.events[2].id);
     TEST_ASSERT_EQUAL_UINT32(EVENT_CAUSE_AXIS, rig.events[2].cause);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
-                             rig.outputs.snapshot.axes[AXIS_HEAD].reference);
+                             rig.outputs.snapshot.axes[NEURO_AXIS_HEAD].reference);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
 }
 
@@ -662,7 +664,7 @@ void test_SWR_AXIS_023_a_scan_leaves_an_account_of_each_axis(void)
         const event_t *const event = &rig.events[i];
         if (event->id == (uint32_t)EVENT_SCAN_DRIFT) {
             axes |= 1U << event->subject;
-            TEST_ASSERT_INT32_WITHIN(2, (event->subject == (uint32_t)AXIS_HEAD) ? -3 : 0,
+            TEST_ASSERT_INT32_WITHIN(2, (event->subject == (uint32_t)NEURO_AXIS_HEAD) ? -3 : 0,
                                      event->value);
             TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_INFORMATION, event->severity);
         }

@@ -29,7 +29,8 @@ typedef enum {
 
 /** Of all plays, between bars. */
 #define PLAY_NAMES                                                                                 \
-    "random|corners|interrupted|spread|jogs|taps|magnitude|rivals|modes|programs|sweeps|flips|operator"
+    "random|corners|interrupted|spread|jogs|taps|magnitude|rivals|modes|programs|sweeps|flips|"    \
+    "operator"
 
 /** The play `name` of PLAY_NAMES, or -1. */
 int play_find(const char *name);

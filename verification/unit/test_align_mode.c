@@ -36,9 +36,9 @@ void tearDown(void)
 
 static void watch(int32_t head_before)
 {
-    const int32_t needle_ticks = axes[AXIS_INSERTION].encoder.position_ticks;
+    const int32_t needle_ticks = axes[NEURO_AXIS_INSERTION].encoder.position_ticks;
     const bool is_in = needle_ticks > needle_out_ticks(&robot);
-    const bool has_moved = axes[AXIS_HEAD].encoder.position_ticks != head_before;
+    const bool has_moved = axes[NEURO_AXIS_HEAD].encoder.position_ticks != head_before;
     deepest_ticks = (needle_ticks > deepest_ticks) ? needle_ticks : deepest_ticks;
     is_base_moved_with_needle_in = is_base_moved_with_needle_in || (is_in && has_moved);
 }
@@ -47,7 +47,7 @@ static void run(const move_mode_t *move)
 {
     uint32_t cycles = 0U;
     do {
-        const int32_t head_before = axes[AXIS_HEAD].encoder.position_ticks;
+        const int32_t head_before = axes[NEURO_AXIS_HEAD].encoder.position_ticks;
         TEST_ASSERT_LESS_THAN_UINT32(LONG_CYCLES, cycles);
         cycles++;
         mode_clear(&result);
@@ -61,14 +61,14 @@ static void run(const move_mode_t *move)
 static void expect_aligned(int32_t needle_ticks)
 {
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
-        const int32_t place = (i == (uint32_t)AXIS_INSERTION) ? needle_ticks : target[i];
+        const int32_t place = (i == (uint32_t)NEURO_AXIS_INSERTION) ? needle_ticks : target[i];
         TEST_ASSERT_EQUAL_INT32(place, axes[i].encoder.position_ticks);
     }
 }
 
 void test_SWR_ALIGN_002_a_needle_that_is_in_is_taken_out_before_the_base_moves(void)
 {
-    world_put(AXIS_INSERTION, 30000);
+    world_put(NEURO_AXIS_INSERTION, 30000);
     const move_mode_t move = align_mode_move(&robot, axes, target);
     run(&move);
     expect_aligned(needle_retracted_ticks(&robot));
@@ -77,7 +77,7 @@ void test_SWR_ALIGN_002_a_needle_that_is_in_is_taken_out_before_the_base_moves(v
 
 void test_SWR_ALIGN_002_a_needle_that_is_out_goes_no_farther_in(void)
 {
-    world_put(AXIS_INSERTION, 7);
+    world_put(NEURO_AXIS_INSERTION, 7);
     const move_mode_t move = align_mode_move(&robot, axes, target);
     run(&move);
     expect_aligned(7);
@@ -92,5 +92,5 @@ void test_SWR_ALIGN_002_where_the_base_is_aligned_the_needle_alone_is_taken_out(
     const move_mode_t move = align_mode_move(&robot, axes, target);
     run(&move);
     expect_aligned(needle_retracted_ticks(&robot));
-    TEST_ASSERT_EQUAL_INT32(target[AXIS_INSERTION], deepest_ticks);
+    TEST_ASSERT_EQUAL_INT32(target[NEURO_AXIS_INSERTION], deepest_ticks);
 }

@@ -225,7 +225,7 @@ void test_SWR_AXIS_009_the_error_is_that_of_the_position_of_this_cycle(void)
 /* The needle: 167 ticks and 20 ms of its speed. */
 void test_SWR_AXIS_021_a_faster_axis_may_lag_more(void)
 {
-    const axis_config_t *const needle = &robot_neuro.axes[AXIS_INSERTION];
+    const axis_config_t *const needle = &robot_neuro.axes[NEURO_AXIS_INSERTION];
     const int32_t speed_q8 = needle->speed_ticks_per_s * 256;
     const int32_t most = needle->following_error_ticks +
                          ((needle->speed_ticks_per_s * needle->following_time_ms) / 1000);

@@ -33,8 +33,8 @@
 #define SHORT_CYCLES ((LIMIT_RISING_TIME_US / CYCLE_US) + 12U)
 #define SILENT_CYCLES (LIMIT_SILENT_TIME_US / CYCLE_US)
 
-static const axis_config_t *const head = &robot_neuro.axes[AXIS_HEAD];
-static const axis_config_t *const needle = &robot_neuro.axes[AXIS_INSERTION];
+static const axis_config_t *const head = &robot_neuro.axes[NEURO_AXIS_HEAD];
+static const axis_config_t *const needle = &robot_neuro.axes[NEURO_AXIS_INSERTION];
 
 static supervision_t supervision;
 static const axis_config_t *config;
@@ -377,7 +377,7 @@ static card_drive_t slow_drive(void)
  * stands between so much of a tick and so much. */
 static int32_t shown_percent(int32_t percent, int64_t least_q16, int64_t most_q16)
 {
-    use(&robot_neuro.axes[AXIS_YAW]);
+    use(&robot_neuro.axes[NEURO_AXIS_YAW]);
     const card_drive_t slow = slow_drive();
     const count_calibration_t *const shown = &supervision.account.calibrations[COUNT_REGIME_STEADY];
     for (uint32_t i = 0U; (i < LONG_CYCLES) && (shown->least_percent == LIMIT_SPEED_LEAST_PERCENT);

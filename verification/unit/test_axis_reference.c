@@ -29,8 +29,8 @@
 #define CYCLE_US 1000U
 #define SOMEWHERE 1234
 
-static const axis_config_t *const with_switch = &robot_neuro.axes[AXIS_INSERTION];
-static const axis_config_t *const without_switch = &robot_neuro.axes[AXIS_ROTATION];
+static const axis_config_t *const with_switch = &robot_neuro.axes[NEURO_AXIS_INSERTION];
+static const axis_config_t *const without_switch = &robot_neuro.axes[NEURO_AXIS_ROTATION];
 
 static axis_t axis;
 static const axis_config_t *config;
@@ -365,8 +365,8 @@ void test_SWR_REF_004_an_unverified_axis_that_came_back_where_it_was_stays_unver
 
 void test_SWR_REF_005_the_operator_verifies_what_is_unverified(void)
 {
-    static const axis_config_t *const configs[] = {&robot_neuro.axes[AXIS_INSERTION],
-                                                   &robot_neuro.axes[AXIS_ROTATION]};
+    static const axis_config_t *const configs[] = {&robot_neuro.axes[NEURO_AXIS_INSERTION],
+                                                   &robot_neuro.axes[NEURO_AXIS_ROTATION]};
     for (uint32_t i = 0U; i < 2U; i++) {
         use_with(configs[i], AXIS_REFERENCE_UNVERIFIED);
         TEST_ASSERT_TRUE(axis_confirm(&axis, config));

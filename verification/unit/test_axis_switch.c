@@ -36,9 +36,9 @@ typedef struct {
     int32_t margin;
 } subject_t;
 
-static const subject_t subjects[] = {{&robot_neuro.axes[AXIS_INSERTION], 1666},
-                                     {&robot_neuro.axes[AXIS_HEAD], 39},
-                                     {&robot_neuro.axes[AXIS_PITCH], 34}};
+static const subject_t subjects[] = {{&robot_neuro.axes[NEURO_AXIS_INSERTION], 1666},
+                                     {&robot_neuro.axes[NEURO_AXIS_HEAD], 39},
+                                     {&robot_neuro.axes[NEURO_AXIS_PITCH], 34}};
 #define SUBJECTS (sizeof subjects / sizeof subjects[0])
 
 static axis_t axis;
@@ -201,7 +201,7 @@ void test_SWR_AXIS_025_where_nobody_knows_the_position_the_switch_is_not_compare
 
 void test_SWR_AXIS_025_an_axis_without_a_switch_has_none_to_compare(void)
 {
-    const subject_t rotation = {&robot_neuro.axes[AXIS_ROTATION], 55};
+    const subject_t rotation = {&robot_neuro.axes[NEURO_AXIS_ROTATION], 55};
     use(&rotation);
     report.time_us += LIMIT_SPEED_TIMEOUT_US;
     TEST_ASSERT_EQUAL_HEX32(0U, axis_observe(&axis, config, &report, CYCLE_US));

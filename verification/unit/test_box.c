@@ -123,7 +123,7 @@ static void expect_refused(const char *line, const char *mentions)
 
 void test_SWR_BOX_002_every_axis_moves_up_with_an_upward_drive_and_back(void)
 {
-    for (uint32_t axis = AXIS_HEAD; axis <= AXIS_YAW; axis++) {
+    for (uint32_t axis = NEURO_AXIS_HEAD; axis <= NEURO_AXIS_YAW; axis++) {
         setUp();
         const int start = position_of(axis);
         drive(axis, true);
@@ -138,53 +138,54 @@ void test_SWR_BOX_002_every_axis_moves_up_with_an_upward_drive_and_back(void)
 
 void test_SWR_BOX_002_full_drive_gives_full_speed_within_3_percent(void)
 {
-    drive(AXIS_INSERTION, true);
+    drive(NEURO_AXIS_INSERTION, true);
     cycles(200U);
-    const int start = position_of(AXIS_INSERTION);
+    const int start = position_of(NEURO_AXIS_INSERTION);
     cycles(1000U);
-    TEST_ASSERT_INT_WITHIN(25000 * 3 / 100, 25000, position_of(AXIS_INSERTION) - start);
+    TEST_ASSERT_INT_WITHIN(25000 * 3 / 100, 25000, position_of(NEURO_AXIS_INSERTION) - start);
 }
 
 void test_SWR_BOX_001_axes_stand_still_when_the_exchanges_end(void)
 {
-    drive(AXIS_HEAD, false);
+    drive(NEURO_AXIS_HEAD, false);
     cycles(100U);
     box_advance(&box, LIMIT_CARD_WATCHDOG_US);
-    const int stopped = position_of(AXIS_HEAD);
+    const int stopped = position_of(NEURO_AXIS_HEAD);
     box_advance(&box, 1000000U);
-    TEST_ASSERT_EQUAL_INT(stopped, position_of(AXIS_HEAD));
-    TEST_ASSERT_EQUAL_HEX32(CARD_STATUS_WATCHDOG, report_of(AXIS_HEAD).status & CARD_STATUS_FAULTS);
+    TEST_ASSERT_EQUAL_INT(stopped, position_of(NEURO_AXIS_HEAD));
+    TEST_ASSERT_EQUAL_HEX32(CARD_STATUS_WATCHDOG,
+                            report_of(NEURO_AXIS_HEAD).status & CARD_STATUS_FAULTS);
 }
 
 void test_SWR_BSP_005_the_amplifier_off_line_takes_the_torque_whatever_the_cards_are_told(void)
 {
-    drive(AXIS_FEET, true);
+    drive(NEURO_AXIS_FEET, true);
     cycles(100U);
-    const int moving = position_of(AXIS_FEET);
+    const int moving = position_of(NEURO_AXIS_FEET);
     cycles(10U);
-    TEST_ASSERT_NOT_EQUAL_INT(moving, position_of(AXIS_FEET));
+    TEST_ASSERT_NOT_EQUAL_INT(moving, position_of(NEURO_AXIS_FEET));
     box.is_off = true;
     cycles(5U);
-    const int stopped = position_of(AXIS_FEET);
+    const int stopped = position_of(NEURO_AXIS_FEET);
     cycles(100U);
-    const card_report_t report = report_of(AXIS_FEET);
-    TEST_ASSERT_EQUAL_INT(stopped, position_of(AXIS_FEET));
+    const card_report_t report = report_of(NEURO_AXIS_FEET);
+    TEST_ASSERT_EQUAL_INT(stopped, position_of(NEURO_AXIS_FEET));
     TEST_ASSERT_NOT_EQUAL_UINT32(CARD_DRIVE_OFF, report.applied.mode);
     TEST_ASSERT_EQUAL_UINT32(0U, report.supply_mv);
     box.is_off = false;
     cycles(100U);
-    TEST_ASSERT_NOT_EQUAL_INT(stopped, position_of(AXIS_FEET));
+    TEST_ASSERT_NOT_EQUAL_INT(stopped, position_of(NEURO_AXIS_FEET));
 }
 
 void test_SWR_BOX_002_a_pulled_emergency_stop_takes_the_torque_and_blames_no_card(void)
 {
-    drive(AXIS_FEET, true);
+    drive(NEURO_AXIS_FEET, true);
     cycles(100U);
     order("estop pull");
-    const int stopped = position_of(AXIS_FEET);
+    const int stopped = position_of(NEURO_AXIS_FEET);
     cycles(100U);
-    const card_report_t report = report_of(AXIS_FEET);
-    TEST_ASSERT_EQUAL_INT(stopped, position_of(AXIS_FEET));
+    const card_report_t report = report_of(NEURO_AXIS_FEET);
+    TEST_ASSERT_EQUAL_INT(stopped, position_of(NEURO_AXIS_FEET));
     TEST_ASSERT_EQUAL_UINT32(0U, report.supply_mv);
     TEST_ASSERT_EQUAL_HEX32(0U, report.status & CARD_STATUS_FAULTS);
     TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_NON_PWM, report.applied.mode);
@@ -192,9 +193,9 @@ void test_SWR_BOX_002_a_pulled_emergency_stop_takes_the_torque_and_blames_no_car
 
 void test_SWR_BOX_004_axes_start_away_from_home_with_arbitrary_readings(void)
 {
-    for (uint32_t axis = AXIS_HEAD; axis <= AXIS_YAW; axis++) {
+    for (uint32_t axis = NEURO_AXIS_HEAD; axis <= NEURO_AXIS_YAW; axis++) {
         const int reading =
-            (axis == AXIS_FEET) ? INT32_MAX - 100 : 1000 * (robot_neuro.axes[axis].slot + 1);
+            (axis == NEURO_AXIS_FEET) ? INT32_MAX - 100 : 1000 * (robot_neuro.axes[axis].slot + 1);
         TEST_ASSERT_EQUAL_INT(robot_neuro.start_ticks[axis], position_of(axis));
         TEST_ASSERT_EQUAL_INT(reading, report_of(axis).encoder_count);
     }
@@ -202,45 +203,46 @@ void test_SWR_BOX_004_axes_start_away_from_home_with_arbitrary_readings(void)
 
 void test_SWR_BOX_004_the_reading_follows_the_position_across_the_wrap(void)
 {
-    const int32_t before = report_of(AXIS_FEET).encoder_count;
+    const int32_t before = report_of(NEURO_AXIS_FEET).encoder_count;
 
-    drive(AXIS_FEET, false); /* The feet encoder is inverted: its reading grows here and wraps. */
+    drive(NEURO_AXIS_FEET,
+          false); /* The feet encoder is inverted: its reading grows here and wraps. */
     cycles(1000U);
-    const int32_t after = report_of(AXIS_FEET).encoder_count;
+    const int32_t after = report_of(NEURO_AXIS_FEET).encoder_count;
     const uint32_t growth = (uint32_t)after - (uint32_t)before;
     TEST_ASSERT_TRUE(after < 0);
-    TEST_ASSERT_INT_WITHIN(1, -position_of(AXIS_FEET), (int)growth);
+    TEST_ASSERT_INT_WITHIN(1, -position_of(NEURO_AXIS_FEET), (int)growth);
 }
 
 void test_SWR_BOX_004_driving_home_operates_the_switch_there(void)
 {
-    drive(AXIS_HEAD, true);
-    while (report_of(AXIS_HEAD).limits_raw == 0U) {
-        TEST_ASSERT_TRUE(position_of(AXIS_HEAD) < 2);
+    drive(NEURO_AXIS_HEAD, true);
+    while (report_of(NEURO_AXIS_HEAD).limits_raw == 0U) {
+        TEST_ASSERT_TRUE(position_of(NEURO_AXIS_HEAD) < 2);
         box_advance(&box, 1000U);
     }
-    TEST_ASSERT_INT_WITHIN(2, 0, position_of(AXIS_HEAD));
+    TEST_ASSERT_INT_WITHIN(2, 0, position_of(NEURO_AXIS_HEAD));
     cycles(1000U);
-    TEST_ASSERT_EQUAL_INT(60, position_of(AXIS_HEAD));
-    TEST_ASSERT_EQUAL_HEX32(CARD_LIMIT_UPPER, report_of(AXIS_HEAD).limits);
-    drive(AXIS_HEAD, false);
+    TEST_ASSERT_EQUAL_INT(60, position_of(NEURO_AXIS_HEAD));
+    TEST_ASSERT_EQUAL_HEX32(CARD_LIMIT_UPPER, report_of(NEURO_AXIS_HEAD).limits);
+    drive(NEURO_AXIS_HEAD, false);
     cycles(200U);
-    TEST_ASSERT_EQUAL_HEX32(0U, report_of(AXIS_HEAD).limits);
+    TEST_ASSERT_EQUAL_HEX32(0U, report_of(NEURO_AXIS_HEAD).limits);
 }
 
 void test_SWR_BOX_004_the_scanner_disturbs_resting_axes_a_little(void)
 {
-    const int32_t before = report_of(AXIS_PITCH).encoder_count;
+    const int32_t before = report_of(NEURO_AXIS_PITCH).encoder_count;
     uint32_t edges = 0U;
 
     order("scanner on");
     for (uint32_t i = 0U; i < 5000U; i++) {
-        edges += report_of(AXIS_PITCH).edges;
+        edges += report_of(NEURO_AXIS_PITCH).edges;
         box_advance(&box, 1000U);
     }
     TEST_ASSERT_TRUE(edges > 50U);
-    TEST_ASSERT_INT32_WITHIN(5, before, report_of(AXIS_PITCH).encoder_count);
-    TEST_ASSERT_EQUAL_INT(100, position_of(AXIS_PITCH));
+    TEST_ASSERT_INT32_WITHIN(5, before, report_of(NEURO_AXIS_PITCH).encoder_count);
+    TEST_ASSERT_EQUAL_INT(100, position_of(NEURO_AXIS_PITCH));
 }
 
 void test_SWR_BOX_004_only_selected_slots_with_a_card_answer(void)
@@ -253,9 +255,9 @@ void test_SWR_BOX_004_only_selected_slots_with_a_card_answer(void)
 
 void test_SWR_BOX_004_a_report_speaks_of_the_exchange_before(void)
 {
-    drive(AXIS_HEAD, true);
-    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, report_of(AXIS_HEAD).applied.mode);
-    const card_report_t next = report_of(AXIS_HEAD);
+    drive(NEURO_AXIS_HEAD, true);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, report_of(NEURO_AXIS_HEAD).applied.mode);
+    const card_report_t next = report_of(NEURO_AXIS_HEAD);
     TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_NON_PWM, next.applied.mode);
     TEST_ASSERT_EQUAL_UINT32(commands[7].sequence - 1U, next.accepted_sequence);
 }
@@ -388,16 +390,16 @@ void test_SWR_REF_006_a_button_that_was_released_since_the_last_sample_is_releas
 
 void test_SWR_BOX_003_a_silent_card_neither_answers_nor_hears(void)
 {
-    drive(AXIS_INSERTION, true);
+    drive(NEURO_AXIS_INSERTION, true);
     cycles(20U);
     order("card 3 silent");
     TEST_ASSERT_EQUAL_HEX32(USED_SLOTS & ~0x008U, exchange(ALL_SLOTS));
     cycles(20U);
-    const int stopped = position_of(AXIS_INSERTION);
+    const int stopped = position_of(NEURO_AXIS_INSERTION);
     cycles(100U);
-    TEST_ASSERT_EQUAL_INT(stopped, position_of(AXIS_INSERTION));
+    TEST_ASSERT_EQUAL_INT(stopped, position_of(NEURO_AXIS_INSERTION));
     order("card 3 normal");
-    TEST_ASSERT_EQUAL_UINT32(1U, report_of(AXIS_INSERTION).watchdog_trips);
+    TEST_ASSERT_EQUAL_UINT32(1U, report_of(NEURO_AXIS_INSERTION).watchdog_trips);
 }
 
 void test_SWR_BOX_003_a_corrupt_card_sends_a_wrong_checksum(void)
@@ -414,22 +416,22 @@ void test_SWR_BOX_003_a_corrupt_card_sends_a_wrong_checksum(void)
 
 void test_SWR_BOX_024_a_deaf_card_answers_and_trips(void)
 {
-    drive(AXIS_INSERTION, true);
+    drive(NEURO_AXIS_INSERTION, true);
     cycles(20U);
     order("card insertion deaf");
     cycles(20U);
-    const card_report_t report = report_of(AXIS_INSERTION);
+    const card_report_t report = report_of(NEURO_AXIS_INSERTION);
     TEST_ASSERT_EQUAL_UINT32(1U, report.watchdog_trips);
     TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, report.applied.mode);
 }
 
 void test_SWR_BOX_024_a_noisy_wire_damages_one_command_of_fifty(void)
 {
-    drive(AXIS_INSERTION, true);
+    drive(NEURO_AXIS_INSERTION, true);
     cycles(20U);
     order("card insertion noisy");
     cycles(100U);
-    const card_report_t report = report_of(AXIS_INSERTION);
+    const card_report_t report = report_of(NEURO_AXIS_INSERTION);
     TEST_ASSERT_EQUAL_UINT32(2U, report.rx_crc_errors);
     TEST_ASSERT_EQUAL_UINT32(2U, report.sequence_gaps);
     TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_PWM, report.applied.mode);
@@ -451,7 +453,7 @@ void test_SWR_BOX_024_driver_and_supply_are_measured_as_ordered(void)
 
     for (uint32_t i = 0U; i < sizeof orders / sizeof orders[0]; i++) {
         order(orders[i].order);
-        const card_report_t report = report_of(AXIS_INSERTION);
+        const card_report_t report = report_of(NEURO_AXIS_INSERTION);
         TEST_ASSERT_EQUAL_INT32_MESSAGE(orders[i].driver_dc, report.driver_temperature_dc,
                                         orders[i].order);
         TEST_ASSERT_EQUAL_UINT32_MESSAGE(orders[i].supply_mv, report.supply_mv, orders[i].order);
@@ -460,55 +462,55 @@ void test_SWR_BOX_024_driver_and_supply_are_measured_as_ordered(void)
 
 void test_SWR_BOX_003_encoder_faults_obey(void)
 {
-    const int32_t before = report_of(AXIS_INSERTION).encoder_count;
+    const int32_t before = report_of(NEURO_AXIS_INSERTION).encoder_count;
 
-    drive(AXIS_INSERTION, true);
+    drive(NEURO_AXIS_INSERTION, true);
     order("encoder 3 stuck");
     cycles(50U);
-    TEST_ASSERT_EQUAL_INT32(before, report_of(AXIS_INSERTION).encoder_count);
+    TEST_ASSERT_EQUAL_INT32(before, report_of(NEURO_AXIS_INSERTION).encoder_count);
     order("encoder insertion reversed");
     cycles(50U);
-    TEST_ASSERT_TRUE(report_of(AXIS_INSERTION).encoder_count < before - 20);
+    TEST_ASSERT_TRUE(report_of(NEURO_AXIS_INSERTION).encoder_count < before - 20);
     order("encoder 3 half");
-    const int32_t half = report_of(AXIS_INSERTION).encoder_count;
-    const int there = position_of(AXIS_INSERTION);
+    const int32_t half = report_of(NEURO_AXIS_INSERTION).encoder_count;
+    const int there = position_of(NEURO_AXIS_INSERTION);
     cycles(50U);
-    TEST_ASSERT_INT_WITHIN(2, (position_of(AXIS_INSERTION) - there) / 2,
-                           report_of(AXIS_INSERTION).encoder_count - half);
+    TEST_ASSERT_INT_WITHIN(2, (position_of(NEURO_AXIS_INSERTION) - there) / 2,
+                           report_of(NEURO_AXIS_INSERTION).encoder_count - half);
     order("encoder 3 normal");
-    const int32_t middle = report_of(AXIS_INSERTION).encoder_count;
+    const int32_t middle = report_of(NEURO_AXIS_INSERTION).encoder_count;
     cycles(50U);
-    TEST_ASSERT_TRUE(report_of(AXIS_INSERTION).encoder_count > middle + 20);
+    TEST_ASSERT_TRUE(report_of(NEURO_AXIS_INSERTION).encoder_count > middle + 20);
 }
 
 void test_SWR_BOX_003_a_stuck_motor_stands_until_freed(void)
 {
-    const int start = position_of(AXIS_YAW);
+    const int start = position_of(NEURO_AXIS_YAW);
 
-    drive(AXIS_YAW, false);
+    drive(NEURO_AXIS_YAW, false);
     order("motor yaw stuck");
     cycles(100U);
-    TEST_ASSERT_EQUAL_INT(start, position_of(AXIS_YAW));
+    TEST_ASSERT_EQUAL_INT(start, position_of(NEURO_AXIS_YAW));
     order("motor 5 normal");
     cycles(100U);
-    TEST_ASSERT_TRUE(position_of(AXIS_YAW) < start - 20);
+    TEST_ASSERT_TRUE(position_of(NEURO_AXIS_YAW) < start - 20);
 }
 
 void test_SWR_BOX_003_switch_faults_obey(void)
 {
     order("switch insertion stuck");
     cycles(20U);
-    TEST_ASSERT_EQUAL_HEX32(CARD_LIMIT_LOWER, report_of(AXIS_INSERTION).limits);
+    TEST_ASSERT_EQUAL_HEX32(CARD_LIMIT_LOWER, report_of(NEURO_AXIS_INSERTION).limits);
     order("switch 3 open");
     cycles(20U);
-    TEST_ASSERT_EQUAL_HEX32(0U, report_of(AXIS_INSERTION).limits);
+    TEST_ASSERT_EQUAL_HEX32(0U, report_of(NEURO_AXIS_INSERTION).limits);
     order("switch 3 reversed");
     cycles(20U);
-    TEST_ASSERT_EQUAL_HEX32(CARD_LIMIT_LOWER, report_of(AXIS_INSERTION).limits);
+    TEST_ASSERT_EQUAL_HEX32(CARD_LIMIT_LOWER, report_of(NEURO_AXIS_INSERTION).limits);
     order("switch 3 chatter");
     order("switch 3 normal");
     cycles(20U);
-    TEST_ASSERT_EQUAL_HEX32(0U, report_of(AXIS_INSERTION).limits);
+    TEST_ASSERT_EQUAL_HEX32(0U, report_of(NEURO_AXIS_INSERTION).limits);
 }
 
 void test_SWR_ESTOP_004_a_pulse_is_in_the_next_sample_only(void)
@@ -532,9 +534,9 @@ void test_SWR_ESTOP_004_a_pulse_is_in_the_next_sample_only(void)
 
 void test_SWR_BOX_003_show_lists_inputs_and_every_axis(void)
 {
-    drive(AXIS_HEAD, true);
-    drive(AXIS_INSERTION, false);
-    commands[robot_neuro.axes[AXIS_INSERTION].slot].drive.duty = 0U;
+    drive(NEURO_AXIS_HEAD, true);
+    drive(NEURO_AXIS_INSERTION, false);
+    commands[robot_neuro.axes[NEURO_AXIS_INSERTION].slot].drive.duty = 0U;
     (void)exchange(ALL_SLOTS);
     order("encoder yaw reversed");
     order("card pitch silent");
@@ -561,7 +563,7 @@ void test_SWR_BOX_003_show_lists_inputs_and_every_axis(void)
     TEST_ASSERT_NOT_NULL(strstr(reply, "reversed"));
     TEST_ASSERT_NOT_NULL(strstr(reply, "silent"));
     TEST_ASSERT_NOT_NULL(strstr(reply, "stuck"));
-    box.axes[AXIS_HEAD].card.applied.duty = 4321U;
+    box.axes[NEURO_AXIS_HEAD].card.applied.duty = 4321U;
     order("show");
     TEST_ASSERT_NOT_NULL(strstr(reply, "- 4321 "));
 }
@@ -629,19 +631,19 @@ void test_SWR_BOX_003_the_list_of_orders_names_each(void)
 
 static double needle_mm(void)
 {
-    return box.axes[AXIS_INSERTION].motor.position_ticks / 3333.34;
+    return box.axes[NEURO_AXIS_INSERTION].motor.position_ticks / 3333.34;
 }
 
 static int32_t needle_count(void)
 {
-    return sim_encoder_count(&box.axes[AXIS_INSERTION].encoder);
+    return sim_encoder_count(&box.axes[NEURO_AXIS_INSERTION].encoder);
 }
 
 void test_SWR_BOX_012_a_push_takes_the_axis_along_that_the_probe_is_coupled_to(void)
 {
     const double start_mm = needle_mm();
     const int32_t start = needle_count();
-    const double head_ticks = box.axes[AXIS_HEAD].motor.position_ticks;
+    const double head_ticks = box.axes[NEURO_AXIS_HEAD].motor.position_ticks;
 
     order("push 10");
     box_advance(&box, 1000000U);
@@ -652,7 +654,7 @@ void test_SWR_BOX_012_a_push_takes_the_axis_along_that_the_probe_is_coupled_to(v
     order("push -200");
     box_advance(&box, 50000000U);
     TEST_ASSERT_FLOAT_WITHIN(0.03, 0.0, needle_mm());
-    TEST_ASSERT_FLOAT_WITHIN(0.001, head_ticks, box.axes[AXIS_HEAD].motor.position_ticks);
+    TEST_ASSERT_FLOAT_WITHIN(0.001, head_ticks, box.axes[NEURO_AXIS_HEAD].motor.position_ticks);
 }
 
 void test_SWR_BOX_012_a_free_probe_is_pushed_alone(void)
@@ -682,8 +684,8 @@ static uint32_t crc_of_a_run(uint32_t seed)
     uint32_t sum = 0U;
 
     start(seed);
-    drive(AXIS_HEAD, true);
-    drive(AXIS_YAW, false);
+    drive(NEURO_AXIS_HEAD, true);
+    drive(NEURO_AXIS_YAW, false);
     order("scanner on");
     for (uint32_t i = 0U; i < 3000U; i++) {
         (void)exchange(ALL_SLOTS);

@@ -22,8 +22,7 @@ void test_SWR_CORE_002_every_number_of_words_is_cleared_and_none_beside_them(voi
         (void)memset(bytes, 0xA5, sizeof bytes);
         clear_words(&bytes[MARGIN], length);
         for (size_t i = 0U; i < sizeof bytes; i++) {
-            const uint8_t expected =
-                ((i >= MARGIN) && (i < (MARGIN + length))) ? 0U : 0xA5U;
+            const uint8_t expected = ((i >= MARGIN) && (i < (MARGIN + length))) ? 0U : 0xA5U;
             TEST_ASSERT_EQUAL_HEX8(expected, bytes[i]);
         }
     }

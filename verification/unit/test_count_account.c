@@ -26,8 +26,8 @@
 #define LONG_CYCLES 20000U
 #define MOST_SHORT_TICKS 333
 
-static const axis_config_t *const needle = &robot_neuro.axes[AXIS_INSERTION];
-static const axis_config_t *const head = &robot_neuro.axes[AXIS_HEAD];
+static const axis_config_t *const needle = &robot_neuro.axes[NEURO_AXIS_INSERTION];
+static const axis_config_t *const head = &robot_neuro.axes[NEURO_AXIS_HEAD];
 
 static count_account_t account;
 static const axis_config_t *config;

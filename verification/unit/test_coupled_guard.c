@@ -65,7 +65,7 @@ static int32_t home_nm(void)
 
 static int32_t nm(int32_t ticks)
 {
-    return (int32_t)joints_value(&robot.axes[AXIS_HEAD], ticks);
+    return (int32_t)joints_value(&robot.axes[NEURO_AXIS_HEAD], ticks);
 }
 
 /* Blocked when the range ends one nm nearer than `ticks` and free when it ends there. */
@@ -82,57 +82,57 @@ static void expect_way(uint32_t axis, bool is_growing, int32_t first_ticks, int3
 
 void test_SWR_COUPLE_001_one_axis_is_stopped_its_way_before_the_end(void)
 {
-    requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
-    expect_way(AXIS_HEAD, true, DRIVEN_TICKS, RESTING_TICKS);
-    requests[AXIS_HEAD] = drive(AXIS_HEAD, false);
-    expect_way(AXIS_HEAD, false, DRIVEN_TICKS, RESTING_TICKS);
-    requests[AXIS_HEAD] = (card_drive_t){0U, 0U, 0U, 0U};
-    requests[AXIS_FEET] = drive(AXIS_FEET, true);
-    expect_way(AXIS_FEET, false, RESTING_TICKS, DRIVEN_TICKS);
-    requests[AXIS_FEET] = drive(AXIS_FEET, false);
-    expect_way(AXIS_FEET, true, RESTING_TICKS, DRIVEN_TICKS);
+    requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, true);
+    expect_way(NEURO_AXIS_HEAD, true, DRIVEN_TICKS, RESTING_TICKS);
+    requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, false);
+    expect_way(NEURO_AXIS_HEAD, false, DRIVEN_TICKS, RESTING_TICKS);
+    requests[NEURO_AXIS_HEAD] = (card_drive_t){0U, 0U, 0U, 0U};
+    requests[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, true);
+    expect_way(NEURO_AXIS_FEET, false, RESTING_TICKS, DRIVEN_TICKS);
+    requests[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, false);
+    expect_way(NEURO_AXIS_FEET, true, RESTING_TICKS, DRIVEN_TICKS);
 }
 
 void test_SWR_COUPLE_001_what_the_other_axis_is_driven_adds_up(void)
 {
-    requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
-    requests[AXIS_FEET] = drive(AXIS_FEET, false);
-    expect_way(AXIS_HEAD, true, DRIVEN_TICKS, DRIVEN_TICKS);
-    expect_way(AXIS_FEET, true, DRIVEN_TICKS, DRIVEN_TICKS);
-    requests[AXIS_FEET] = (card_drive_t){0U, 0U, 0U, 0U};
-    sent[AXIS_FEET] = drive(AXIS_FEET, false);
-    expect_way(AXIS_HEAD, true, DRIVEN_TICKS, DRIVEN_TICKS);
+    requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, true);
+    requests[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, false);
+    expect_way(NEURO_AXIS_HEAD, true, DRIVEN_TICKS, DRIVEN_TICKS);
+    expect_way(NEURO_AXIS_FEET, true, DRIVEN_TICKS, DRIVEN_TICKS);
+    requests[NEURO_AXIS_FEET] = (card_drive_t){0U, 0U, 0U, 0U};
+    sent[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, false);
+    expect_way(NEURO_AXIS_HEAD, true, DRIVEN_TICKS, DRIVEN_TICKS);
 }
 
 void test_SWR_COUPLE_001_that_the_other_axis_comes_back_counts_for_nothing(void)
 {
-    requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
-    requests[AXIS_FEET] = drive(AXIS_FEET, true);
-    sent[AXIS_FEET] = drive(AXIS_FEET, true);
-    axes[AXIS_FEET].encoder.speed_ticks_per_s_q8 = 900 * 256;
-    expect_way(AXIS_HEAD, true, DRIVEN_TICKS, RESTING_TICKS);
+    requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, true);
+    requests[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, true);
+    sent[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, true);
+    axes[NEURO_AXIS_FEET].encoder.speed_ticks_per_s_q8 = 900 * 256;
+    expect_way(NEURO_AXIS_HEAD, true, DRIVEN_TICKS, RESTING_TICKS);
 }
 
 /* 3000 ticks/s for 4.5 ms are 13.5. */
 void test_SWR_COUPLE_001_an_axis_that_is_faster_than_its_motor_is_believed(void)
 {
-    requests[AXIS_HEAD] = drive(AXIS_HEAD, false);
-    axes[AXIS_HEAD].encoder.speed_ticks_per_s_q8 = -3000 * 256;
-    axes[AXIS_FEET].encoder.speed_ticks_per_s_q8 = 3000 * 256;
-    expect_way(AXIS_HEAD, false, 15, 15);
+    requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, false);
+    axes[NEURO_AXIS_HEAD].encoder.speed_ticks_per_s_q8 = -3000 * 256;
+    axes[NEURO_AXIS_FEET].encoder.speed_ticks_per_s_q8 = 3000 * 256;
+    expect_way(NEURO_AXIS_HEAD, false, 15, 15);
 }
 
 void test_SWR_COUPLE_001_outside_of_the_range_the_way_back_is_free(void)
 {
-    axes[AXIS_HEAD].encoder.position_ticks = -8000;
-    requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
-    requests[AXIS_FEET] = drive(AXIS_FEET, false);
-    TEST_ASSERT_FALSE(is_blocked(AXIS_HEAD));
-    TEST_ASSERT_FALSE(is_blocked(AXIS_FEET));
-    requests[AXIS_HEAD] = drive(AXIS_HEAD, false);
-    requests[AXIS_FEET] = drive(AXIS_FEET, true);
-    TEST_ASSERT_TRUE(is_blocked(AXIS_HEAD));
-    TEST_ASSERT_TRUE(is_blocked(AXIS_FEET));
+    axes[NEURO_AXIS_HEAD].encoder.position_ticks = -8000;
+    requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, true);
+    requests[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, false);
+    TEST_ASSERT_FALSE(is_blocked(NEURO_AXIS_HEAD));
+    TEST_ASSERT_FALSE(is_blocked(NEURO_AXIS_FEET));
+    requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, false);
+    requests[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, true);
+    TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_HEAD));
+    TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_FEET));
 }
 
 static void expect_end(uint32_t axis, int32_t ticks, coupled_side_t side)
@@ -146,34 +146,35 @@ static void expect_end(uint32_t axis, int32_t ticks, coupled_side_t side)
 
 void test_SWR_COUPLE_001_a_limit_is_in_force_for_its_own_axes_once_both_are_homed(void)
 {
-    axes[AXIS_HEAD].encoder.position_ticks = -8000;
+    axes[NEURO_AXIS_HEAD].encoder.position_ticks = -8000;
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        const bool is_of_limit = (i == (uint32_t)AXIS_HEAD) || (i == (uint32_t)AXIS_FEET);
+        const bool is_of_limit =
+            (i == (uint32_t)NEURO_AXIS_HEAD) || (i == (uint32_t)NEURO_AXIS_FEET);
         TEST_ASSERT_FALSE(is_blocked(i));
-        requests[i] = drive(i, i != (uint32_t)AXIS_HEAD);
+        requests[i] = drive(i, i != (uint32_t)NEURO_AXIS_HEAD);
         TEST_ASSERT_EQUAL(is_of_limit, is_blocked(i));
     }
-    axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
-    TEST_ASSERT_FALSE(is_blocked(AXIS_FEET));
-    expect_end(AXIS_FEET, 0, COUPLED_LIMIT_INSIDE);
-    axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_VERIFIED;
-    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
-    TEST_ASSERT_FALSE(is_blocked(AXIS_HEAD));
-    expect_end(AXIS_HEAD, -8000, COUPLED_LIMIT_INSIDE);
+    axes[NEURO_AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
+    TEST_ASSERT_FALSE(is_blocked(NEURO_AXIS_FEET));
+    expect_end(NEURO_AXIS_FEET, 0, COUPLED_LIMIT_INSIDE);
+    axes[NEURO_AXIS_HEAD].chart.reference = AXIS_REFERENCE_VERIFIED;
+    axes[NEURO_AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
+    TEST_ASSERT_FALSE(is_blocked(NEURO_AXIS_HEAD));
+    expect_end(NEURO_AXIS_HEAD, -8000, COUPLED_LIMIT_INSIDE);
 }
 
 /* The feet stand so far out that the head, were it at its switch, would leave the limit. */
 static void put_feet_out(int32_t beyond_ticks)
 {
-    axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
-    axes[AXIS_FEET].encoder.position_ticks = -100 - beyond_ticks;
+    axes[NEURO_AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
+    axes[NEURO_AXIS_FEET].encoder.position_ticks = -100 - beyond_ticks;
     robot.coupled_limits[0].maximum = home_nm() + nm(100);
 }
 
 static void expect_barred(bool is_barred)
 {
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        const bool is_head = i == (uint32_t)AXIS_HEAD;
+        const bool is_head = i == (uint32_t)NEURO_AXIS_HEAD;
         TEST_ASSERT_EQUAL(is_head && is_barred, coupled_guard_bars_homing(&robot, axes, i));
         requests[i] = drive(i, true);
         TEST_ASSERT_EQUAL(is_head && is_barred, is_blocked(i));
@@ -200,40 +201,40 @@ void test_SWR_COUPLE_003_an_axis_does_not_go_to_a_switch_that_is_beyond_the_limi
 
 void test_SWR_COUPLE_003_the_second_axis_of_a_limit_is_barred_as_the_first(void)
 {
-    robot.axes[AXIS_FEET].limit_switch = (uint8_t)LIMIT_SWITCH_LOWER;
-    robot.axes[AXIS_FEET].home_ticks = -50;
-    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
-    axes[AXIS_FEET].encoder.position_ticks = -9999;
-    axes[AXIS_HEAD].encoder.position_ticks = 50;
+    robot.axes[NEURO_AXIS_FEET].limit_switch = (uint8_t)LIMIT_SWITCH_LOWER;
+    robot.axes[NEURO_AXIS_FEET].home_ticks = -50;
+    axes[NEURO_AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
+    axes[NEURO_AXIS_FEET].encoder.position_ticks = -9999;
+    axes[NEURO_AXIS_HEAD].encoder.position_ticks = 50;
     robot.coupled_limits[0].maximum = home_nm() + nm(100);
-    requests[AXIS_FEET] = drive(AXIS_FEET, false);
-    TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, AXIS_FEET));
-    TEST_ASSERT_FALSE(is_blocked(AXIS_FEET));
-    axes[AXIS_HEAD].encoder.position_ticks = 51;
-    TEST_ASSERT_TRUE(coupled_guard_bars_homing(&robot, axes, AXIS_FEET));
-    TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, AXIS_HEAD));
-    TEST_ASSERT_TRUE(is_blocked(AXIS_FEET));
-    requests[AXIS_FEET] = drive(AXIS_FEET, true);
-    TEST_ASSERT_FALSE(is_blocked(AXIS_FEET));
+    requests[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, false);
+    TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, NEURO_AXIS_FEET));
+    TEST_ASSERT_FALSE(is_blocked(NEURO_AXIS_FEET));
+    axes[NEURO_AXIS_HEAD].encoder.position_ticks = 51;
+    TEST_ASSERT_TRUE(coupled_guard_bars_homing(&robot, axes, NEURO_AXIS_FEET));
+    TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, NEURO_AXIS_HEAD));
+    TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_FEET));
+    requests[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, true);
+    TEST_ASSERT_FALSE(is_blocked(NEURO_AXIS_FEET));
 }
 
 void test_SWR_COUPLE_003_nothing_is_barred_unless_just_the_other_axis_is_homed(void)
 {
     put_feet_out(1);
-    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_UNVERIFIED;
+    axes[NEURO_AXIS_FEET].chart.reference = AXIS_REFERENCE_UNVERIFIED;
     expect_barred(false);
     put_feet_out(1);
-    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_TAKEN;
+    axes[NEURO_AXIS_FEET].chart.reference = AXIS_REFERENCE_TAKEN;
     expect_barred(true);
-    axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_VERIFIED;
-    TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, AXIS_HEAD));
+    axes[NEURO_AXIS_HEAD].chart.reference = AXIS_REFERENCE_VERIFIED;
+    TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, NEURO_AXIS_HEAD));
 }
 
 void test_SWR_COUPLE_003_an_axis_without_a_switch_or_without_a_limit_is_not_barred(void)
 {
-    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
-    axes[AXIS_LATERAL].chart.reference = AXIS_REFERENCE_LOST;
-    axes[AXIS_HEAD].encoder.position_ticks = -9999;
+    axes[NEURO_AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
+    axes[NEURO_AXIS_LATERAL].chart.reference = AXIS_REFERENCE_LOST;
+    axes[NEURO_AXIS_HEAD].encoder.position_ticks = -9999;
     expect_barred(false);
 }
 
@@ -241,26 +242,26 @@ void test_SWR_COUPLE_003_an_axis_without_a_switch_or_without_a_limit_is_not_barr
 void test_SWR_COUPLE_003_an_axis_that_homes_with_the_other_behind_it_is_not_barred(void)
 {
     put_feet_out(1);
-    robot.axes[AXIS_FEET].leaders[1] = 1U + AXIS_HEAD;
-    requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
-    TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, AXIS_HEAD));
-    TEST_ASSERT_TRUE(is_blocked(AXIS_HEAD));
-    axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_APPROACH;
-    TEST_ASSERT_FALSE(is_blocked(AXIS_HEAD));
-    robot.axes[AXIS_FEET].leaders[1] = 1U + AXIS_LATERAL;
-    TEST_ASSERT_TRUE(coupled_guard_bars_homing(&robot, axes, AXIS_HEAD));
-    TEST_ASSERT_TRUE(is_blocked(AXIS_HEAD));
+    robot.axes[NEURO_AXIS_FEET].leaders[1] = 1U + NEURO_AXIS_HEAD;
+    requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, true);
+    TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, NEURO_AXIS_HEAD));
+    TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_HEAD));
+    axes[NEURO_AXIS_HEAD].chart.reference = AXIS_REFERENCE_APPROACH;
+    TEST_ASSERT_FALSE(is_blocked(NEURO_AXIS_HEAD));
+    robot.axes[NEURO_AXIS_FEET].leaders[1] = 1U + NEURO_AXIS_LATERAL;
+    TEST_ASSERT_TRUE(coupled_guard_bars_homing(&robot, axes, NEURO_AXIS_HEAD));
+    TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_HEAD));
 }
 
 void test_SWR_COUPLE_003_two_that_follow_a_third_are_not_barred(void)
 {
     put_feet_out(1);
-    robot.axes[AXIS_HEAD].leaders[1] = 1U + AXIS_LATERAL;
-    robot.axes[AXIS_FEET].leaders[1] = 1U + AXIS_LATERAL;
-    requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
-    TEST_ASSERT_TRUE(is_blocked(AXIS_HEAD));
-    axes[AXIS_LATERAL].chart.reference = AXIS_REFERENCE_LATCH;
-    TEST_ASSERT_FALSE(is_blocked(AXIS_HEAD));
+    robot.axes[NEURO_AXIS_HEAD].leaders[1] = 1U + NEURO_AXIS_LATERAL;
+    robot.axes[NEURO_AXIS_FEET].leaders[1] = 1U + NEURO_AXIS_LATERAL;
+    requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, true);
+    TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_HEAD));
+    axes[NEURO_AXIS_LATERAL].chart.reference = AXIS_REFERENCE_LATCH;
+    TEST_ASSERT_FALSE(is_blocked(NEURO_AXIS_HEAD));
 }
 
 /* The limit of the head and the feet, which stand at `head_ticks` and 0, ends 100 ticks to each
@@ -269,55 +270,55 @@ static bool is_missed(uint32_t axis, int32_t head_ticks)
 {
     robot.coupled_limits[0].minimum = home_nm() - nm(100);
     robot.coupled_limits[0].maximum = home_nm() + nm(100);
-    axes[AXIS_HEAD].encoder.position_ticks = head_ticks;
-    axes[AXIS_FEET].encoder.position_ticks = 0;
+    axes[NEURO_AXIS_HEAD].encoder.position_ticks = head_ticks;
+    axes[NEURO_AXIS_FEET].encoder.position_ticks = 0;
     return coupled_guard_is_missed(&robot, axes, axis);
 }
 
 void test_SWR_AXIS_033_a_limit_is_missed_by_more_than_its_margin_to_either_side(void)
 {
     /* 0.2 mm are 15 ticks and three quarters. */
-    TEST_ASSERT_FALSE(is_missed(AXIS_HEAD, 115));
-    TEST_ASSERT_TRUE(is_missed(AXIS_HEAD, 116));
-    TEST_ASSERT_TRUE(is_missed(AXIS_FEET, 116));
-    TEST_ASSERT_FALSE(is_missed(AXIS_HEAD, -115));
-    TEST_ASSERT_TRUE(is_missed(AXIS_HEAD, -116));
-    TEST_ASSERT_FALSE(is_missed(AXIS_LATERAL, -116));
-    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
-    TEST_ASSERT_FALSE(is_missed(AXIS_HEAD, -116));
+    TEST_ASSERT_FALSE(is_missed(NEURO_AXIS_HEAD, 115));
+    TEST_ASSERT_TRUE(is_missed(NEURO_AXIS_HEAD, 116));
+    TEST_ASSERT_TRUE(is_missed(NEURO_AXIS_FEET, 116));
+    TEST_ASSERT_FALSE(is_missed(NEURO_AXIS_HEAD, -115));
+    TEST_ASSERT_TRUE(is_missed(NEURO_AXIS_HEAD, -116));
+    TEST_ASSERT_FALSE(is_missed(NEURO_AXIS_LATERAL, -116));
+    axes[NEURO_AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
+    TEST_ASSERT_FALSE(is_missed(NEURO_AXIS_HEAD, -116));
 }
 
 void test_SWR_AXIS_033_each_limit_of_an_axis_may_be_missed(void)
 {
-    (void)is_missed(AXIS_HEAD, 0);
+    (void)is_missed(NEURO_AXIS_HEAD, 0);
     robot.coupled_limits[1] = robot.coupled_limits[0];
     robot.coupled_limit_count = 2U;
-    TEST_ASSERT_FALSE(is_missed(AXIS_HEAD, 115));
-    TEST_ASSERT_TRUE(is_missed(AXIS_HEAD, 116));
+    TEST_ASSERT_FALSE(is_missed(NEURO_AXIS_HEAD, 115));
+    TEST_ASSERT_TRUE(is_missed(NEURO_AXIS_HEAD, 116));
 }
 
 void test_SWR_JOG_002_an_axis_is_known_when_it_and_its_partners_are_homed(void)
 {
-    TEST_ASSERT_TRUE(coupled_guard_is_known(&robot, axes, AXIS_HEAD));
-    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
-    TEST_ASSERT_FALSE(coupled_guard_is_known(&robot, axes, AXIS_HEAD));
-    TEST_ASSERT_FALSE(coupled_guard_is_known(&robot, axes, AXIS_FEET));
-    TEST_ASSERT_TRUE(coupled_guard_is_known(&robot, axes, AXIS_LATERAL));
-    axes[AXIS_LATERAL].chart.reference = AXIS_REFERENCE_LOST;
-    TEST_ASSERT_FALSE(coupled_guard_is_known(&robot, axes, AXIS_LATERAL));
+    TEST_ASSERT_TRUE(coupled_guard_is_known(&robot, axes, NEURO_AXIS_HEAD));
+    axes[NEURO_AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
+    TEST_ASSERT_FALSE(coupled_guard_is_known(&robot, axes, NEURO_AXIS_HEAD));
+    TEST_ASSERT_FALSE(coupled_guard_is_known(&robot, axes, NEURO_AXIS_FEET));
+    TEST_ASSERT_TRUE(coupled_guard_is_known(&robot, axes, NEURO_AXIS_LATERAL));
+    axes[NEURO_AXIS_LATERAL].chart.reference = AXIS_REFERENCE_LOST;
+    TEST_ASSERT_FALSE(coupled_guard_is_known(&robot, axes, NEURO_AXIS_LATERAL));
 }
 
 void test_SWR_COUPLE_002_an_end_is_judged_with_the_other_axis_where_it_stands(void)
 {
-    axes[AXIS_HEAD].encoder.position_ticks = -5000;
-    expect_end(AXIS_FEET, 0, COUPLED_LIMIT_INSIDE);
-    expect_end(AXIS_FEET, 500, COUPLED_LIMIT_BELOW);
-    expect_end(AXIS_FEET, -5300, COUPLED_LIMIT_ABOVE);
-    expect_end(AXIS_LATERAL, -90000, COUPLED_LIMIT_INSIDE);
-    axes[AXIS_FEET].encoder.position_ticks = 500;
-    expect_end(AXIS_HEAD, -5000, COUPLED_LIMIT_BELOW);
-    expect_end(AXIS_HEAD, -4000, COUPLED_LIMIT_INSIDE);
-    expect_end(AXIS_HEAD, 800, COUPLED_LIMIT_ABOVE);
+    axes[NEURO_AXIS_HEAD].encoder.position_ticks = -5000;
+    expect_end(NEURO_AXIS_FEET, 0, COUPLED_LIMIT_INSIDE);
+    expect_end(NEURO_AXIS_FEET, 500, COUPLED_LIMIT_BELOW);
+    expect_end(NEURO_AXIS_FEET, -5300, COUPLED_LIMIT_ABOVE);
+    expect_end(NEURO_AXIS_LATERAL, -90000, COUPLED_LIMIT_INSIDE);
+    axes[NEURO_AXIS_FEET].encoder.position_ticks = 500;
+    expect_end(NEURO_AXIS_HEAD, -5000, COUPLED_LIMIT_BELOW);
+    expect_end(NEURO_AXIS_HEAD, -4000, COUPLED_LIMIT_INSIDE);
+    expect_end(NEURO_AXIS_HEAD, 800, COUPLED_LIMIT_ABOVE);
 }
 
 /* Otherwise the permit would block the last of the way to a legal end. */
@@ -334,27 +335,29 @@ static status_t judged_homing(uint32_t axis)
 /* The head's home is 0, that of the feet as well. */
 void test_SWR_AXIS_036_whoever_homes_alone_ends_within_the_limit_or_is_refused(void)
 {
-    axes[AXIS_HEAD].encoder.position_ticks = -3000;
-    axes[AXIS_FEET].encoder.position_ticks = -100;
+    axes[NEURO_AXIS_HEAD].encoder.position_ticks = -3000;
+    axes[NEURO_AXIS_FEET].encoder.position_ticks = -100;
     robot.coupled_limits[0].minimum = home_nm() + nm(100);
     robot.coupled_limits[0].maximum = home_nm() + nm(100);
-    TEST_ASSERT_EQUAL(STATUS_OK, judged_homing(AXIS_HEAD));
-    axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
-    TEST_ASSERT_EQUAL(STATUS_OK, judged_homing(AXIS_HEAD));
+    TEST_ASSERT_EQUAL(STATUS_OK, judged_homing(NEURO_AXIS_HEAD));
+    axes[NEURO_AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
+    TEST_ASSERT_EQUAL(STATUS_OK, judged_homing(NEURO_AXIS_HEAD));
     robot.coupled_limits[0].minimum++;
     robot.coupled_limits[0].maximum++;
-    TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, judged_homing(AXIS_HEAD));
-    TEST_ASSERT_EQUAL_UINT8(0U, coupled_guard_judge_homing(&robot, axes, AXIS_HEAD).is_maximum);
+    TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, judged_homing(NEURO_AXIS_HEAD));
+    TEST_ASSERT_EQUAL_UINT8(0U,
+                            coupled_guard_judge_homing(&robot, axes, NEURO_AXIS_HEAD).is_maximum);
     robot.coupled_limits[0].minimum -= 2;
     robot.coupled_limits[0].maximum -= 2;
-    TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, judged_homing(AXIS_HEAD));
-    TEST_ASSERT_EQUAL_UINT8(1U, coupled_guard_judge_homing(&robot, axes, AXIS_HEAD).is_maximum);
-    TEST_ASSERT_EQUAL(STATUS_OK, judged_homing(AXIS_LATERAL));
+    TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, judged_homing(NEURO_AXIS_HEAD));
+    TEST_ASSERT_EQUAL_UINT8(1U,
+                            coupled_guard_judge_homing(&robot, axes, NEURO_AXIS_HEAD).is_maximum);
+    TEST_ASSERT_EQUAL(STATUS_OK, judged_homing(NEURO_AXIS_LATERAL));
 }
 
 void test_SWR_AXIS_036_nobody_homes_alone_whose_partner_is_unknown(void)
 {
-    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_UNVERIFIED;
-    TEST_ASSERT_EQUAL(STATUS_NOT_HOMED, judged_homing(AXIS_HEAD));
-    TEST_ASSERT_EQUAL(STATUS_OK, judged_homing(AXIS_YAW));
+    axes[NEURO_AXIS_FEET].chart.reference = AXIS_REFERENCE_UNVERIFIED;
+    TEST_ASSERT_EQUAL(STATUS_NOT_HOMED, judged_homing(NEURO_AXIS_HEAD));
+    TEST_ASSERT_EQUAL(STATUS_OK, judged_homing(NEURO_AXIS_YAW));
 }

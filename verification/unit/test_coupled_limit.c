@@ -30,7 +30,7 @@ void test_SWR_ROBOT_001_the_coupled_limit_is_that_of_the_geometry(void)
     TEST_ASSERT_EQUAL_UINT8(STATUS_SEPARATION_LIMIT, limit->refusal);
     TEST_ASSERT_EQUAL_UINT8(AXIS_UNIT_MM, limit->unit);
     TEST_ASSERT_EQUAL_UINT8(0U, limit->is_curved);
-    TEST_ASSERT_EQUAL_HEX32((1U << AXIS_HEAD) | (1U << AXIS_FEET), limit->axes);
+    TEST_ASSERT_EQUAL_HEX32((1U << NEURO_AXIS_HEAD) | (1U << NEURO_AXIS_FEET), limit->axes);
     TEST_ASSERT_EQUAL_INT32(geometry_nm[NEURO_MINIMUM_SEPARATION], limit->minimum);
     TEST_ASSERT_EQUAL_INT32(geometry_nm[NEURO_MAXIMUM_SEPARATION], limit->maximum);
 }

@@ -15,8 +15,10 @@
 
 #define REST_CYCLES 10U
 
-static const axis_config_t *const head = &robot_neuro.axes[AXIS_HEAD];   /* 78.74 ticks per mm */
-static const axis_config_t *const pitch = &robot_neuro.axes[AXIS_PITCH]; /* 13.9 ticks per degree */
+static const axis_config_t *const head =
+    &robot_neuro.axes[NEURO_AXIS_HEAD]; /* 78.74 ticks per mm */
+static const axis_config_t *const pitch =
+    &robot_neuro.axes[NEURO_AXIS_PITCH]; /* 13.9 ticks per degree */
 static drift_audit_t audit;
 
 void setUp(void)
@@ -57,7 +59,7 @@ void test_SWR_AXIS_022_half_a_degree_is_too_much_in_either_direction(void)
 
 void test_SWR_AXIS_022_what_a_scan_makes_of_a_coarse_rotation_is_no_drift(void)
 {
-    axis_config_t coarse = robot_neuro.axes[AXIS_ROTATION];
+    axis_config_t coarse = robot_neuro.axes[NEURO_AXIS_ROTATION];
     coarse.unit_per_tick_q16 *= 5; /* Half a degree is 2.2 ticks. */
     stand(0, REST_CYCLES);
     stand(18, 1U);

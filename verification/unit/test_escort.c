@@ -19,10 +19,10 @@
 #include "safety/coupled_guard.h"
 #include "unit/support/scenes.h"
 
-#define FRONT_LEFT ((uint32_t)AXIS_FRONT_LEFT)
-#define FRONT_RIGHT ((uint32_t)AXIS_FRONT_RIGHT)
-#define REAR_LEFT ((uint32_t)AXIS_REAR_LEFT)
-#define REAR_RIGHT ((uint32_t)AXIS_REAR_RIGHT)
+#define FRONT_LEFT ((uint32_t)PROSTATE_AXIS_FRONT_LEFT)
+#define FRONT_RIGHT ((uint32_t)PROSTATE_AXIS_FRONT_RIGHT)
+#define REAR_LEFT ((uint32_t)PROSTATE_AXIS_REAR_LEFT)
+#define REAR_RIGHT ((uint32_t)PROSTATE_AXIS_REAR_RIGHT)
 #define CARRIAGES 4U
 
 #define POSES SCENES(30U)
@@ -206,8 +206,8 @@ void test_SWR_AXIS_051_without_a_switch_a_block_or_a_shared_limit_there_is_no_es
     grade(REAR_LEFT, AXIS_REFERENCE_LOST);
     TEST_ASSERT_FALSE(escort_is_for(&robot, axes, REAR_LEFT));
     grade(REAR_LEFT, AXIS_REFERENCE_VERIFIED);
-    grade(AXIS_INSERTION, AXIS_REFERENCE_LOST);
-    TEST_ASSERT_FALSE(escort_is_for(&robot, axes, AXIS_INSERTION));
+    grade(PROSTATE_AXIS_INSERTION, AXIS_REFERENCE_LOST);
+    TEST_ASSERT_FALSE(escort_is_for(&robot, axes, PROSTATE_AXIS_INSERTION));
     grade(FRONT_LEFT, AXIS_REFERENCE_LOST);
     robot.coupled_limit_count = 0U;
     TEST_ASSERT_FALSE(escort_is_for(&robot, axes, FRONT_LEFT));
@@ -237,7 +237,7 @@ void test_SWR_AXIS_051_from_its_switch_all_leave_together(void)
     }
     TEST_ASSERT_FALSE(escort_is_slow(&escort));
     TEST_ASSERT_EQUAL(ESCORT_GOES, escort_step(&escort, &robot, axes));
-    TEST_ASSERT_EQUAL_UINT32(0U, escort_pace(&escort, AXIS_INSERTION));
+    TEST_ASSERT_EQUAL_UINT32(0U, escort_pace(&escort, PROSTATE_AXIS_INSERTION));
 }
 
 /* rear_left comes to its soft limit before front_left is at its switch: 3.75 ticks before it. */

@@ -63,12 +63,12 @@ void test_SWR_EVENT_007_a_sentence_ends_with_its_cause(void)
     expect((event_t){.id = EVENT_ORDER_DISCARDED,
                      .subject = MODE_MOVE,
                      .cause = EVENT_CAUSE_AXIS,
-                     .peer = AXIS_HEAD},
+                     .peer = NEURO_AXIS_HEAD},
            "MOVE was discarded. By axis head.");
     expect((event_t){.id = EVENT_ORDER_DISCARDED,
                      .subject = MODE_MOVE,
                      .cause = EVENT_CAUSE_CARD,
-                     .peer = robot_neuro.axes[AXIS_INSERTION].slot},
+                     .peer = robot_neuro.axes[NEURO_AXIS_INSERTION].slot},
            "MOVE was discarded. By card 3 (insertion).");
 }
 
@@ -79,7 +79,7 @@ void test_SWR_EVENT_007_an_event_that_says_its_cause_itself_says_it_once(void)
 
 void test_SWR_EVENT_007_a_refused_frame_is_told_with_its_reason_by_name(void)
 {
-    const uint32_t slot = robot_neuro.axes[AXIS_YAW].slot;
+    const uint32_t slot = robot_neuro.axes[NEURO_AXIS_YAW].slot;
     char sentence[EVENT_TEXT_SIZE];
 
     (void)snprintf(sentence, sizeof sentence, "Frame of card %u (yaw) discarded, why BAD_START.",
@@ -90,16 +90,16 @@ void test_SWR_EVENT_007_a_refused_frame_is_told_with_its_reason_by_name(void)
 
 void test_SWR_EVENT_007_numbers_are_told_as_what_they_are(void)
 {
-    const uint32_t slot = robot_neuro.axes[AXIS_YAW].slot;
+    const uint32_t slot = robot_neuro.axes[NEURO_AXIS_YAW].slot;
     char card[EVENT_TEXT_SIZE];
 
     expect((event_t){.id = EVENT_COMMAND_REFUSED, .subject = COMMAND_JOG, .value = STATUS_BUSY},
            "Command of kind JOG refused, status BUSY.");
     expect((event_t){.id = EVENT_SCANNER, .value = 1}, "The scanner started acquiring.");
     expect((event_t){.id = EVENT_SCANNER}, "The scanner ended acquiring.");
-    expect((event_t){.id = EVENT_AXIS_MOVED_OFF, .subject = AXIS_YAW, .value = -7},
+    expect((event_t){.id = EVENT_AXIS_MOVED_OFF, .subject = NEURO_AXIS_YAW, .value = -7},
            "Axis yaw moved -7 ticks while its drive was off.");
-    expect((event_t){.id = EVENT_AXIS_WRONG_SPEED, .subject = AXIS_YAW, .value = 31},
+    expect((event_t){.id = EVENT_AXIS_WRONG_SPEED, .subject = NEURO_AXIS_YAW, .value = 31},
            "Axis yaw counted 31 percent of what its motor should make.");
     expect((event_t){.id = EVENT_OVERRUN, .subject = 2U, .value = 1700},
            "The loop was late, interval in us 1700, stage STEP.");
@@ -111,7 +111,9 @@ void test_SWR_EVENT_007_numbers_are_told_as_what_they_are(void)
     expect(
         (event_t){.id = EVENT_CHART_REPAIRED, .subject = EVENT_CHART_CARD, .value = (int32_t)slot},
         card);
-    expect((event_t){.id = EVENT_MEMORY_DAMAGED, .subject = EVENT_MEMORY_CARD, .value = AXIS_YAW},
+    expect((event_t){.id = EVENT_MEMORY_DAMAGED,
+                     .subject = EVENT_MEMORY_CARD,
+                     .value = NEURO_AXIS_YAW},
            "Memory was damaged and forgotten: CARD yaw.");
     expect((event_t){.id = EVENT_ROBOT_TABLE_DAMAGED, .subject = UINT32_MAX},
            "The table of the robot is damaged in geometry: restart the programs.");
@@ -123,7 +125,7 @@ void test_SWR_EVENT_007_every_event_fits_with_every_cause(void)
     for (uint32_t id = 0U; id < MOST_EVENTS; id++) {
         for (uint32_t cause = 0U; cause <= LAST_CAUSE; cause++) {
             const event_t event = {.id = id,
-                                   .subject = AXIS_INSERTION,
+                                   .subject = NEURO_AXIS_INSERTION,
                                    .value = INT32_MIN,
                                    .cause = cause,
                                    .peer = UINT32_MAX};

@@ -55,13 +55,13 @@ void tearDown(void)
 void test_SWR_FLOW_005_an_axis_and_its_position_become_a_jog(void)
 {
     say(0U, "Text", "JOG yaw -20");
-    expect_command(COMMAND_JOG, AXIS_YAW);
+    expect_command(COMMAND_JOG, NEURO_AXIS_YAW);
     TEST_ASSERT_EQUAL_INT32(-278, command.value);
     say(0U, "JOG", " head   -2.5 ");
-    expect_command(COMMAND_JOG, AXIS_HEAD);
+    expect_command(COMMAND_JOG, NEURO_AXIS_HEAD);
     TEST_ASSERT_EQUAL_INT32(-197, command.value);
     say(0U, "Text", "JOG_BY insertion 1");
-    expect_command(COMMAND_JOG_BY, AXIS_INSERTION);
+    expect_command(COMMAND_JOG_BY, NEURO_AXIS_INSERTION);
     TEST_ASSERT_EQUAL_INT32(3333, command.value);
     expect_no_command();
 }
@@ -70,14 +70,14 @@ void test_SWR_FLOW_005_it_is_told_that_it_is_armed_and_how_it_has_ended(void)
 {
     say(0U, "CMD_5", "JOG yaw -20");
     EXPECT(0U, "STRING ACK_5 JOG yaw -20");
-    expect_command(COMMAND_JOG, AXIS_YAW);
+    expect_command(COMMAND_JOG, NEURO_AXIS_YAW);
     answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
     EXPECT_BEGIN(0U, "STATUS ACK_JOG 1 ");
     TEST_ASSERT_TRUE(workphase_dialect_has_order(&dialect, 0U));
     answer_to(&command, ANSWER_DONE, STATUS_OK, 1U);
     EXPECT_BEGIN(0U, "STATUS JOG 1 ");
     say(0U, "Text", "JOG_BY yaw 1");
-    expect_command(COMMAND_JOG_BY, AXIS_YAW);
+    expect_command(COMMAND_JOG_BY, NEURO_AXIS_YAW);
     answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
     EXPECT_BEGIN(0U, "STATUS ACK_JOG_BY 1 ");
     TEST_ASSERT_TRUE(workphase_dialect_has_order(&dialect, 0U));
@@ -85,7 +85,7 @@ void test_SWR_FLOW_005_it_is_told_that_it_is_armed_and_how_it_has_ended(void)
     EXPECT_BEGIN(0U, "STATUS JOG_BY 18 ");
     TEST_ASSERT_FALSE(workphase_dialect_has_order(&dialect, 0U));
     say(0U, "Text", "JOG_BY yaw 90");
-    expect_command(COMMAND_JOG_BY, AXIS_YAW);
+    expect_command(COMMAND_JOG_BY, NEURO_AXIS_YAW);
     answer_to(&command, ANSWER_REFUSED, STATUS_AXIS_LIMIT, 1U);
     EXPECT_BEGIN(0U, "STATUS JOG_BY 10 ");
     EXPECT(0U, "");

@@ -57,10 +57,10 @@ void tearDown(void)
 void test_SWR_SWEEP_013_an_axis_and_that_it_is_free_become_a_command(void)
 {
     say(0U, "Text", "SWEEP rotation FREE");
-    expect_command(COMMAND_SWEEP, AXIS_ROTATION);
+    expect_command(COMMAND_SWEEP, NEURO_AXIS_ROTATION);
     TEST_ASSERT_EQUAL_INT32(1, command.value);
     say(0U, "Text", "SWEEP rotation");
-    expect_command(COMMAND_SWEEP, AXIS_ROTATION);
+    expect_command(COMMAND_SWEEP, NEURO_AXIS_ROTATION);
     TEST_ASSERT_EQUAL_INT32(0, command.value);
     expect_no_command();
 }
@@ -69,14 +69,14 @@ void test_SWR_SWEEP_013_it_is_told_that_it_is_armed_and_how_it_has_ended(void)
 {
     say(0U, "CMD_5", "SWEEP rotation FREE");
     EXPECT(0U, "STRING ACK_5 SWEEP rotation FREE");
-    expect_command(COMMAND_SWEEP, AXIS_ROTATION);
+    expect_command(COMMAND_SWEEP, NEURO_AXIS_ROTATION);
     answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
     EXPECT_BEGIN(0U, "STATUS ACK_SWEEP 1 ");
     TEST_ASSERT_TRUE(workphase_dialect_has_order(&dialect, 0U));
     answer_to(&command, ANSWER_DONE, STATUS_OK, 1U);
     EXPECT_BEGIN(0U, "STATUS SWEEP 1 ");
     say(0U, "Text", "SWEEP rotation");
-    expect_command(COMMAND_SWEEP, AXIS_ROTATION);
+    expect_command(COMMAND_SWEEP, NEURO_AXIS_ROTATION);
     answer_to(&command, ANSWER_REFUSED, STATUS_NOT_FREE, 1U);
     EXPECT_BEGIN(0U, "STATUS SWEEP ");
 }

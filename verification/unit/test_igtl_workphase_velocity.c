@@ -43,7 +43,7 @@
 #include <math.h>
 #include <string.h>
 
-#define YAW (1UL << AXIS_YAW)
+#define YAW (1UL << NEURO_AXIS_YAW)
 
 void setUp(void)
 {
@@ -58,10 +58,10 @@ void tearDown(void)
 void test_SWR_VEL_014_axes_speeds_and_seconds_become_a_command(void)
 {
     say(0U, "Text", "VELOCITY yaw -59.9745 head 2.5 1.25");
-    expect_command(COMMAND_VELOCITY, YAW | (1UL << AXIS_HEAD));
-    TEST_ASSERT_EQUAL_INT32(-833, command.ticks[AXIS_YAW]);
-    TEST_ASSERT_EQUAL_INT32(197, command.ticks[AXIS_HEAD]);
-    TEST_ASSERT_EQUAL_INT32(0, command.ticks[AXIS_FEET]);
+    expect_command(COMMAND_VELOCITY, YAW | (1UL << NEURO_AXIS_HEAD));
+    TEST_ASSERT_EQUAL_INT32(-833, command.ticks[NEURO_AXIS_YAW]);
+    TEST_ASSERT_EQUAL_INT32(197, command.ticks[NEURO_AXIS_HEAD]);
+    TEST_ASSERT_EQUAL_INT32(0, command.ticks[NEURO_AXIS_FEET]);
     TEST_ASSERT_EQUAL_INT32(1250, command.value);
     expect_no_command();
 }
@@ -70,7 +70,7 @@ void test_SWR_VEL_014_the_word_may_be_the_name_of_the_string(void)
 {
     say(0U, "VELOCITY", "  yaw  -1.2e1   2 ");
     expect_command(COMMAND_VELOCITY, YAW);
-    TEST_ASSERT_EQUAL_INT32(-167, command.ticks[AXIS_YAW]);
+    TEST_ASSERT_EQUAL_INT32(-167, command.ticks[NEURO_AXIS_YAW]);
     TEST_ASSERT_EQUAL_INT32(2000, command.value);
 }
 

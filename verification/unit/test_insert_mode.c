@@ -28,7 +28,7 @@ void setUp(void)
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         world_put(i, move.target_ticks[i]);
     }
-    world_put(AXIS_INSERTION, 1000);
+    world_put(NEURO_AXIS_INSERTION, 1000);
 }
 
 void tearDown(void)
@@ -69,7 +69,7 @@ void test_SWR_ALIGN_004_each_axis_but_the_needle_must_stand_at_the_target(void)
     for (int32_t side = -1; side <= 1; side += 2) {
         for (uint32_t axis = 0U; axis < robot.axis_count; axis++) {
             const int32_t slack = robot.axes[axis].deadband_ticks + 2;
-            const bool is_needle = axis == (uint32_t)AXIS_INSERTION;
+            const bool is_needle = axis == (uint32_t)NEURO_AXIS_INSERTION;
             world_put(axis, move.target_ticks[axis] + (side * slack));
             TEST_ASSERT_EQUAL(STATUS_OK, insert_mode_judge(&move, &robot, axes));
             world_put(axis, move.target_ticks[axis] + (side * (slack + 1)));
@@ -82,7 +82,7 @@ void test_SWR_ALIGN_004_each_axis_but_the_needle_must_stand_at_the_target(void)
 
 void test_SWR_ALIGN_005_it_does_not_begin_beside_the_line(void)
 {
-    world_put(AXIS_YAW, move.target_ticks[AXIS_YAW] + 3);
+    world_put(NEURO_AXIS_YAW, move.target_ticks[NEURO_AXIS_YAW] + 3);
     steps(1U);
     expect_given_up();
 }
@@ -90,13 +90,13 @@ void test_SWR_ALIGN_005_it_does_not_begin_beside_the_line(void)
 void test_SWR_ALIGN_005_it_does_not_go_on_beside_the_line_nor_draw_the_needle_out(void)
 {
     steps(200U);
-    const int32_t depth = axes[AXIS_INSERTION].encoder.position_ticks;
+    const int32_t depth = axes[NEURO_AXIS_INSERTION].encoder.position_ticks;
     TEST_ASSERT_GREATER_THAN_INT32(1000, depth);
     leg_stop(&leg);
-    world_put(AXIS_YAW, move.target_ticks[AXIS_YAW] - 3);
+    world_put(NEURO_AXIS_YAW, move.target_ticks[NEURO_AXIS_YAW] - 3);
     steps(10U);
     expect_given_up();
-    TEST_ASSERT_EQUAL_INT32(depth, axes[AXIS_INSERTION].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(depth, axes[NEURO_AXIS_INSERTION].encoder.position_ticks);
 }
 
 void test_SWR_ALIGN_005_it_goes_on_after_a_pause_while_the_base_is_aligned(void)

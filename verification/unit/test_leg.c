@@ -58,16 +58,16 @@ void test_SWR_DEMO_001_every_axis_arrives_and_then_rests(void)
 /* Also where it is pushed: it is not brought back. */
 void test_SWR_JOG_004_an_axis_that_is_not_of_the_leg_is_left_alone(void)
 {
-    leg_begin(&leg, &frame, LEG_AXIS(AXIS_HEAD) | LEG_AXIS(AXIS_YAW), ends);
-    world_put(AXIS_FEET, -77);
+    leg_begin(&leg, &frame, LEG_AXIS(NEURO_AXIS_HEAD) | LEG_AXIS(NEURO_AXIS_YAW), ends);
+    world_put(NEURO_AXIS_FEET, -77);
     while (!leg_step(&leg, &frame, &result)) {
-        TEST_ASSERT_TRUE(world_rests(AXIS_FEET));
-        TEST_ASSERT_TRUE(world_rests(AXIS_LATERAL));
+        TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_FEET));
+        TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_LATERAL));
         world_follow();
     }
-    TEST_ASSERT_EQUAL_INT32(ends[AXIS_HEAD], axes[AXIS_HEAD].encoder.position_ticks);
-    TEST_ASSERT_EQUAL_INT32(ends[AXIS_YAW], axes[AXIS_YAW].encoder.position_ticks);
-    TEST_ASSERT_EQUAL_INT32(-77, axes[AXIS_FEET].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(ends[NEURO_AXIS_HEAD], axes[NEURO_AXIS_HEAD].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(ends[NEURO_AXIS_YAW], axes[NEURO_AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(-77, axes[NEURO_AXIS_FEET].encoder.position_ticks);
 }
 
 void test_SWR_MOTION_006_it_has_arrived_after_fifty_cycles_at_its_end(void)
@@ -87,14 +87,14 @@ void test_SWR_MOTION_006_cycles_at_the_end_count_only_in_a_row(void)
     for (uint32_t i = 0U; i < 49U; i++) {
         TEST_ASSERT_FALSE(leg_step(&leg, &frame, &result));
     }
-    world_put(AXIS_PITCH, robot.axes[AXIS_PITCH].deadband_ticks + 1);
+    world_put(NEURO_AXIS_PITCH, robot.axes[NEURO_AXIS_PITCH].deadband_ticks + 1);
     TEST_ASSERT_FALSE(leg_step(&leg, &frame, &result));
     TEST_ASSERT_EQUAL_UINT32(0U, leg.settled_cycles);
 }
 
 void test_SWR_PERMIT_005_the_slowest_cap_of_its_axes_is_not_exceeded(void)
 {
-    frame.speed_cap_percent[AXIS_LATERAL] = LIMIT_UNHOMED_SPEED_PERCENT;
+    frame.speed_cap_percent[NEURO_AXIS_LATERAL] = LIMIT_UNHOMED_SPEED_PERCENT;
     leg_begin(&leg, &frame, LEG_EVERY_AXIS, ends);
     while (!leg_step(&leg, &frame, &result)) {
         for (uint32_t i = 0U; i < robot.axis_count; i++) {
@@ -108,33 +108,33 @@ void test_SWR_PERMIT_005_the_slowest_cap_of_its_axes_is_not_exceeded(void)
 
 void test_SWR_AXIS_006_the_cap_of_an_axis_that_it_does_not_drive_does_not_count(void)
 {
-    ends[AXIS_HEAD] = 3000;
-    const uint32_t fast = run(LEG_AXIS(AXIS_HEAD));
-    world_put(AXIS_HEAD, 0);
-    frame.speed_cap_percent[AXIS_FEET] = LIMIT_UNHOMED_SPEED_PERCENT;
-    TEST_ASSERT_EQUAL_UINT32(fast, run(LEG_AXIS(AXIS_HEAD)));
-    world_put(AXIS_HEAD, 0);
-    frame.speed_cap_percent[AXIS_HEAD] = LIMIT_UNHOMED_SPEED_PERCENT;
-    TEST_ASSERT_GREATER_THAN_UINT32(3U * fast, run(LEG_AXIS(AXIS_HEAD)));
+    ends[NEURO_AXIS_HEAD] = 3000;
+    const uint32_t fast = run(LEG_AXIS(NEURO_AXIS_HEAD));
+    world_put(NEURO_AXIS_HEAD, 0);
+    frame.speed_cap_percent[NEURO_AXIS_FEET] = LIMIT_UNHOMED_SPEED_PERCENT;
+    TEST_ASSERT_EQUAL_UINT32(fast, run(LEG_AXIS(NEURO_AXIS_HEAD)));
+    world_put(NEURO_AXIS_HEAD, 0);
+    frame.speed_cap_percent[NEURO_AXIS_HEAD] = LIMIT_UNHOMED_SPEED_PERCENT;
+    TEST_ASSERT_GREATER_THAN_UINT32(3U * fast, run(LEG_AXIS(NEURO_AXIS_HEAD)));
 }
 
 void test_SWR_MOTION_005_a_leg_that_does_not_end_fails_for_the_axis_that_is_astray(void)
 {
     uint32_t over = 0U;
-    ends[AXIS_PITCH] = 40;
+    ends[NEURO_AXIS_PITCH] = 40;
     leg_begin(&leg, &frame, LEG_EVERY_AXIS, ends);
     while (result.progress == MODE_RUNNING) {
         TEST_ASSERT_FALSE(leg_step(&leg, &frame, &result));
         over += profile_is_finished(&leg.profile) ? 1U : 0U;
-        world_follow_but(AXIS_PITCH);
+        world_follow_but(NEURO_AXIS_PITCH);
     }
     TEST_ASSERT_EQUAL_UINT32(OVERTIME_CYCLES, over);
     TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
     TEST_ASSERT_EQUAL(STATUS_FAULT_PRESENT, result.status);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_PITCH, result.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_PITCH, result.axis);
     TEST_ASSERT_EQUAL_UINT32(1U, result.note_count);
     TEST_ASSERT_EQUAL(EVENT_ORDER_OVERDUE, result.notes[0].id);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_PITCH, result.notes[0].axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_PITCH, result.notes[0].axis);
     TEST_ASSERT_EQUAL_INT32(40, result.notes[0].value);
 }
 
@@ -152,6 +152,6 @@ void test_SWR_PEDAL_005_a_leg_that_was_stopped_begins_anew_from_where_the_axes_a
         TEST_ASSERT_EQUAL_INT32(axes[i].encoder.position_ticks, leg.profile.start_ticks[i]);
     }
     (void)leg_step(&leg, &frame, &result);
-    TEST_ASSERT_INT32_WITHIN(robot.axes[AXIS_HEAD].acceleration_ticks_per_s2 * 256 / 1000, 0,
-                             axes[AXIS_HEAD].setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_INT32_WITHIN(robot.axes[NEURO_AXIS_HEAD].acceleration_ticks_per_s2 * 256 / 1000, 0,
+                             axes[NEURO_AXIS_HEAD].setpoint_speed_ticks_per_s_q8);
 }

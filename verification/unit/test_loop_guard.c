@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: every interval above the limit counts as an overrun; three more than the punctual
- * ones stop motion until a reset.
+ * Rule under test: every interval above the limit counts as an overrun; three more than the
+ * punctual ones stop motion until a reset.
  */
 #include "unity.h"
 

@@ -34,8 +34,8 @@
 #include <string.h>
 
 static mode_state_t mode;
-static const mode_request_t request = {.axes = LEG_AXIS(AXIS_YAW),
-                                       .way = {.axis = AXIS_YAW, .end_ticks = 200},
+static const mode_request_t request = {.axes = LEG_AXIS(NEURO_AXIS_YAW),
+                                       .way = {.axis = NEURO_AXIS_YAW, .end_ticks = 200},
                                        .move = {{-400, 150, -200, 0, 500, 30, -60}}};
 
 void setUp(void)
@@ -125,16 +125,16 @@ void test_SWR_MODE_001_each_mode_is_armed_by_its_command(void)
 
 void test_SWR_MODE_002_a_mode_needs_all_axes_the_commanded_ones_or_that_of_the_needle(void)
 {
-    const uint32_t two = LEG_AXIS(AXIS_HEAD) | LEG_AXIS(AXIS_PITCH);
+    const uint32_t two = LEG_AXIS(NEURO_AXIS_HEAD) | LEG_AXIS(NEURO_AXIS_PITCH);
     TEST_ASSERT_EQUAL_HEX32(LEG_EVERY_AXIS, mode_axes(MODE_HOMING, two, &robot));
     TEST_ASSERT_EQUAL_HEX32(LEG_EVERY_AXIS, mode_axes(MODE_MOVE, two, &robot));
     TEST_ASSERT_EQUAL_HEX32(two, mode_axes(MODE_JOG, two, &robot));
     TEST_ASSERT_EQUAL_HEX32(two, mode_axes(MODE_VELOCITY, two, &robot));
     TEST_ASSERT_EQUAL_HEX32(two, mode_axes(MODE_HOME_AXIS, two, &robot));
-    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(AXIS_INSERTION), mode_axes(MODE_RETRACT, two, &robot));
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_INSERTION), mode_axes(MODE_RETRACT, two, &robot));
     begin(MODE_JOG, WORKPHASE_MANUAL);
-    TEST_ASSERT_TRUE(mode_needs(&mode, AXIS_YAW));
-    TEST_ASSERT_FALSE(mode_needs(&mode, AXIS_HEAD));
+    TEST_ASSERT_TRUE(mode_needs(&mode, NEURO_AXIS_YAW));
+    TEST_ASSERT_FALSE(mode_needs(&mode, NEURO_AXIS_HEAD));
 }
 
 void test_SWR_MEMORY_006_a_mode_that_there_is_not_is_none(void)
@@ -168,25 +168,25 @@ static bool heeds(mode_kind_t kind, uint32_t axis, bool is_driven)
 void test_SWR_JOG_001_the_jogged_axis_heeds_the_needle(void)
 {
     mode_begin(&mode, MODE_JOG, &request);
-    TEST_ASSERT_TRUE(heeds(MODE_JOG, AXIS_YAW, true));
-    TEST_ASSERT_TRUE(heeds(MODE_JOG, AXIS_YAW, false));
-    TEST_ASSERT_FALSE(heeds(MODE_JOG, AXIS_LATERAL, true));
+    TEST_ASSERT_TRUE(heeds(MODE_JOG, NEURO_AXIS_YAW, true));
+    TEST_ASSERT_TRUE(heeds(MODE_JOG, NEURO_AXIS_YAW, false));
+    TEST_ASSERT_FALSE(heeds(MODE_JOG, NEURO_AXIS_LATERAL, true));
 }
 
 void test_SWR_JOG_016_whatever_homes_across_the_needle_heeds_it(void)
 {
-    TEST_ASSERT_TRUE(heeds(MODE_HOMING, AXIS_LATERAL, true));
-    TEST_ASSERT_FALSE(heeds(MODE_HOMING, AXIS_LATERAL, false));
-    TEST_ASSERT_FALSE(heeds(MODE_HOMING, AXIS_INSERTION, true));
-    TEST_ASSERT_TRUE(heeds(MODE_HOME_AXIS, AXIS_LATERAL, true));
-    TEST_ASSERT_FALSE(heeds(MODE_HOME_AXIS, AXIS_INSERTION, true));
-    TEST_ASSERT_FALSE(heeds(MODE_HOMING, AXIS_ROTATION, true));
+    TEST_ASSERT_TRUE(heeds(MODE_HOMING, NEURO_AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_HOMING, NEURO_AXIS_LATERAL, false));
+    TEST_ASSERT_FALSE(heeds(MODE_HOMING, NEURO_AXIS_INSERTION, true));
+    TEST_ASSERT_TRUE(heeds(MODE_HOME_AXIS, NEURO_AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_HOME_AXIS, NEURO_AXIS_INSERTION, true));
+    TEST_ASSERT_FALSE(heeds(MODE_HOMING, NEURO_AXIS_ROTATION, true));
 }
 
 void test_SWR_JOG_001_a_move_takes_the_needle_out_itself(void)
 {
-    TEST_ASSERT_FALSE(heeds(MODE_MOVE, AXIS_LATERAL, true));
-    TEST_ASSERT_FALSE(heeds(MODE_NONE, AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_MOVE, NEURO_AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_NONE, NEURO_AXIS_LATERAL, true));
 }
 
 /* So nothing drives it deeper from where nobody knows, whatever the mode says. */
@@ -194,8 +194,8 @@ void test_SWR_JOG_003_a_needle_that_is_drawn_out_heeds_itself(void)
 {
     const mode_request_t needle = {.axes = mode_axes(MODE_RETRACT, 0U, &robot)};
     mode_begin(&mode, MODE_RETRACT, &needle);
-    TEST_ASSERT_TRUE(heeds(MODE_RETRACT, AXIS_INSERTION, true));
-    TEST_ASSERT_FALSE(heeds(MODE_RETRACT, AXIS_LATERAL, true));
+    TEST_ASSERT_TRUE(heeds(MODE_RETRACT, NEURO_AXIS_INSERTION, true));
+    TEST_ASSERT_FALSE(heeds(MODE_RETRACT, NEURO_AXIS_LATERAL, true));
 }
 
 void test_SWR_JOG_002_a_motion_of_one_axis_is_judged_before_it_is_armed_and_nothing_else_is(void)
@@ -214,7 +214,7 @@ void test_SWR_ALIGN_004_an_insertion_and_a_pose_are_judged_before_they_are_armed
     TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_ALIGN, &request, &robot, axes).status);
     TEST_ASSERT_EQUAL(STATUS_NOT_ALIGNED, mode_judge(MODE_INSERT, &request, &robot, axes).status);
     TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_POSE, &request, &robot, axes).status);
-    world_put(AXIS_INSERTION, 30000);
+    world_put(NEURO_AXIS_INSERTION, 30000);
     TEST_ASSERT_EQUAL(STATUS_NEEDLE_IN, mode_judge(MODE_POSE, &request, &robot, axes).status);
 }
 
@@ -227,31 +227,31 @@ void test_SWR_ALIGN_001_an_alignment_and_then_an_insertion_run_to_their_ends(voi
     TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_INSERT, &request, &robot, axes).status);
     run();
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
-    TEST_ASSERT_EQUAL_INT32(-60, axes[AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(-60, axes[NEURO_AXIS_YAW].encoder.position_ticks);
 }
 
 void test_SWR_POSE_001_a_pose_runs_to_its_end_and_heeds_the_needle(void)
 {
-    world_put(AXIS_INSERTION, 7);
+    world_put(NEURO_AXIS_INSERTION, 7);
     begin(MODE_POSE, WORKPHASE_MANUAL);
     run();
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
-    TEST_ASSERT_EQUAL_INT32(-60, axes[AXIS_YAW].encoder.position_ticks);
-    TEST_ASSERT_EQUAL_INT32(7, axes[AXIS_INSERTION].encoder.position_ticks);
-    TEST_ASSERT_TRUE(heeds(MODE_POSE, AXIS_LATERAL, true));
-    TEST_ASSERT_FALSE(heeds(MODE_POSE, AXIS_ROTATION, true));
+    TEST_ASSERT_EQUAL_INT32(-60, axes[NEURO_AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(7, axes[NEURO_AXIS_INSERTION].encoder.position_ticks);
+    TEST_ASSERT_TRUE(heeds(MODE_POSE, NEURO_AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_POSE, NEURO_AXIS_ROTATION, true));
 }
 
 void test_SWR_AXIS_034_the_homing_of_one_axis_is_done_once_it_is_homed_and_another_lost(void)
 {
     begin(MODE_HOME_AXIS, WORKPHASE_MANUAL);
-    world_lose(AXIS_YAW);
-    world_lose(AXIS_LATERAL);
+    world_lose(NEURO_AXIS_YAW);
+    world_lose(NEURO_AXIS_LATERAL);
     steps(1U);
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
-    TEST_ASSERT_TRUE(axis_is_homing(&axes[AXIS_YAW]));
-    TEST_ASSERT_FALSE(axis_is_homing(&axes[AXIS_LATERAL]));
-    world_grade(AXIS_YAW, AXIS_REFERENCE_VERIFIED);
+    TEST_ASSERT_TRUE(axis_is_homing(&axes[NEURO_AXIS_YAW]));
+    TEST_ASSERT_FALSE(axis_is_homing(&axes[NEURO_AXIS_LATERAL]));
+    world_grade(NEURO_AXIS_YAW, AXIS_REFERENCE_VERIFIED);
     steps(1U);
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
     expect_rest();
@@ -267,13 +267,13 @@ void test_SWR_PEDAL_005_without_the_pedal_every_mode_rests_and_goes_on_from_ther
     expect_rest();
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
     frame.is_moving = true;
-    const int32_t there = axes[AXIS_HEAD].encoder.position_ticks;
+    const int32_t there = axes[NEURO_AXIS_HEAD].encoder.position_ticks;
     TEST_ASSERT_INT32_WITHIN(390, -200, there);
     steps(1U);
-    TEST_ASSERT_EQUAL_INT32(there, mode.leg.profile.start_ticks[AXIS_HEAD]);
+    TEST_ASSERT_EQUAL_INT32(there, mode.leg.profile.start_ticks[NEURO_AXIS_HEAD]);
     run();
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
-    TEST_ASSERT_EQUAL_INT32(-400, axes[AXIS_HEAD].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(-400, axes[NEURO_AXIS_HEAD].encoder.position_ticks);
     expect_rest();
 }
 
@@ -282,15 +282,15 @@ void test_SWR_JOG_004_a_jog_runs_to_its_end(void)
     begin(MODE_JOG, WORKPHASE_MANUAL);
     run();
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
-    TEST_ASSERT_EQUAL_INT32(200, axes[AXIS_YAW].encoder.position_ticks);
-    TEST_ASSERT_EQUAL_INT32(0, axes[AXIS_HEAD].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(200, axes[NEURO_AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_HEAD].encoder.position_ticks);
 }
 
 void test_SWR_MOTION_023_a_needle_that_is_out_is_retracted_already_even_without_the_pedal(void)
 {
     begin(MODE_RETRACT, WORKPHASE_MOVE_TO_TARGET);
     frame.is_moving = false;
-    world_put(AXIS_INSERTION, 30000);
+    world_put(NEURO_AXIS_INSERTION, 30000);
     steps(1U);
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
     expect_rest();
@@ -315,7 +315,7 @@ void test_SWR_AXIS_006_homing_is_done_once_every_axis_is_homed_even_without_the_
     steps(1U);
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
     expect_rest();
-    world_lose(AXIS_LATERAL);
+    world_lose(NEURO_AXIS_LATERAL);
     frame.is_moving = false;
     steps(1U);
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
@@ -323,7 +323,7 @@ void test_SWR_AXIS_006_homing_is_done_once_every_axis_is_homed_even_without_the_
     frame.is_moving = true;
     steps(1U);
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
-    TEST_ASSERT_TRUE(axis_is_homing(&axes[AXIS_LATERAL]));
+    TEST_ASSERT_TRUE(axis_is_homing(&axes[NEURO_AXIS_LATERAL]));
 }
 
 void test_SWR_MEMORY_002_an_armed_motion_that_is_not_known_any_more_fails_at_rest(void)
@@ -340,14 +340,14 @@ void test_SWR_MEMORY_002_an_armed_motion_that_is_not_known_any_more_fails_at_res
 
 void test_SWR_PHASE_005_what_was_given_up_homes_no_axis_and_runs_no_leg(void)
 {
-    world_lose(AXIS_LATERAL);
+    world_lose(NEURO_AXIS_LATERAL);
     begin(MODE_HOMING, WORKPHASE_START_UP);
     steps(1U);
-    TEST_ASSERT_TRUE(axis_is_homing(&axes[AXIS_LATERAL]));
+    TEST_ASSERT_TRUE(axis_is_homing(&axes[NEURO_AXIS_LATERAL]));
     mode.leg.is_running = 1U;
     mode.leg.settled_cycles = 3U;
     mode_stop(&mode, axes, robot.axis_count);
-    TEST_ASSERT_FALSE(axis_is_homing(&axes[AXIS_LATERAL]));
+    TEST_ASSERT_FALSE(axis_is_homing(&axes[NEURO_AXIS_LATERAL]));
     TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.is_running);
     TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.settled_cycles);
 }
@@ -359,7 +359,7 @@ void test_SWR_PHASE_005_a_mode_that_is_begun_does_not_go_on_with_the_leg_of_anot
     begin(MODE_JOG, WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.is_running);
     steps(1U);
-    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(AXIS_YAW), mode.leg.axes);
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_YAW), mode.leg.axes);
 }
 
 void test_SWR_EVENT_001_a_mode_notes_in_order_and_one_note_too_many_is_dropped(void)
@@ -368,7 +368,7 @@ void test_SWR_EVENT_001_a_mode_notes_in_order_and_one_note_too_many_is_dropped(v
         mode_note(&result, EVENT_AXIS_TAKEN, i, (int32_t)i);
         TEST_ASSERT_EQUAL_INT32(i, result.notes[i].value);
     }
-    mode_fail(&result, EVENT_HOMING_BARRED, AXIS_HEAD, 0);
+    mode_fail(&result, EVENT_HOMING_BARRED, NEURO_AXIS_HEAD, 0);
     TEST_ASSERT_EQUAL_UINT32(MODE_NOTES, result.note_count);
     TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
 }
@@ -401,12 +401,12 @@ void test_SWR_TRAJ_011_without_the_pedal_the_time_of_a_trajectory_stands(void)
 /* One step, where the axes stand. */
 static void begin_program(program_list_t *list)
 {
-    const program_step_t there = {.depth_ticks = robot.axes[AXIS_INSERTION].target_minimum_ticks,
-                                  .dwell_ms = 400U};
+    const program_step_t there = {
+        .depth_ticks = robot.axes[NEURO_AXIS_INSERTION].target_minimum_ticks, .dwell_ms = 400U};
     mode_request_t asked = {.axes = LEG_EVERY_AXIS};
     (void)memcpy(asked.move.target_ticks, robot.poses[POSE_HOME].ticks,
                  sizeof asked.move.target_ticks);
-    asked.move.target_ticks[AXIS_INSERTION] = there.depth_ticks;
+    asked.move.target_ticks[NEURO_AXIS_INSERTION] = there.depth_ticks;
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         world_put(i, asked.move.target_ticks[i]);
     }

@@ -19,7 +19,7 @@ static const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U, 0U};
 
 void setUp(void)
 {
-    config = robot_prostate.axes[AXIS_ROTATION];
+    config = robot_prostate.axes[PROSTATE_AXIS_ROTATION];
 }
 
 void tearDown(void)
@@ -114,7 +114,7 @@ void test_SWR_DRIVE_015_what_was_meant_is_found_again(void)
 
 void test_SWR_DRIVE_015_a_drive_that_is_off_or_without_waves_is_sent_as_it_is(void)
 {
-    const axis_config_t *const insertion = &robot_prostate.axes[AXIS_INSERTION];
+    const axis_config_t *const insertion = &robot_prostate.axes[PROSTATE_AXIS_INSERTION];
     const motor_heat_t heat = motor_heat_of(&config, WARM_DC);
     const motor_heat_t other = motor_heat_of(insertion, WARM_DC);
     const card_drive_t pwm = {CARD_DRIVE_PWM, 1U, insertion->minimum_duty, 0U};

@@ -72,7 +72,7 @@ void test_SWR_AXIS_019_the_model_goes_where_the_motor_goes(void)
 
 void test_SWR_AXIS_019_a_reversal_without_rest_begins_anew(void)
 {
-    const axis_config_t *const config = &robot_neuro.axes[AXIS_PITCH];
+    const axis_config_t *const config = &robot_neuro.axes[NEURO_AXIS_PITCH];
     start(config);
     run(config, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U, 0U}, 100U);
     const int64_t way_q16 = motor_model_step_q16(
@@ -86,7 +86,7 @@ void test_SWR_AXIS_019_a_reversal_without_rest_begins_anew(void)
 
 void test_SWR_AXIS_019_the_model_loses_speed_faster_than_it_gains_it(void)
 {
-    const axis_config_t *const config = &robot_neuro.axes[AXIS_INSERTION];
+    const axis_config_t *const config = &robot_neuro.axes[NEURO_AXIS_INSERTION];
     const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
     for (uint32_t direction = 0U; direction <= 1U; direction++) {
         const card_drive_t fast = {CARD_DRIVE_PWM, direction, config->maximum_duty, 0U};
@@ -103,7 +103,7 @@ void test_SWR_AXIS_019_the_model_loses_speed_faster_than_it_gains_it(void)
 
 void test_SWR_AXIS_019_the_model_goes_where_a_slowed_motor_goes(void)
 {
-    const axis_config_t *const config = &robot_neuro.axes[AXIS_INSERTION];
+    const axis_config_t *const config = &robot_neuro.axes[NEURO_AXIS_INSERTION];
     start(config);
     for (uint32_t i = 0U; i < 20U; i++) {
         run(config, (card_drive_t){CARD_DRIVE_PWM, 1U, config->maximum_duty, 0U}, 30U);
@@ -114,7 +114,7 @@ void test_SWR_AXIS_019_the_model_goes_where_a_slowed_motor_goes(void)
 
 void test_SWR_AXIS_019_a_late_cycle_ends_at_the_steady_speed(void)
 {
-    const axis_config_t *const config = &robot_neuro.axes[AXIS_PITCH];
+    const axis_config_t *const config = &robot_neuro.axes[NEURO_AXIS_PITCH];
     start(config);
     (void)motor_model_step_q16(&model, config, &(card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U, 0U},
                                1000000U);
@@ -124,7 +124,7 @@ void test_SWR_AXIS_019_a_late_cycle_ends_at_the_steady_speed(void)
 
 void test_SWR_MOTION_004_the_word_for_a_speed_settles_to_it(void)
 {
-    const axis_config_t *const config = &robot_neuro.axes[AXIS_INSERTION];
+    const axis_config_t *const config = &robot_neuro.axes[NEURO_AXIS_INSERTION];
     for (int32_t percent = 10; percent <= 100; percent += 5) {
         const int64_t speed_q8 = (int64_t)config->full_speed_ticks_per_s * 256 * percent / 100;
         start(config);
@@ -136,7 +136,7 @@ void test_SWR_MOTION_004_the_word_for_a_speed_settles_to_it(void)
 
 void test_SWR_MOTION_022_the_model_goes_where_a_motor_with_magnitudes_but_without_pwm_goes(void)
 {
-    axis_config_t config = robot_neuro.axes[AXIS_PITCH];
+    axis_config_t config = robot_neuro.axes[NEURO_AXIS_PITCH];
     config.minimum_duty = 6144U;
     config.maximum_duty = 61439U;
     for (int32_t percent = 10; percent <= 100; percent += 30) {
@@ -151,7 +151,7 @@ void test_SWR_MOTION_022_the_model_goes_where_a_motor_with_magnitudes_but_withou
 
 void test_SWR_AXIS_007_the_word_for_a_speed_stays_between_the_smallest_and_the_largest(void)
 {
-    const axis_config_t *const config = &robot_neuro.axes[AXIS_INSERTION];
+    const axis_config_t *const config = &robot_neuro.axes[NEURO_AXIS_INSERTION];
     const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
     TEST_ASSERT_EQUAL_UINT32(config->minimum_duty, motor_model_duty(config, 0));
     TEST_ASSERT_EQUAL_UINT32(config->maximum_duty, motor_model_duty(config, 2 * full_q8));

@@ -46,7 +46,7 @@ static void run_leg(void)
 static void expect_base_at(const int32_t ticks[ROBOT_AXIS_MAX])
 {
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
-        if (i != (uint32_t)AXIS_INSERTION) {
+        if (i != (uint32_t)NEURO_AXIS_INSERTION) {
             TEST_ASSERT_EQUAL_INT32(ticks[i], axes[i].encoder.position_ticks);
         }
     }
@@ -54,13 +54,13 @@ static void expect_base_at(const int32_t ticks[ROBOT_AXIS_MAX])
 
 static void expect_needle_at(int32_t ticks)
 {
-    TEST_ASSERT_EQUAL_INT32(ticks, axes[AXIS_INSERTION].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(ticks, axes[NEURO_AXIS_INSERTION].encoder.position_ticks);
 }
 
 void test_SWR_MOTION_002_retract_align_insert(void)
 {
     static const int32_t start[ROBOT_AXIS_MAX] = {0};
-    world_put(AXIS_INSERTION, 30000);
+    world_put(NEURO_AXIS_INSERTION, 30000);
     run_leg();
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
     expect_base_at(start);
@@ -78,7 +78,7 @@ void test_SWR_MOTION_002_retract_align_insert(void)
 
 void test_SWR_MOTION_002_a_needle_that_is_out_stays_where_it_is_while_the_base_is_aligned(void)
 {
-    world_put(AXIS_INSERTION, needle_out_ticks(&robot));
+    world_put(NEURO_AXIS_INSERTION, needle_out_ticks(&robot));
     run_leg();
     expect_base_at(move.target_ticks);
     expect_needle_at(needle_out_ticks(&robot));
@@ -91,8 +91,8 @@ void test_SWR_MOTION_002_only_the_needle_goes_where_the_base_is_aligned(void)
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         world_put(i, move.target_ticks[i]);
     }
-    world_put(AXIS_INSERTION, DEEP_TICKS - 5000);
-    world_put(AXIS_HEAD, move.target_ticks[AXIS_HEAD] + 2);
+    world_put(NEURO_AXIS_INSERTION, DEEP_TICKS - 5000);
+    world_put(NEURO_AXIS_HEAD, move.target_ticks[NEURO_AXIS_HEAD] + 2);
     run_leg();
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
     expect_needle_at(DEEP_TICKS);
@@ -112,8 +112,9 @@ void test_SWR_MOTION_002_an_axis_that_is_not_aligned_lets_the_needle_be_retracte
             world_put(axis,
                       move.target_ticks[axis] + (side * (robot.axes[axis].deadband_ticks + 3)));
             run_leg();
-            expect_needle_at((axis == (uint32_t)AXIS_INSERTION) ? DEEP_TICKS
-                                                                : needle_retracted_ticks(&robot));
+            expect_needle_at((axis == (uint32_t)NEURO_AXIS_INSERTION)
+                                 ? DEEP_TICKS
+                                 : needle_retracted_ticks(&robot));
         }
     }
 }
@@ -123,9 +124,9 @@ void test_SWR_MOTION_005_a_move_that_is_held_fails(void)
     while (result.progress == MODE_RUNNING) {
         mode_clear(&result);
         move_mode_step(&move, &leg, &frame, &result);
-        world_follow_but(AXIS_YAW);
+        world_follow_but(NEURO_AXIS_YAW);
     }
     TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_YAW, result.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, result.axis);
     TEST_ASSERT_EQUAL_INT32(-60, result.notes[0].value);
 }

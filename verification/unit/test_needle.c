@@ -22,7 +22,7 @@ void setUp(void)
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         axis_init(&axes[i]);
     }
-    axes[AXIS_INSERTION].chart.reference = AXIS_REFERENCE_VERIFIED;
+    axes[NEURO_AXIS_INSERTION].chart.reference = AXIS_REFERENCE_VERIFIED;
 }
 
 void tearDown(void)
@@ -37,38 +37,39 @@ static bool forbids(uint32_t axis, bool is_upwards)
 void test_SWR_JOG_001_the_needle_is_out_as_far_as_its_limit(void)
 {
     TEST_ASSERT_EQUAL_INT32(OUT_TICKS, needle_out_ticks(&robot_neuro));
-    axes[AXIS_INSERTION].encoder.position_ticks = OUT_TICKS;
-    TEST_ASSERT_FALSE(forbids(AXIS_LATERAL, true));
-    axes[AXIS_INSERTION].encoder.position_ticks = OUT_TICKS + 1;
-    TEST_ASSERT_TRUE(forbids(AXIS_LATERAL, true));
+    axes[NEURO_AXIS_INSERTION].encoder.position_ticks = OUT_TICKS;
+    TEST_ASSERT_FALSE(forbids(NEURO_AXIS_LATERAL, true));
+    axes[NEURO_AXIS_INSERTION].encoder.position_ticks = OUT_TICKS + 1;
+    TEST_ASSERT_TRUE(forbids(NEURO_AXIS_LATERAL, true));
 }
 
 void test_SWR_JOG_001_a_needle_that_is_not_homed_is_not_known_to_be_out(void)
 {
-    axes[AXIS_INSERTION].chart.reference = AXIS_REFERENCE_LOST;
-    axes[AXIS_INSERTION].limit_switches = CARD_LIMIT_LOWER;
-    TEST_ASSERT_TRUE(forbids(AXIS_LATERAL, true));
+    axes[NEURO_AXIS_INSERTION].chart.reference = AXIS_REFERENCE_LOST;
+    axes[NEURO_AXIS_INSERTION].limit_switches = CARD_LIMIT_LOWER;
+    TEST_ASSERT_TRUE(forbids(NEURO_AXIS_LATERAL, true));
 }
 
 void test_SWR_JOG_001_across_it_nothing_is_jogged_either_way(void)
 {
-    static const uint32_t across[] = {AXIS_HEAD, AXIS_FEET, AXIS_LATERAL, AXIS_PITCH, AXIS_YAW};
+    static const uint32_t across[] = {NEURO_AXIS_HEAD, NEURO_AXIS_FEET, NEURO_AXIS_LATERAL,
+                                      NEURO_AXIS_PITCH, NEURO_AXIS_YAW};
     for (uint32_t i = 0U; i < (sizeof across / sizeof across[0]); i++) {
-        axes[AXIS_INSERTION].encoder.position_ticks = OUT_TICKS;
+        axes[NEURO_AXIS_INSERTION].encoder.position_ticks = OUT_TICKS;
         TEST_ASSERT_FALSE(forbids(across[i], true));
         TEST_ASSERT_FALSE(forbids(across[i], false));
-        axes[AXIS_INSERTION].encoder.position_ticks = OUT_TICKS + 1;
+        axes[NEURO_AXIS_INSERTION].encoder.position_ticks = OUT_TICKS + 1;
         TEST_ASSERT_TRUE(forbids(across[i], true));
         TEST_ASSERT_TRUE(forbids(across[i], false));
     }
-    TEST_ASSERT_FALSE(forbids(AXIS_ROTATION, true));
-    TEST_ASSERT_FALSE(forbids(AXIS_INSERTION, true));
+    TEST_ASSERT_FALSE(forbids(NEURO_AXIS_ROTATION, true));
+    TEST_ASSERT_FALSE(forbids(NEURO_AXIS_INSERTION, true));
 }
 
 void test_SWR_JOG_003_before_homing_the_needle_goes_outwards_only(void)
 {
-    axes[AXIS_INSERTION].chart.reference = AXIS_REFERENCE_LOST;
-    TEST_ASSERT_TRUE(forbids(AXIS_INSERTION, true));
-    TEST_ASSERT_FALSE(forbids(AXIS_INSERTION, false));
-    TEST_ASSERT_FALSE(forbids(AXIS_ROTATION, true));
+    axes[NEURO_AXIS_INSERTION].chart.reference = AXIS_REFERENCE_LOST;
+    TEST_ASSERT_TRUE(forbids(NEURO_AXIS_INSERTION, true));
+    TEST_ASSERT_FALSE(forbids(NEURO_AXIS_INSERTION, false));
+    TEST_ASSERT_FALSE(forbids(NEURO_AXIS_ROTATION, true));
 }

@@ -80,12 +80,12 @@ void test_SWR_PLAN_004_the_way_back_must_return_position_and_direction(void)
     joints_from_ticks(&robot_neuro, home_ticks, &joints);
     neuro_forward(&robot_neuro, &robot_neuro.probe, &joints, &pose);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_confirm(&plan, &robot_neuro, &joints, &pose));
-    joints.value[AXIS_LATERAL] += (int32_t)LIMIT_CLOSURE_NM - 10;
+    joints.value[NEURO_AXIS_LATERAL] += (int32_t)LIMIT_CLOSURE_NM - 10;
     TEST_ASSERT_EQUAL(STATUS_OK, plan_confirm(&plan, &robot_neuro, &joints, &pose));
-    joints.value[AXIS_LATERAL] += 20;
+    joints.value[NEURO_AXIS_LATERAL] += 20;
     TEST_ASSERT_EQUAL(STATUS_CLOSURE, plan_confirm(&plan, &robot_neuro, &joints, &pose));
-    joints.value[AXIS_LATERAL] -= (int32_t)LIMIT_CLOSURE_NM + 10;
-    joints.value[AXIS_ROTATION] += (int32_t)LIMIT_CLOSURE_BAM + 100;
+    joints.value[NEURO_AXIS_LATERAL] -= (int32_t)LIMIT_CLOSURE_NM + 10;
+    joints.value[NEURO_AXIS_ROTATION] += (int32_t)LIMIT_CLOSURE_BAM + 100;
     TEST_ASSERT_EQUAL(STATUS_CLOSURE, plan_confirm(&plan, &robot_neuro, &joints, &pose));
 }
 
@@ -188,7 +188,7 @@ void test_SWR_IGTL_009_a_proposed_registration_moves_the_desired_pose_only(void)
     (void)plan_propose_entry(&plan, &robot_neuro, &entry, &proposer);
     (void)plan_propose_target(&plan, &robot_neuro, &target, &proposer);
     /* Lateral = 0 - 18.32 mm in the proposed z-frame: 47.24 ticks a mm. */
-    TEST_ASSERT_INT32_WITHIN(1, -865, plan.desired_ticks[AXIS_LATERAL]);
+    TEST_ASSERT_INT32_WITHIN(1, -865, plan.desired_ticks[NEURO_AXIS_LATERAL]);
     TEST_ASSERT_EQUAL_UINT32(0U, plan.is_registered);
 }
 
@@ -201,11 +201,11 @@ void test_SWR_IGTL_009_a_proposed_registration_mixes_no_frames_once_one_is_in_fo
     TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity, &nobody));
     (void)plan_propose_entry(&plan, &robot_neuro, &entry, &proposer);
     (void)plan_propose_target(&plan, &robot_neuro, &target, &proposer);
-    const int32_t before = plan.desired_ticks[AXIS_LATERAL];
+    const int32_t before = plan.desired_ticks[NEURO_AXIS_LATERAL];
     TEST_ASSERT_EQUAL(STATUS_OK,
                       plan_propose_registration(&plan, &robot_neuro, &shifted, &proposer));
     TEST_ASSERT_EQUAL_UINT32(1U, plan.is_proposal_reachable);
-    TEST_ASSERT_EQUAL_INT32(before, plan.desired_ticks[AXIS_LATERAL]);
+    TEST_ASSERT_EQUAL_INT32(before, plan.desired_ticks[NEURO_AXIS_LATERAL]);
 }
 
 static const int32_t target_y_nm = 190000000;
@@ -224,7 +224,8 @@ static solution_t set_target(void)
 
 static int32_t depth_nm(void)
 {
-    return joints_of(&robot_neuro.axes[AXIS_INSERTION], plan.target_ticks[AXIS_INSERTION]);
+    return joints_of(&robot_neuro.axes[NEURO_AXIS_INSERTION],
+                     plan.target_ticks[NEURO_AXIS_INSERTION]);
 }
 
 void test_SWR_PLAN_017_a_proposed_entry_decides_nothing_until_it_is_accepted(void)

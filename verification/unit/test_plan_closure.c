@@ -85,7 +85,7 @@ static int64_t separation_of(const robot_t *robot, uint32_t index, const joints_
 {
     (void)calls;
     TEST_ASSERT_EQUAL_UINT32(0U, index);
-    return ((int64_t)joints->value[AXIS_HEAD] - joints->value[AXIS_FEET]) +
+    return ((int64_t)joints->value[NEURO_AXIS_HEAD] - joints->value[NEURO_AXIS_FEET]) +
            robot->geometry_nm[NEURO_HOME_SEPARATION];
 }
 
@@ -95,7 +95,7 @@ static int64_t hill_of(const robot_t *robot, uint32_t index, const joints_t *joi
     (void)robot;
     (void)index;
     (void)calls;
-    const int64_t off_nm = (int64_t)joints->value[AXIS_HEAD] + 50000000;
+    const int64_t off_nm = (int64_t)joints->value[NEURO_AXIS_HEAD] + 50000000;
     return -(off_nm * off_nm) / 10000000;
 }
 
@@ -170,22 +170,22 @@ void test_SWR_COUPLE_002_a_plan_ends_inside_of_the_coupled_limit(void)
     rigid_t pose;
     rigid_set_identity(&pose);
     wrong_by_nm = 0;
-    planned_ticks[AXIS_FEET] = 0;
-    planned_ticks[AXIS_HEAD] = -5338;
+    planned_ticks[NEURO_AXIS_FEET] = 0;
+    planned_ticks[NEURO_AXIS_HEAD] = -5338;
     TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, present_ticks, &pose).status);
-    planned_ticks[AXIS_HEAD] = -5339;
+    planned_ticks[NEURO_AXIS_HEAD] = -5339;
     solution_t result = plan_set_target(&plan, &robot_neuro, present_ticks, &pose);
     TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, result.status);
     TEST_ASSERT_EQUAL_UINT8(0U, result.is_maximum);
-    planned_ticks[AXIS_HEAD] = -1000;
-    planned_ticks[AXIS_FEET] = -1220;
+    planned_ticks[NEURO_AXIS_HEAD] = -1000;
+    planned_ticks[NEURO_AXIS_FEET] = -1220;
     TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, present_ticks, &pose).status);
-    planned_ticks[AXIS_FEET] = -1221;
+    planned_ticks[NEURO_AXIS_FEET] = -1221;
     result = plan_set_target(&plan, &robot_neuro, present_ticks, &pose);
     TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, result.status);
     TEST_ASSERT_EQUAL_UINT8(1U, result.is_maximum);
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
-    planned_ticks[AXIS_LATERAL] = 0;
+    planned_ticks[NEURO_AXIS_LATERAL] = 0;
     TEST_ASSERT_EQUAL(STATUS_SWITCH_ZONE,
                       plan_set_target(&plan, &robot_neuro, present_ticks, &pose).status);
 }
@@ -197,8 +197,8 @@ static void go_over_the_hill(int32_t top_nm)
     lone.coupled_limits[0].is_curved = 1U;
     lone.coupled_limits[0].minimum = -1000000000;
     lone.coupled_limits[0].maximum = top_nm;
-    present_ticks[AXIS_HEAD] = -4724;
-    planned_ticks[AXIS_HEAD] = -3150;
+    present_ticks[NEURO_AXIS_HEAD] = -4724;
+    planned_ticks[NEURO_AXIS_HEAD] = -3150;
     kinematics_coupled_Stub(hill_of);
 }
 
@@ -211,7 +211,7 @@ void test_SWR_PLAN_015_a_target_is_refused_whose_way_leaves_a_limit_that_both_en
     TEST_ASSERT_EQUAL(STATUS_OK, set_target(0));
     TEST_ASSERT_EQUAL_UINT32(1U, plan.has_target);
     go_over_the_hill(-1000000);
-    present_ticks[AXIS_HEAD] = -3000;
+    present_ticks[NEURO_AXIS_HEAD] = -3000;
     TEST_ASSERT_EQUAL(STATUS_OK, set_target(0));
 }
 
@@ -219,10 +219,10 @@ void test_SWR_PLAN_016_the_way_is_judged_again_from_where_the_axes_are_then(void
 {
     go_over_the_hill(-1000000);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_judge_way(&plan, &lone, present_ticks).status);
-    present_ticks[AXIS_HEAD] = -3000;
+    present_ticks[NEURO_AXIS_HEAD] = -3000;
     TEST_ASSERT_EQUAL(STATUS_OK, set_target(0));
     TEST_ASSERT_EQUAL(STATUS_OK, plan_judge_way(&plan, &lone, present_ticks).status);
-    present_ticks[AXIS_HEAD] = -4724;
+    present_ticks[NEURO_AXIS_HEAD] = -4724;
     const solution_t judged = plan_judge_way(&plan, &lone, present_ticks);
     TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, judged.status);
     TEST_ASSERT_EQUAL_UINT8(1U, judged.is_maximum);
@@ -239,23 +239,23 @@ void test_SWR_PLAN_020_whatever_refuses_a_depth_that_an_entry_decided_is_told_as
     for (is_by_entry = 0U; is_by_entry <= 1U; is_by_entry++) {
         const bool is_by = is_by_entry != 0U;
         (void)memcpy(planned_ticks, middle, sizeof middle);
-        present_ticks[AXIS_HEAD] = 0;
+        present_ticks[NEURO_AXIS_HEAD] = 0;
         kinematics_coupled_Stub(separation_of);
         wrong_by_nm = (int32_t)LIMIT_CLOSURE_NM + 1000;
         solution_t result = plan_set_target(&plan, &robot_neuro, present_ticks, &pose);
         TEST_ASSERT_EQUAL(is_by ? STATUS_ENTRY_POINT : STATUS_CLOSURE, result.status);
         wrong_by_nm = 0;
-        planned_ticks[AXIS_YAW] = robot_neuro.axes[AXIS_YAW].target_maximum_ticks + 1;
+        planned_ticks[NEURO_AXIS_YAW] = robot_neuro.axes[NEURO_AXIS_YAW].target_maximum_ticks + 1;
         result = plan_set_target(&plan, &robot_neuro, present_ticks, &pose);
         TEST_ASSERT_EQUAL(is_by ? STATUS_ENTRY_POINT : STATUS_SWITCH_ZONE, result.status);
-        TEST_ASSERT_EQUAL_UINT8(AXIS_YAW, result.axis);
-        planned_ticks[AXIS_YAW] = middle[AXIS_YAW];
-        planned_ticks[AXIS_HEAD] = -1000;
-        planned_ticks[AXIS_FEET] = -1221;
+        TEST_ASSERT_EQUAL_UINT8(NEURO_AXIS_YAW, result.axis);
+        planned_ticks[NEURO_AXIS_YAW] = middle[NEURO_AXIS_YAW];
+        planned_ticks[NEURO_AXIS_HEAD] = -1000;
+        planned_ticks[NEURO_AXIS_FEET] = -1221;
         result = plan_set_target(&plan, &robot_neuro, present_ticks, &pose);
         TEST_ASSERT_EQUAL(is_by ? STATUS_ENTRY_POINT : STATUS_SEPARATION_LIMIT, result.status);
         TEST_ASSERT_EQUAL_UINT8(1U, result.is_maximum);
-        planned_ticks[AXIS_FEET] = 0;
+        planned_ticks[NEURO_AXIS_FEET] = 0;
         go_over_the_hill(-1000000);
         TEST_ASSERT_EQUAL(is_by ? STATUS_ENTRY_POINT : STATUS_SEPARATION_LIMIT, set_target(0));
         TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);

@@ -32,7 +32,7 @@ void setUp(void)
 {
     world_start();
     leg = (leg_t){.axes = 0U};
-    world_put(AXIS_INSERTION, OUT_TICKS);
+    world_put(NEURO_AXIS_INSERTION, OUT_TICKS);
 }
 
 void tearDown(void)
@@ -55,13 +55,14 @@ void test_SWR_POSE_001_every_axis_but_the_needle_goes_to_the_pose_in_step(void)
             TEST_ASSERT_LESS_THAN_UINT32(LONG_CYCLES, cycles);
             cycles++;
             pose_mode_step(&move, &leg, &frame, &result);
-            TEST_ASSERT_TRUE(world_rests(AXIS_INSERTION));
+            TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_INSERTION));
             world_follow();
         }
         TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
         for (uint32_t i = 0U; i < robot.axis_count; i++) {
-            const int32_t place =
-                (i == (uint32_t)AXIS_INSERTION) ? OUT_TICKS : robot_neuro.poses[pose].ticks[i];
+            const int32_t place = (i == (uint32_t)NEURO_AXIS_INSERTION)
+                                      ? OUT_TICKS
+                                      : robot_neuro.poses[pose].ticks[i];
             TEST_ASSERT_EQUAL_INT32(place, axes[i].encoder.position_ticks);
         }
     }
@@ -72,20 +73,20 @@ void test_SWR_POSE_001_a_needle_that_is_touched_on_the_way_is_not_driven_back(vo
     TEST_ASSERT_EQUAL(STATUS_OK, judge(POSE_DRAPING));
     mode_clear(&result);
     pose_mode_step(&move, &leg, &frame, &result);
-    world_put(AXIS_INSERTION, OUT_TICKS + 60);
+    world_put(NEURO_AXIS_INSERTION, OUT_TICKS + 60);
     pose_mode_step(&move, &leg, &frame, &result);
-    TEST_ASSERT_TRUE(world_rests(AXIS_INSERTION));
+    TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_INSERTION));
 }
 
 void test_SWR_POSE_002_the_needle_must_be_known_to_be_out(void)
 {
-    world_put(AXIS_INSERTION, needle_out_ticks(&robot));
+    world_put(NEURO_AXIS_INSERTION, needle_out_ticks(&robot));
     TEST_ASSERT_EQUAL(STATUS_OK, judge(POSE_DRAPING));
-    world_put(AXIS_INSERTION, needle_out_ticks(&robot) + 1);
+    world_put(NEURO_AXIS_INSERTION, needle_out_ticks(&robot) + 1);
     TEST_ASSERT_EQUAL(STATUS_NEEDLE_IN, judge(POSE_DRAPING));
-    TEST_ASSERT_EQUAL_UINT8(AXIS_INSERTION, pose_mode_judge(&move, &robot, axes).axis);
-    world_put(AXIS_INSERTION, OUT_TICKS);
-    world_lose(AXIS_INSERTION);
+    TEST_ASSERT_EQUAL_UINT8(NEURO_AXIS_INSERTION, pose_mode_judge(&move, &robot, axes).axis);
+    world_put(NEURO_AXIS_INSERTION, OUT_TICKS);
+    world_lose(NEURO_AXIS_INSERTION);
     TEST_ASSERT_EQUAL(STATUS_NEEDLE_IN, judge(POSE_DRAPING));
 }
 
@@ -111,8 +112,8 @@ void test_SWR_POSE_003_a_damaged_pose_is_not_gone_to(void)
 void test_SWR_POSE_004_a_way_that_leaves_a_coupled_limit_is_refused_by_its_name(void)
 {
     pose_t *const pose = &robot.poses[POSE_PARK];
-    pose->ticks[AXIS_HEAD] = -100;
-    pose->ticks[AXIS_FEET] = -500;
+    pose->ticks[NEURO_AXIS_HEAD] = -100;
+    pose->ticks[NEURO_AXIS_FEET] = -500;
     robot.coupled_limits[0].is_curved = 1U;
     pose->seal = seal_of(SEAL_START, (const uint8_t *)pose, offsetof(pose_t, seal));
     TEST_ASSERT_EQUAL(robot.coupled_limits[0].refusal, judge(POSE_PARK));

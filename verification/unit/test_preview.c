@@ -76,7 +76,8 @@ void test_SWR_HTTP_033_the_entry_point_decides_in_a_preview_too(void)
     TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, ticks, &pose).status);
     const preview_t preview = preview_of(&pose);
     TEST_ASSERT_EQUAL_MEMORY(plan.target_ticks, preview.ticks, sizeof preview.ticks);
-    TEST_ASSERT_NOT_EQUAL_INT32(without.ticks[AXIS_INSERTION], preview.ticks[AXIS_INSERTION]);
+    TEST_ASSERT_NOT_EQUAL_INT32(without.ticks[NEURO_AXIS_INSERTION],
+                                preview.ticks[NEURO_AXIS_INSERTION]);
 }
 
 void test_SWR_HTTP_033_the_axis_with_the_least_room_is_named(void)

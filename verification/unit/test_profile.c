@@ -70,7 +70,7 @@ static void simple_move(int32_t insertion_ticks)
 {
     (void)memset(start, 0, sizeof start);
     (void)memset(end, 0, sizeof end);
-    end[AXIS_INSERTION] = insertion_ticks;
+    end[NEURO_AXIS_INSERTION] = insertion_ticks;
     percent = 100U;
     profile_plan(&profile, &robot_neuro, start, end, percent);
 }
@@ -219,7 +219,7 @@ void test_SWR_MOTION_001_a_percentage_of_the_speed_is_kept(void)
         profile_step(&profile);
     }
     TEST_ASSERT_INT32_WITHIN(256 * 2, 256 * 16667 / 4 * (int32_t)LIMIT_PROFILE_SPEED_PERCENT / 100,
-                             profile_speed_ticks_per_s_q8(&profile, AXIS_INSERTION));
+                             profile_speed_ticks_per_s_q8(&profile, NEURO_AXIS_INSERTION));
 }
 
 void test_SWR_CORE_003_a_percentage_out_of_range_breaks_the_contract(void)
@@ -374,14 +374,14 @@ void test_SWR_MOTION_003_the_set_point_goes_from_start_to_target_without_turning
 
 void test_SWR_MOTION_003_a_move_without_way_is_finished_at_once(void)
 {
-    start[AXIS_HEAD] = -4711;
+    start[NEURO_AXIS_HEAD] = -4711;
     (void)memcpy(end, start, sizeof end);
     profile_plan(&profile, &robot_neuro, start, end, 100U);
     TEST_ASSERT_TRUE(profile_is_finished(&profile));
     profile_step(&profile);
     TEST_ASSERT_EQUAL_UINT32(0U, profile.cycle);
-    TEST_ASSERT_EQUAL_INT32(-4711, profile_position_ticks(&profile, AXIS_HEAD));
-    TEST_ASSERT_EQUAL_INT32(0, profile_speed_ticks_per_s_q8(&profile, AXIS_HEAD));
+    TEST_ASSERT_EQUAL_INT32(-4711, profile_position_ticks(&profile, NEURO_AXIS_HEAD));
+    TEST_ASSERT_EQUAL_INT32(0, profile_speed_ticks_per_s_q8(&profile, NEURO_AXIS_HEAD));
 }
 
 void test_SWR_MOTION_003_a_move_of_one_tick_arrives(void)
@@ -411,10 +411,10 @@ void test_SWR_LOOP_003_a_step_advances_one_nominal_cycle(void)
     simple_move(100000);
     for (uint32_t k = 0U; k < 1000U; k++) {
         TEST_ASSERT_EQUAL_UINT32(k, profile.cycle);
-        const double before = profile_position_ticks(&profile, AXIS_INSERTION);
+        const double before = profile_position_ticks(&profile, NEURO_AXIS_INSERTION);
         profile_step(&profile);
-        const double way = profile_position_ticks(&profile, AXIS_INSERTION) - before;
-        TEST_ASSERT_TRUE(way <= speed_limit(AXIS_INSERTION) * CYCLE_S + 1.0);
+        const double way = profile_position_ticks(&profile, NEURO_AXIS_INSERTION) - before;
+        TEST_ASSERT_TRUE(way <= speed_limit(NEURO_AXIS_INSERTION) * CYCLE_S + 1.0);
     }
 }
 

@@ -34,7 +34,7 @@ void setUp(void)
     robot = robot_neuro;
     memset(&list, 0, sizeof list);
     memcpy(target, robot.poses[POSE_HOME].ticks, sizeof target);
-    target[AXIS_INSERTION] = DEPTH;
+    target[NEURO_AXIS_INSERTION] = DEPTH;
     step = (program_step_t){.depth_ticks = DEPTH - 10000, .angle_ticks = 700, .dwell_ms = 3000U};
 }
 
@@ -151,29 +151,30 @@ void test_SWR_PROG_003_no_step_is_deeper_than_the_target(void)
     begin(1U);
     expect_added(STATUS_OK);
     step.depth_ticks = DEPTH + 1;
-    expect_refused(STATUS_PROGRAM_DEPTH, AXIS_INSERTION, 1U);
+    expect_refused(STATUS_PROGRAM_DEPTH, NEURO_AXIS_INSERTION, 1U);
 }
 
 void test_SWR_PROG_003_each_axis_keeps_its_limits(void)
 {
-    step.depth_ticks = robot.axes[AXIS_INSERTION].target_minimum_ticks;
+    step.depth_ticks = robot.axes[NEURO_AXIS_INSERTION].target_minimum_ticks;
     begin(1U);
     expect_added(STATUS_OK);
     step.depth_ticks--;
-    expect_refused(STATUS_SWITCH_ZONE, AXIS_INSERTION, 0U);
-    step.depth_ticks = robot.axes[AXIS_INSERTION].minimum_ticks - 1;
-    expect_refused(STATUS_AXIS_LIMIT, AXIS_INSERTION, 0U);
+    expect_refused(STATUS_SWITCH_ZONE, NEURO_AXIS_INSERTION, 0U);
+    step.depth_ticks = robot.axes[NEURO_AXIS_INSERTION].minimum_ticks - 1;
+    expect_refused(STATUS_AXIS_LIMIT, NEURO_AXIS_INSERTION, 0U);
     step.depth_ticks = DEPTH;
-    step.angle_ticks = robot.axes[AXIS_ROTATION].maximum_ticks + 1;
-    expect_refused(STATUS_AXIS_LIMIT, AXIS_ROTATION, 1U);
-    robot.axes[AXIS_ROTATION].target_maximum_ticks = 100;
+    step.angle_ticks = robot.axes[NEURO_AXIS_ROTATION].maximum_ticks + 1;
+    expect_refused(STATUS_AXIS_LIMIT, NEURO_AXIS_ROTATION, 1U);
+    robot.axes[NEURO_AXIS_ROTATION].target_maximum_ticks = 100;
     step.angle_ticks = 101;
-    expect_refused(STATUS_SWITCH_ZONE, AXIS_ROTATION, 1U);
+    expect_refused(STATUS_SWITCH_ZONE, NEURO_AXIS_ROTATION, 1U);
 }
 
 void test_SWR_PROG_003_what_axes_share_is_kept(void)
 {
-    target[AXIS_FEET] = target[AXIS_HEAD] + robot.axes[AXIS_FEET].maximum_ticks * 3;
+    target[NEURO_AXIS_FEET] =
+        target[NEURO_AXIS_HEAD] + robot.axes[NEURO_AXIS_FEET].maximum_ticks * 3;
     begin(1U);
     TEST_ASSERT_NOT_EQUAL(STATUS_OK, add().status);
     TEST_ASSERT_EQUAL_UINT32(0U, list.total);
@@ -194,7 +195,7 @@ void test_SWR_PROG_003_a_robot_that_turns_no_needle_has_depths_alone(void)
 void test_SWR_PROG_003_a_step_is_at_the_positions_that_it_was_made_of(void)
 {
     int32_t ends[ROBOT_AXIS_MAX];
-    target[AXIS_ROTATION] = -300;
+    target[NEURO_AXIS_ROTATION] = -300;
     program_step_place(&robot, target, &step);
     TEST_ASSERT_EQUAL_INT32(-300, step.angle_ticks);
     program_list_ends(&robot, target, &step, ends);
@@ -206,10 +207,10 @@ void test_SWR_PROG_004_it_is_of_one_target(void)
     const uint32_t crc = hold();
     TEST_ASSERT_TRUE(program_list_is_meant(&list, crc, target));
     TEST_ASSERT_FALSE(program_list_is_meant(&list, crc + 1U, target));
-    target[AXIS_YAW]++;
+    target[NEURO_AXIS_YAW]++;
     TEST_ASSERT_FALSE(program_list_is_meant(&list, crc, target));
     begin(2U);
-    target[AXIS_YAW]++;
+    target[NEURO_AXIS_YAW]++;
     expect_added(STATUS_PROGRAM_OTHER);
 }
 

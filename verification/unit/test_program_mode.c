@@ -53,11 +53,11 @@ void setUp(void)
     frame.program = &list;
     frame.is_dose_reached = false;
     memcpy(target.target_ticks, robot.poses[POSE_HOME].ticks, sizeof target.target_ticks);
-    target.target_ticks[AXIS_INSERTION] = DEPTH;
+    target.target_ticks[NEURO_AXIS_INSERTION] = DEPTH;
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         world_put(i, target.target_ticks[i]);
     }
-    world_put(AXIS_INSERTION, needle_retracted_ticks(&robot));
+    world_put(NEURO_AXIS_INSERTION, needle_retracted_ticks(&robot));
     leg = (leg_t){.axes = 0U};
     TEST_ASSERT_EQUAL(STATUS_OK, program_list_begin(&list, 2U, 0U, target.target_ticks));
     add(DEPTH - 5000, 200, 0U);
@@ -117,15 +117,15 @@ void test_SWR_PROG_004_only_the_list_that_is_meant_for_this_target_is_run(void)
     TEST_ASSERT_EQUAL(
         STATUS_PROGRAM_OTHER,
         program_mode_judge(&list, list.crc + 1U, &target, &robot, axes, false).status);
-    target.target_ticks[AXIS_PITCH]++;
+    target.target_ticks[NEURO_AXIS_PITCH]++;
     expect_judged(STATUS_PROGRAM_OTHER);
 }
 
 void test_SWR_PROG_005_it_is_run_along_the_line_only_however_the_needle_is_turned(void)
 {
-    world_put(AXIS_ROTATION, 3000);
+    world_put(NEURO_AXIS_ROTATION, 3000);
     expect_judged(STATUS_OK);
-    world_put(AXIS_LATERAL, target.target_ticks[AXIS_LATERAL] + 3);
+    world_put(NEURO_AXIS_LATERAL, target.target_ticks[NEURO_AXIS_LATERAL] + 3);
     expect_judged(STATUS_NOT_ALIGNED);
 }
 
@@ -138,18 +138,18 @@ void test_SWR_PROG_008_while_the_gate_says_stop_it_is_not_run(void)
 void test_SWR_PROG_006_each_step_is_gone_to_and_dwelt_in(void)
 {
     step_until_there(0U);
-    TEST_ASSERT_EQUAL_INT32(DEPTH - 5000, axes[AXIS_INSERTION].setpoint_ticks);
-    TEST_ASSERT_EQUAL_INT32(200, axes[AXIS_ROTATION].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(DEPTH - 5000, axes[NEURO_AXIS_INSERTION].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(200, axes[NEURO_AXIS_ROTATION].setpoint_ticks);
     steps(DWELL_MS - 1U);
     TEST_ASSERT_EQUAL_UINT32(0U, mode.step);
-    TEST_ASSERT_TRUE(world_rests(AXIS_INSERTION));
-    TEST_ASSERT_TRUE(world_rests(AXIS_ROTATION));
+    TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_INSERTION));
+    TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_ROTATION));
     step();
     expect_step_note(1U, 0);
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
     step_until_there(1U);
-    TEST_ASSERT_EQUAL_INT32(DEPTH, axes[AXIS_INSERTION].setpoint_ticks);
-    TEST_ASSERT_EQUAL_INT32(-100, axes[AXIS_ROTATION].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(DEPTH, axes[NEURO_AXIS_INSERTION].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(-100, axes[NEURO_AXIS_ROTATION].setpoint_ticks);
     steps(DWELL_MS - 1U);
     step();
     expect_step_note(2U, 0);
@@ -159,34 +159,35 @@ void test_SWR_PROG_006_each_step_is_gone_to_and_dwelt_in(void)
 
 void test_SWR_PROG_005_all_other_axes_rest(void)
 {
-    world_put(AXIS_LATERAL, target.target_ticks[AXIS_LATERAL] + 2); /* Aligned, but not there. */
+    world_put(NEURO_AXIS_LATERAL,
+              target.target_ticks[NEURO_AXIS_LATERAL] + 2); /* Aligned, but not there. */
     for (uint32_t i = 0U; i < 1000U; i++) {
         step();
-        TEST_ASSERT_TRUE(world_rests(AXIS_HEAD));
-        TEST_ASSERT_TRUE(world_rests(AXIS_LATERAL));
-        TEST_ASSERT_TRUE(world_rests(AXIS_YAW));
+        TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_HEAD));
+        TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_LATERAL));
+        TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_YAW));
     }
-    TEST_ASSERT_EQUAL_INT32(target.target_ticks[AXIS_LATERAL] + 2,
-                            axes[AXIS_LATERAL].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(target.target_ticks[NEURO_AXIS_LATERAL] + 2,
+                            axes[NEURO_AXIS_LATERAL].setpoint_ticks);
 }
 
 void test_SWR_PROG_006_beside_the_step_no_time_counts(void)
 {
-    const int32_t slack = robot.axes[AXIS_INSERTION].deadband_ticks + 2;
+    const int32_t slack = robot.axes[NEURO_AXIS_INSERTION].deadband_ticks + 2;
     step_until_there(0U);
     steps(100U);
-    world_put(AXIS_INSERTION, DEPTH - 5000 - slack);
+    world_put(NEURO_AXIS_INSERTION, DEPTH - 5000 - slack);
     steps(1U);
     TEST_ASSERT_EQUAL_UINT32(101U * LIMIT_CYCLE_US, mode.dwelt_us);
-    world_put(AXIS_INSERTION, DEPTH - 5000 + slack + 1);
+    world_put(NEURO_AXIS_INSERTION, DEPTH - 5000 + slack + 1);
     steps(1U);
     TEST_ASSERT_EQUAL_UINT32(PROGRAM_STAGE_GOES, mode.stage);
     TEST_ASSERT_EQUAL_UINT32(101U * LIMIT_CYCLE_US, mode.dwelt_us);
     for (uint32_t i = 0U; (i < LONG_CYCLES) && (mode.stage != PROGRAM_STAGE_DWELLS); i++) {
         step();
     }
-    TEST_ASSERT_EQUAL_INT32(DEPTH - 5000, axes[AXIS_INSERTION].setpoint_ticks);
-    world_put(AXIS_ROTATION, 200 - robot.axes[AXIS_ROTATION].deadband_ticks - 3);
+    TEST_ASSERT_EQUAL_INT32(DEPTH - 5000, axes[NEURO_AXIS_INSERTION].setpoint_ticks);
+    world_put(NEURO_AXIS_ROTATION, 200 - robot.axes[NEURO_AXIS_ROTATION].deadband_ticks - 3);
     steps(1U);
     TEST_ASSERT_EQUAL_UINT32(PROGRAM_STAGE_GOES, mode.stage);
 }
@@ -195,14 +196,14 @@ void test_SWR_PROG_005_a_base_that_has_moved_ends_it(void)
 {
     step_until_there(0U);
     steps(DWELL_MS - 1U);
-    world_put(AXIS_YAW, target.target_ticks[AXIS_YAW] - 3);
+    world_put(NEURO_AXIS_YAW, target.target_ticks[NEURO_AXIS_YAW] - 3);
     step();
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
     step();
     TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
     TEST_ASSERT_EQUAL(STATUS_NOT_ALIGNED, result.status);
     TEST_ASSERT_EQUAL_UINT32(MODE_NO_AXIS, result.axis);
-    TEST_ASSERT_TRUE(world_rests(AXIS_INSERTION));
+    TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_INSERTION));
 }
 
 void test_SWR_PROG_007_the_dose_ends_a_step_with_a_gate_early(void)
@@ -240,7 +241,7 @@ void test_SWR_PROG_007_a_dose_that_is_reached_beside_the_step_counts_there(void)
 {
     step_until_there(1U);
     steps(50U);
-    world_put(AXIS_INSERTION, DEPTH - 500);
+    world_put(NEURO_AXIS_INSERTION, DEPTH - 500);
     frame.is_dose_reached = true;
     steps(100U);
     TEST_ASSERT_EQUAL_UINT32(PROGRAM_STAGE_GOES, mode.stage);
@@ -261,7 +262,7 @@ void test_SWR_PROG_008_the_stop_says_in_which_step(void)
     TEST_ASSERT_EQUAL(EVENT_PROGRAM_STOPPED, result.notes[0].id);
     TEST_ASSERT_EQUAL_UINT32(2U, result.notes[0].axis);
     TEST_ASSERT_EQUAL_INT32(50, result.notes[0].value);
-    TEST_ASSERT_TRUE(world_rests(AXIS_INSERTION));
+    TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_INSERTION));
 }
 
 void test_SWR_PROG_009_a_changed_step_ends_it_by_its_number(void)
@@ -278,16 +279,16 @@ void test_SWR_PROG_009_a_changed_step_ends_it_by_its_number(void)
     TEST_ASSERT_EQUAL_UINT32(EVENT_MEMORY_PROGRAM, result.notes[0].axis);
     TEST_ASSERT_EQUAL_INT32(1, result.notes[0].value);
     TEST_ASSERT_EQUAL_UINT32(MODE_NO_AXIS, result.axis);
-    TEST_ASSERT_TRUE(world_rests(AXIS_INSERTION));
+    TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_INSERTION));
 }
 
 void test_SWR_PROG_005_a_robot_that_turns_no_needle_goes_to_depths(void)
 {
-    robot.axes[AXIS_ROTATION].needle_motion = (uint32_t)NEEDLE_ACROSS;
-    world_put(AXIS_ROTATION, target.target_ticks[AXIS_ROTATION]);
+    robot.axes[NEURO_AXIS_ROTATION].needle_motion = (uint32_t)NEEDLE_ACROSS;
+    world_put(NEURO_AXIS_ROTATION, target.target_ticks[NEURO_AXIS_ROTATION]);
     expect_judged(STATUS_OK);
     step_until_there(0U);
-    TEST_ASSERT_EQUAL_INT32(DEPTH - 5000, axes[AXIS_INSERTION].setpoint_ticks);
-    TEST_ASSERT_EQUAL_INT32(target.target_ticks[AXIS_ROTATION],
-                            axes[AXIS_ROTATION].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(DEPTH - 5000, axes[NEURO_AXIS_INSERTION].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(target.target_ticks[NEURO_AXIS_ROTATION],
+                            axes[NEURO_AXIS_ROTATION].encoder.position_ticks);
 }

@@ -60,6 +60,6 @@ void test_SWR_MEMORY_004_a_pose_belongs_to_the_geometry_if_there_is_one(void)
     robot.seal = seal_of(SEAL_START, (const uint8_t *)&robot, offsetof(robot_t, seal));
     pose->seal = seal_of(SEAL_START, (const uint8_t *)pose, offsetof(pose_t, seal));
     TEST_ASSERT_EQUAL_HEX32(0U, robot_damage(&robot));
-    pose->ticks[AXIS_YAW] ^= 4;
+    pose->ticks[NEURO_AXIS_YAW] ^= 4;
     TEST_ASSERT_EQUAL_HEX32((uint32_t)1U << ROBOT_PART_GEOMETRY, robot_damage(&robot));
 }

@@ -31,7 +31,7 @@ void setUp(void)
     (void)memset(&snapshot, 0, sizeof snapshot);
     saved.record.power_on = POWER_ON;
     snapshot.power_on = POWER_ON;
-    rest = supervision_rest_ticks(&robot_neuro.axes[AXIS_HEAD]);
+    rest = supervision_rest_ticks(&robot_neuro.axes[NEURO_AXIS_HEAD]);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         saved.record.axes[i] = (kept_axis_t){.grade = (uint32_t)KEPT_KNOWN,
                                              .position_ticks = -1000 * (int32_t)i,
@@ -48,47 +48,47 @@ void tearDown(void)
 static const saved_row_t *head(void)
 {
     saved_plan_make(&plan, &saved, &snapshot, &robot_neuro);
-    return &plan.rows[AXIS_HEAD];
+    return &plan.rows[NEURO_AXIS_HEAD];
 }
 
 static void expect_head(saved_why_t why)
 {
     const bool is_restored = why <= SAVED_WHY_OLD_LIST;
     TEST_ASSERT_EQUAL(why, head()->why);
-    TEST_ASSERT_EQUAL_UINT32(is_restored ? 1U : 0U, (plan.axes >> AXIS_HEAD) & 1U);
+    TEST_ASSERT_EQUAL_UINT32(is_restored ? 1U : 0U, (plan.axes >> NEURO_AXIS_HEAD) & 1U);
 }
 
 static int32_t upwards(int32_t ticks)
 {
-    return (robot_neuro.axes[AXIS_HEAD].is_encoder_inverted != 0U) ? -ticks : ticks;
+    return (robot_neuro.axes[NEURO_AXIS_HEAD].is_encoder_inverted != 0U) ? -ticks : ticks;
 }
 
 void test_SWR_STORE_027_in_the_same_power_on_what_was_counted_is_added(void)
 {
-    snapshot.axes[AXIS_HEAD].reading_ticks += rest;
-    snapshot.axes[AXIS_HEAD].position_ticks = 33;
+    snapshot.axes[NEURO_AXIS_HEAD].reading_ticks += rest;
+    snapshot.axes[NEURO_AXIS_HEAD].position_ticks = 33;
     expect_head(SAVED_WHY_COUNTS_AGREE);
     TEST_ASSERT_EQUAL_HEX32(0x7FU, plan.axes);
     TEST_ASSERT_EQUAL_INT32(33, head()->now_ticks);
-    TEST_ASSERT_EQUAL_INT32(-1000 * AXIS_HEAD, head()->saved_ticks);
+    TEST_ASSERT_EQUAL_INT32(-1000 * NEURO_AXIS_HEAD, head()->saved_ticks);
     TEST_ASSERT_EQUAL_INT32(head()->saved_ticks + upwards(rest), head()->next_ticks);
 }
 
 void test_SWR_STORE_027_an_axis_whose_counter_has_moved_stays(void)
 {
-    snapshot.axes[AXIS_HEAD].reading_ticks += rest + 1;
+    snapshot.axes[NEURO_AXIS_HEAD].reading_ticks += rest + 1;
     expect_head(SAVED_WHY_MOVED);
-    snapshot.axes[AXIS_HEAD].reading_ticks -= 2 * (rest + 1);
+    snapshot.axes[NEURO_AXIS_HEAD].reading_ticks -= 2 * (rest + 1);
     expect_head(SAVED_WHY_MOVED);
     saved.origin = SAVED_UNSEALED;
     expect_head(SAVED_WHY_MOVED);
-    TEST_ASSERT_EQUAL_HEX32(0x7FU & ~(1U << AXIS_HEAD), plan.axes);
+    TEST_ASSERT_EQUAL_HEX32(0x7FU & ~(1U << NEURO_AXIS_HEAD), plan.axes);
 }
 
 void test_SWR_STORE_027_in_another_power_on_the_counts_say_nothing(void)
 {
     snapshot.power_on++;
-    snapshot.axes[AXIS_HEAD].reading_ticks = 123456;
+    snapshot.axes[NEURO_AXIS_HEAD].reading_ticks = 123456;
     expect_head(SAVED_WHY_OTHER_POWER_ON);
     TEST_ASSERT_EQUAL_INT32(head()->saved_ticks, head()->next_ticks);
 }
@@ -103,7 +103,7 @@ void test_SWR_STORE_027_where_it_comes_from_is_said(void)
     expect_head(SAVED_WHY_OLD_LIST);
     snapshot.power_on = 0U; /* An old list is of no power-on. */
     saved.record.power_on = 0U;
-    snapshot.axes[AXIS_HEAD].reading_ticks = 123456;
+    snapshot.axes[NEURO_AXIS_HEAD].reading_ticks = 123456;
     expect_head(SAVED_WHY_OLD_LIST);
     TEST_ASSERT_EQUAL_INT32(head()->saved_ticks, head()->next_ticks);
 }
@@ -112,15 +112,15 @@ void test_SWR_STORE_027_what_was_not_known_is_not_restored(void)
 {
     static const uint32_t grades[] = {KEPT_FRESH, KEPT_LOST, KEPT_KNOWN + 1U, UINT32_MAX};
     for (uint32_t i = 0U; i < (sizeof grades / sizeof grades[0]); i++) {
-        saved.record.axes[AXIS_HEAD].grade = grades[i];
+        saved.record.axes[NEURO_AXIS_HEAD].grade = grades[i];
         expect_head(SAVED_WHY_NOT_KNOWN);
     }
 }
 
 void test_SWR_STORE_027_an_axis_that_is_homed_there_stays_homed(void)
 {
-    snapshot_axis_t *shown = &snapshot.axes[AXIS_HEAD];
-    shown->position_ticks = saved.record.axes[AXIS_HEAD].position_ticks + rest;
+    snapshot_axis_t *shown = &snapshot.axes[NEURO_AXIS_HEAD];
+    shown->position_ticks = saved.record.axes[NEURO_AXIS_HEAD].position_ticks + rest;
     shown->reference = (uint32_t)AXIS_REFERENCE_VERIFIED;
     expect_head(SAVED_WHY_STANDS_THERE);
     shown->reference = (uint32_t)AXIS_REFERENCE_TAKEN;
@@ -134,8 +134,8 @@ void test_SWR_STORE_027_an_axis_that_is_homed_there_stays_homed(void)
 
 void test_SWR_STORE_027_no_sum_overflows(void)
 {
-    saved.record.axes[AXIS_HEAD].position_ticks = INT32_MIN;
-    snapshot.axes[AXIS_HEAD].reading_ticks -= upwards(1);
+    saved.record.axes[NEURO_AXIS_HEAD].position_ticks = INT32_MIN;
+    snapshot.axes[NEURO_AXIS_HEAD].reading_ticks -= upwards(1);
     TEST_ASSERT_EQUAL_INT32(INT32_MIN, head()->next_ticks);
 }
 
@@ -143,9 +143,9 @@ static bool holds_after(int32_t way)
 {
     saved_plan_t now;
     (void)head();
-    snapshot.axes[AXIS_HEAD].position_ticks += way;
+    snapshot.axes[NEURO_AXIS_HEAD].position_ticks += way;
     saved_plan_make(&now, &saved, &snapshot, &robot_neuro);
-    snapshot.axes[AXIS_HEAD].position_ticks -= way;
+    snapshot.axes[NEURO_AXIS_HEAD].position_ticks -= way;
     return saved_plan_holds(&plan, &now, &robot_neuro);
 }
 

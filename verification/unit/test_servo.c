@@ -32,9 +32,9 @@
 
 static servo_t servo;
 
-static const axis_config_t *const pwm = &robot_neuro.axes[AXIS_INSERTION];
-static const axis_config_t *const non_pwm = &robot_neuro.axes[AXIS_PITCH];
-static const axis_config_t *const inverted_non_pwm = &robot_neuro.axes[AXIS_HEAD];
+static const axis_config_t *const pwm = &robot_neuro.axes[NEURO_AXIS_INSERTION];
+static const axis_config_t *const non_pwm = &robot_neuro.axes[NEURO_AXIS_PITCH];
+static const axis_config_t *const inverted_non_pwm = &robot_neuro.axes[NEURO_AXIS_HEAD];
 
 /* A non-pwm axis whose card takes the magnitudes of the needle's. */
 static axis_config_t with_magnitudes(const axis_config_t *config)
@@ -456,7 +456,8 @@ void test_SWR_MOTION_004_a_non_pwm_axis_comes_to_rest_within_its_deadband(void)
 
 void test_SWR_MOTION_022_an_axis_with_magnitudes_comes_to_rest_within_its_deadband(void)
 {
-    const uint32_t axes[] = {AXIS_HEAD, AXIS_FEET, AXIS_LATERAL, AXIS_PITCH};
+    const uint32_t axes[] = {NEURO_AXIS_HEAD, NEURO_AXIS_FEET, NEURO_AXIS_LATERAL,
+                             NEURO_AXIS_PITCH};
 
     for (uint32_t i = 0U; i < (sizeof axes / sizeof axes[0]); i++) {
         const axis_config_t config = with_magnitudes(&robot_neuro.axes[axes[i]]);

@@ -30,8 +30,8 @@ static uint32_t fast_cycles(uint32_t percent, int32_t ticks_per_cycle, uint32_t 
     uint32_t fast = 0U;
     for (uint32_t i = 0U; i < count; i++) {
         position_ticks += ticks_per_cycle;
-        fast += speed_cap_step(&cap, &robot_neuro.axes[AXIS_INSERTION], percent, position_ticks,
-                               CYCLE_US)
+        fast += speed_cap_step(&cap, &robot_neuro.axes[NEURO_AXIS_INSERTION], percent,
+                               position_ticks, CYCLE_US)
                     ? 1U
                     : 0U;
     }
@@ -40,7 +40,7 @@ static uint32_t fast_cycles(uint32_t percent, int32_t ticks_per_cycle, uint32_t 
 
 void test_SWR_PERMIT_005_an_axis_within_its_cap_is_never_too_fast(void)
 {
-    TEST_ASSERT_EQUAL_INT32(TICKS_PER_S, robot_neuro.axes[AXIS_INSERTION].speed_ticks_per_s);
+    TEST_ASSERT_EQUAL_INT32(TICKS_PER_S, robot_neuro.axes[NEURO_AXIS_INSERTION].speed_ticks_per_s);
     TEST_ASSERT_EQUAL_UINT32(0U, fast_cycles(100U, 18, 2000U));
     TEST_ASSERT_EQUAL_UINT32(0U, fast_cycles(100U, -18, 2000U));
     TEST_ASSERT_EQUAL_UINT32(0U, fast_cycles(25U, 5, 2000U));

@@ -66,7 +66,8 @@ void tearDown(void)
 static exchange_event_t event_of(event_id_t id, int32_t value)
 {
     return (exchange_event_t){
-        .event = {.id = (uint32_t)id, .subject = AXIS_ROTATION, .value = value}, .utc_us = UTC_US};
+        .event = {.id = (uint32_t)id, .subject = PROSTATE_AXIS_ROTATION, .value = value},
+        .utc_us = UTC_US};
 }
 
 static void hear(event_id_t id, int32_t value)
@@ -217,14 +218,14 @@ void test_SWR_SWEEP_011_a_curve_of_another_robot_or_file_is_told_as_that(void)
     expect_kept(SWEEP_KEPT_OTHER_ROBOT);
     TEST_ASSERT_EQUAL_STRING("", text);
     robot.crc ^= 1U;
-    (void)strcpy(robot.axes[AXIS_ROTATION].name, "turn");
+    (void)strcpy(robot.axes[PROSTATE_AXIS_ROTATION].name, "turn");
     expect_kept(SWEEP_KEPT_OTHER_ROBOT);
     TEST_ASSERT_EQUAL_size_t(0U, sweep_curve_write(&curve, &robot, text));
 }
 
 void test_SWR_SWEEP_011_the_file_of_the_robot_says_what_is_expected_of_its_own_words(void)
 {
-    const axis_config_t *const axis = &robot.axes[AXIS_ROTATION];
+    const axis_config_t *const axis = &robot.axes[PROSTATE_AXIS_ROTATION];
     double expected = -1.0;
     TEST_ASSERT_FALSE(sweep_expected(axis, 53000, &expected));
     TEST_ASSERT_TRUE(sweep_expected(axis, 51600, &expected));

@@ -45,7 +45,7 @@ static uint32_t driven;
 /* The rotation as that of the ProstateRobot. */
 static void make_waves(void)
 {
-    axis_config_t *const config = &robot.axes[AXIS_ROTATION];
+    axis_config_t *const config = &robot.axes[NEURO_AXIS_ROTATION];
     config->card_type = (uint8_t)CARD_TYPE_HIGH_FREQUENCY;
     config->unit_per_tick_q16 = INT64_C(168876000000);
     config->is_motor_inverted = 0U;
@@ -98,7 +98,7 @@ static void keep_notes(void)
 {
     for (uint32_t i = 0U; i < result.note_count; i++) {
         TEST_ASSERT_LESS_THAN_UINT32(NOTES, note_count);
-        TEST_ASSERT_EQUAL_UINT32(AXIS_ROTATION, result.notes[i].axis);
+        TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_ROTATION, result.notes[i].axis);
         notes[note_count] = result.notes[i];
         note_count++;
     }
@@ -108,11 +108,11 @@ static void keep_notes(void)
 static void step(void)
 {
     mode_clear(&result);
-    sweep_mode_step(&mode, AXIS_ROTATION, &leg, &frame, &result);
+    sweep_mode_step(&mode, NEURO_AXIS_ROTATION, &leg, &frame, &result);
     keep_notes();
-    const card_drive_t *const drive = &result.requests[AXIS_ROTATION];
+    const card_drive_t *const drive = &result.requests[NEURO_AXIS_ROTATION];
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
-        TEST_ASSERT_TRUE((i == AXIS_ROTATION) ||
+        TEST_ASSERT_TRUE((i == NEURO_AXIS_ROTATION) ||
                          (result.requests[i].mode == (uint32_t)CARD_DRIVE_OFF));
     }
     if (drive->mode != (uint32_t)CARD_DRIVE_OFF) {
@@ -124,7 +124,7 @@ static void step(void)
         place += (drive->direction != 0U) ? way : -(way * down_share);
         driven++;
     }
-    world_put(AXIS_ROTATION, (int32_t)(place + ((place < 0.0) ? -0.5 : 0.5)));
+    world_put(NEURO_AXIS_ROTATION, (int32_t)(place + ((place < 0.0) ? -0.5 : 0.5)));
     cycles++;
 }
 
@@ -170,8 +170,8 @@ static void expect_failed(status_t status)
 {
     TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
     TEST_ASSERT_EQUAL(status, result.status);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_ROTATION, result.axis);
-    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, result.requests[AXIS_ROTATION].mode);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_ROTATION, result.axis);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, result.requests[NEURO_AXIS_ROTATION].mode);
     TEST_ASSERT_EQUAL_UINT32(0U, count_of(EVENT_SWEEP_ENDED));
 }
 
@@ -186,42 +186,42 @@ static void go_into_run(void)
 
 void test_SWR_SWEEP_001_a_free_turning_axis_with_waves_is_swept(void)
 {
-    expect(AXIS_ROTATION, true, STATUS_OK);
+    expect(NEURO_AXIS_ROTATION, true, STATUS_OK);
     const int32_t room = 8073 - (1285 * 5);
-    world_put(AXIS_ROTATION, room);
-    expect(AXIS_ROTATION, true, STATUS_OK);
-    world_put(AXIS_ROTATION, -room);
-    expect(AXIS_ROTATION, true, STATUS_OK);
+    world_put(NEURO_AXIS_ROTATION, room);
+    expect(NEURO_AXIS_ROTATION, true, STATUS_OK);
+    world_put(NEURO_AXIS_ROTATION, -room);
+    expect(NEURO_AXIS_ROTATION, true, STATUS_OK);
 }
 
 void test_SWR_SWEEP_002_what_cannot_be_swept_or_is_not_confirmed_is_refused(void)
 {
     const int32_t room = 8073 - (1285 * 5);
-    expect(AXIS_LATERAL, true, STATUS_NO_SWEEP);
+    expect(NEURO_AXIS_LATERAL, true, STATUS_NO_SWEEP);
     expect(robot.axis_count, true, STATUS_UNKNOWN_COMMAND);
     expect(UINT32_MAX, true, STATUS_UNKNOWN_COMMAND);
-    expect(AXIS_ROTATION, false, STATUS_NOT_FREE);
-    world_put(AXIS_ROTATION, room + 1);
-    expect(AXIS_ROTATION, true, STATUS_AXIS_LIMIT);
-    world_put(AXIS_ROTATION, -room - 1);
-    expect(AXIS_ROTATION, true, STATUS_AXIS_LIMIT);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_ROTATION,
-                             sweep_mode_judge(AXIS_ROTATION, true, &robot, axes).axis);
-    robot.axes[AXIS_ROTATION].unit = (uint8_t)AXIS_UNIT_MM;
-    expect(AXIS_ROTATION, true, STATUS_NO_SWEEP);
-    robot.axes[AXIS_ROTATION].unit = (uint8_t)AXIS_UNIT_RAD;
-    robot.coupled_limits[0].axes |= 1UL << AXIS_ROTATION;
-    expect(AXIS_ROTATION, true, STATUS_NO_SWEEP);
+    expect(NEURO_AXIS_ROTATION, false, STATUS_NOT_FREE);
+    world_put(NEURO_AXIS_ROTATION, room + 1);
+    expect(NEURO_AXIS_ROTATION, true, STATUS_AXIS_LIMIT);
+    world_put(NEURO_AXIS_ROTATION, -room - 1);
+    expect(NEURO_AXIS_ROTATION, true, STATUS_AXIS_LIMIT);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_ROTATION,
+                             sweep_mode_judge(NEURO_AXIS_ROTATION, true, &robot, axes).axis);
+    robot.axes[NEURO_AXIS_ROTATION].unit = (uint8_t)AXIS_UNIT_MM;
+    expect(NEURO_AXIS_ROTATION, true, STATUS_NO_SWEEP);
+    robot.axes[NEURO_AXIS_ROTATION].unit = (uint8_t)AXIS_UNIT_RAD;
+    robot.coupled_limits[0].axes |= 1UL << NEURO_AXIS_ROTATION;
+    expect(NEURO_AXIS_ROTATION, true, STATUS_NO_SWEEP);
 }
 
 void test_SWR_SWEEP_002_no_sweep_while_the_needle_is_not_known_to_be_out(void)
 {
-    world_put(AXIS_INSERTION, needle_out_ticks(&robot) + 2);
-    expect(AXIS_ROTATION, true, STATUS_NEEDLE_IN);
-    world_put(AXIS_INSERTION, 0);
-    expect(AXIS_ROTATION, true, STATUS_OK);
-    world_lose(AXIS_INSERTION);
-    expect(AXIS_ROTATION, true, STATUS_NEEDLE_IN);
+    world_put(NEURO_AXIS_INSERTION, needle_out_ticks(&robot) + 2);
+    expect(NEURO_AXIS_ROTATION, true, STATUS_NEEDLE_IN);
+    world_put(NEURO_AXIS_INSERTION, 0);
+    expect(NEURO_AXIS_ROTATION, true, STATUS_OK);
+    world_lose(NEURO_AXIS_INSERTION);
+    expect(NEURO_AXIS_ROTATION, true, STATUS_NEEDLE_IN);
 }
 
 void test_SWR_SWEEP_003_the_first_point_is_the_fastest_word_that_does_not_turn(void)
@@ -277,9 +277,9 @@ void test_SWR_SWEEP_004_nothing_is_driven_in_a_pause(void)
 
 void test_SWR_SWEEP_004_an_inverted_motor_turns_the_same_ways(void)
 {
-    robot.axes[AXIS_ROTATION].is_motor_inverted = 1U;
+    robot.axes[NEURO_AXIS_ROTATION].is_motor_inverted = 1U;
     go_into_run();
-    TEST_ASSERT_EQUAL_UINT32(0U, result.requests[AXIS_ROTATION].direction);
+    TEST_ASSERT_EQUAL_UINT32(0U, result.requests[NEURO_AXIS_ROTATION].direction);
 }
 
 void test_SWR_SWEEP_005_a_word_beyond_the_range_is_never_driven_with(void)
@@ -287,10 +287,10 @@ void test_SWR_SWEEP_005_a_word_beyond_the_range_is_never_driven_with(void)
     go_into_run();
     mode.word = LIMIT_RESONANCE_WORD - 1U;
     step();
-    TEST_ASSERT_EQUAL_UINT32(LIMIT_RESONANCE_WORD, result.requests[AXIS_ROTATION].duty);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_RESONANCE_WORD, result.requests[NEURO_AXIS_ROTATION].duty);
     mode.word = UINT32_MAX;
     step();
-    TEST_ASSERT_EQUAL_UINT32(LIMIT_WAVE_SLOWEST_WORD, result.requests[AXIS_ROTATION].duty);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_WAVE_SLOWEST_WORD, result.requests[NEURO_AXIS_ROTATION].duty);
 }
 
 static void grow(void)
@@ -356,11 +356,11 @@ void test_SWR_SWEEP_007_more_than_the_speed_of_the_axis_aborts_it_at_once(void)
 {
     go_into_run();
     place += 128.0;
-    world_put(AXIS_ROTATION, (int32_t)place);
+    world_put(NEURO_AXIS_ROTATION, (int32_t)place);
     step();
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
     place += 1.0;
-    world_put(AXIS_ROTATION, (int32_t)place);
+    world_put(NEURO_AXIS_ROTATION, (int32_t)place);
     step();
     expect_failed(STATUS_TOO_FAST);
 }
@@ -370,11 +370,11 @@ void test_SWR_SWEEP_007_speed_is_held_against_all_of_the_run(void)
     go_into_run();
     steps(200U);
     place += 257.0;
-    world_put(AXIS_ROTATION, (int32_t)place);
+    world_put(NEURO_AXIS_ROTATION, (int32_t)place);
     step();
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
     place += 3.0;
-    world_put(AXIS_ROTATION, (int32_t)place);
+    world_put(NEURO_AXIS_ROTATION, (int32_t)place);
     step();
     expect_failed(STATUS_TOO_FAST);
 }
@@ -382,10 +382,10 @@ void test_SWR_SWEEP_007_speed_is_held_against_all_of_the_run(void)
 void test_SWR_SWEEP_007_current_aborts_it(void)
 {
     go_into_run();
-    links[robot.axes[AXIS_ROTATION].slot].report.current_ma = LIMIT_SWEEP_CURRENT_MA;
+    links[robot.axes[NEURO_AXIS_ROTATION].slot].report.current_ma = LIMIT_SWEEP_CURRENT_MA;
     step();
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
-    links[robot.axes[AXIS_ROTATION].slot].report.current_ma = LIMIT_SWEEP_CURRENT_MA + 1U;
+    links[robot.axes[NEURO_AXIS_ROTATION].slot].report.current_ma = LIMIT_SWEEP_CURRENT_MA + 1U;
     step();
     expect_failed(STATUS_SWEEP_CURRENT);
 }
@@ -393,19 +393,19 @@ void test_SWR_SWEEP_007_current_aborts_it(void)
 void test_SWR_SWEEP_007_the_wrong_way_a_limit_and_a_needle_that_is_in_abort_it(void)
 {
     go_into_run();
-    world_put(AXIS_ROTATION, -(int32_t)LIMIT_WRONG_WAY_TICKS);
+    world_put(NEURO_AXIS_ROTATION, -(int32_t)LIMIT_WRONG_WAY_TICKS);
     mode_clear(&result);
-    sweep_mode_step(&mode, AXIS_ROTATION, &leg, &frame, &result);
+    sweep_mode_step(&mode, NEURO_AXIS_ROTATION, &leg, &frame, &result);
     expect_failed(STATUS_FAULT_PRESENT);
     place = 8072.0;
     mode.start_ticks = 8072;
-    world_put(AXIS_ROTATION, 8072);
+    world_put(NEURO_AXIS_ROTATION, 8072);
     step();
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
-    world_put(AXIS_ROTATION, 8073);
+    world_put(NEURO_AXIS_ROTATION, 8073);
     step();
     expect_failed(STATUS_AXIS_LIMIT);
-    world_put(AXIS_INSERTION, needle_out_ticks(&robot) + 2);
+    world_put(NEURO_AXIS_INSERTION, needle_out_ticks(&robot) + 2);
     step();
     expect_failed(STATUS_NEEDLE_IN);
 }

@@ -38,36 +38,36 @@ void test_SWR_TRAJ_015_columns_are_taken_by_name_in_any_order(void)
     expect(0U, "feet ticks,time s,head ticks,head ticks/s\n1,0,2,0\n3,1.5,4,-5\n");
     TEST_ASSERT_EQUAL_UINT32(2U, table.count);
     TEST_ASSERT_EQUAL_UINT32(1500U, table.rows[1].time_ms);
-    TEST_ASSERT_EQUAL_INT32(3, table.rows[1].ticks[AXIS_FEET]);
-    TEST_ASSERT_EQUAL_INT32(4, table.rows[1].ticks[AXIS_HEAD]);
-    TEST_ASSERT_EQUAL_INT32(-5, table.rows[1].speeds_ticks_per_s[AXIS_HEAD]);
+    TEST_ASSERT_EQUAL_INT32(3, table.rows[1].ticks[NEURO_AXIS_FEET]);
+    TEST_ASSERT_EQUAL_INT32(4, table.rows[1].ticks[NEURO_AXIS_HEAD]);
+    TEST_ASSERT_EQUAL_INT32(-5, table.rows[1].speeds_ticks_per_s[NEURO_AXIS_HEAD]);
 }
 
 void test_SWR_TRAJ_015_an_axis_without_a_column_stays(void)
 {
     expect(0U, "time ms,yaw ticks\n10,0\n20,1");
     TEST_ASSERT_EQUAL_UINT32(20U, table.rows[1].time_ms);
-    TEST_ASSERT_EQUAL_INT32(100 + (int32_t)AXIS_PITCH, table.rows[1].ticks[AXIS_PITCH]);
-    TEST_ASSERT_EQUAL_INT32(0, table.rows[1].speeds_ticks_per_s[AXIS_PITCH]);
+    TEST_ASSERT_EQUAL_INT32(100 + (int32_t)NEURO_AXIS_PITCH, table.rows[1].ticks[NEURO_AXIS_PITCH]);
+    TEST_ASSERT_EQUAL_INT32(0, table.rows[1].speeds_ticks_per_s[NEURO_AXIS_PITCH]);
 }
 
 void test_SWR_TRAJ_015_units_become_ticks(void)
 {
     expect(0U, "time s,head mm,yaw deg,head mm/s,yaw deg/s\r\n0,-10,-36,2,9\r\n\r\n");
-    TEST_ASSERT_INT32_WITHIN(1, -787, table.rows[0].ticks[AXIS_HEAD]); /* 78.74 a mm */
-    TEST_ASSERT_INT32_WITHIN(1, -500, table.rows[0].ticks[AXIS_YAW]);  /* 795.8 a rad */
-    TEST_ASSERT_INT32_WITHIN(1, 157, table.rows[0].speeds_ticks_per_s[AXIS_HEAD]);
-    TEST_ASSERT_INT32_WITHIN(1, 125, table.rows[0].speeds_ticks_per_s[AXIS_YAW]);
+    TEST_ASSERT_INT32_WITHIN(1, -787, table.rows[0].ticks[NEURO_AXIS_HEAD]); /* 78.74 a mm */
+    TEST_ASSERT_INT32_WITHIN(1, -500, table.rows[0].ticks[NEURO_AXIS_YAW]);  /* 795.8 a rad */
+    TEST_ASSERT_INT32_WITHIN(1, 157, table.rows[0].speeds_ticks_per_s[NEURO_AXIS_HEAD]);
+    TEST_ASSERT_INT32_WITHIN(1, 125, table.rows[0].speeds_ticks_per_s[NEURO_AXIS_YAW]);
 }
 
 void test_SWR_TRAJ_015_speeds_that_are_not_told_overshoot_no_row(void)
 {
     expect(0U, "time s,yaw ticks\n0,0\n1,100\n2,400\n3,300\n4,300\n");
-    TEST_ASSERT_EQUAL_INT32(0, table.rows[0].speeds_ticks_per_s[AXIS_YAW]);
-    TEST_ASSERT_EQUAL_INT32(150, table.rows[1].speeds_ticks_per_s[AXIS_YAW]);
-    TEST_ASSERT_EQUAL_INT32(0, table.rows[2].speeds_ticks_per_s[AXIS_YAW]);
-    TEST_ASSERT_EQUAL_INT32(0, table.rows[3].speeds_ticks_per_s[AXIS_YAW]);
-    TEST_ASSERT_EQUAL_INT32(0, table.rows[4].speeds_ticks_per_s[AXIS_YAW]);
+    TEST_ASSERT_EQUAL_INT32(0, table.rows[0].speeds_ticks_per_s[NEURO_AXIS_YAW]);
+    TEST_ASSERT_EQUAL_INT32(150, table.rows[1].speeds_ticks_per_s[NEURO_AXIS_YAW]);
+    TEST_ASSERT_EQUAL_INT32(0, table.rows[2].speeds_ticks_per_s[NEURO_AXIS_YAW]);
+    TEST_ASSERT_EQUAL_INT32(0, table.rows[3].speeds_ticks_per_s[NEURO_AXIS_YAW]);
+    TEST_ASSERT_EQUAL_INT32(0, table.rows[4].speeds_ticks_per_s[NEURO_AXIS_YAW]);
 }
 
 void test_SWR_TRAJ_015_times_that_do_not_grow_are_left_to_control(void)

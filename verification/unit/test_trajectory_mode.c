@@ -38,10 +38,10 @@ static leg_t leg;
 static void add(uint32_t time_ms, int32_t yaw_ticks, int32_t yaw_speed)
 {
     trajectory_row_t row = {.time_ms = time_ms};
-    row.ticks[AXIS_INSERTION] = robot.axes[AXIS_INSERTION].target_minimum_ticks;
-    row.ticks[AXIS_LATERAL] = LATERAL;
-    row.ticks[AXIS_YAW] = yaw_ticks;
-    row.speeds_ticks_per_s[AXIS_YAW] = yaw_speed;
+    row.ticks[NEURO_AXIS_INSERTION] = robot.axes[NEURO_AXIS_INSERTION].target_minimum_ticks;
+    row.ticks[NEURO_AXIS_LATERAL] = LATERAL;
+    row.ticks[NEURO_AXIS_YAW] = yaw_ticks;
+    row.speeds_ticks_per_s[NEURO_AXIS_YAW] = yaw_speed;
     TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_add(&list, rows, &robot, list.count, &row).status);
 }
 
@@ -49,8 +49,8 @@ static void add(uint32_t time_ms, int32_t yaw_ticks, int32_t yaw_speed)
 void setUp(void)
 {
     world_start();
-    world_put(AXIS_INSERTION, robot.axes[AXIS_INSERTION].target_minimum_ticks);
-    world_put(AXIS_LATERAL, LATERAL);
+    world_put(NEURO_AXIS_INSERTION, robot.axes[NEURO_AXIS_INSERTION].target_minimum_ticks);
+    world_put(NEURO_AXIS_LATERAL, LATERAL);
     leg = (leg_t){.axes = 0U};
     memset(rows, 0, sizeof rows);
     TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_begin(&list, 3U));
@@ -90,7 +90,7 @@ static void steps(uint32_t count)
 
 static int32_t yaw(void)
 {
-    return axes[AXIS_YAW].setpoint_ticks;
+    return axes[NEURO_AXIS_YAW].setpoint_ticks;
 }
 
 static void expect_judged(status_t status, uint32_t axis)
@@ -113,55 +113,55 @@ void test_SWR_TRAJ_006_only_the_list_that_is_meant_is_run(void)
 
 void test_SWR_TRAJ_007_an_axis_that_is_not_homed_is_not_driven(void)
 {
-    world_lose(AXIS_PITCH);
-    expect_judged(STATUS_NOT_HOMED, AXIS_PITCH);
+    world_lose(NEURO_AXIS_PITCH);
+    expect_judged(STATUS_NOT_HOMED, NEURO_AXIS_PITCH);
 }
 
 void test_SWR_TRAJ_007_the_way_to_the_first_row_is_short(void)
 {
-    const int64_t unit = robot.axes[AXIS_LATERAL].unit_per_tick_q16;
+    const int64_t unit = robot.axes[NEURO_AXIS_LATERAL].unit_per_tick_q16;
     const int32_t most = (int32_t)(((int64_t)LIMIT_TRAJECTORY_LEAD_NM * 65536) / unit);
-    world_put(AXIS_LATERAL, LATERAL + most);
+    world_put(NEURO_AXIS_LATERAL, LATERAL + most);
     expect_judged(STATUS_OK, 0U);
-    world_put(AXIS_LATERAL, LATERAL + most + 1);
-    expect_judged(STATUS_TRAJECTORY_FAR, AXIS_LATERAL);
-    world_put(AXIS_LATERAL, LATERAL - most - 1);
-    expect_judged(STATUS_TRAJECTORY_FAR, AXIS_LATERAL);
+    world_put(NEURO_AXIS_LATERAL, LATERAL + most + 1);
+    expect_judged(STATUS_TRAJECTORY_FAR, NEURO_AXIS_LATERAL);
+    world_put(NEURO_AXIS_LATERAL, LATERAL - most - 1);
+    expect_judged(STATUS_TRAJECTORY_FAR, NEURO_AXIS_LATERAL);
 }
 
 void test_SWR_TRAJ_007_the_way_to_the_first_row_cuts_nothing(void)
 {
-    world_put(AXIS_INSERTION, needle_out_ticks(&robot) + 1);
+    world_put(NEURO_AXIS_INSERTION, needle_out_ticks(&robot) + 1);
     expect_judged(STATUS_OK, 0U);
-    world_put(AXIS_LATERAL, LATERAL + robot.axes[AXIS_LATERAL].deadband_ticks + 1);
-    expect_judged(STATUS_NEEDLE_IN, AXIS_LATERAL);
-    world_put(AXIS_INSERTION, needle_out_ticks(&robot));
+    world_put(NEURO_AXIS_LATERAL, LATERAL + robot.axes[NEURO_AXIS_LATERAL].deadband_ticks + 1);
+    expect_judged(STATUS_NEEDLE_IN, NEURO_AXIS_LATERAL);
+    world_put(NEURO_AXIS_INSERTION, needle_out_ticks(&robot));
     expect_judged(STATUS_OK, 0U);
-    rows[0].ticks[AXIS_INSERTION] = needle_out_ticks(&robot) + 1;
+    rows[0].ticks[NEURO_AXIS_INSERTION] = needle_out_ticks(&robot) + 1;
     rows[0].crc = trajectory_row_crc(&rows[0]);
-    expect_judged(STATUS_NEEDLE_IN, AXIS_LATERAL);
+    expect_judged(STATUS_NEEDLE_IN, NEURO_AXIS_LATERAL);
 }
 
 void test_SWR_TRAJ_007_no_axis_is_taken_to_where_its_switch_may_be_active(void)
 {
-    const int32_t zone = robot.axes[AXIS_INSERTION].target_minimum_ticks - 1;
-    rows[0].ticks[AXIS_INSERTION] = zone;
+    const int32_t zone = robot.axes[NEURO_AXIS_INSERTION].target_minimum_ticks - 1;
+    rows[0].ticks[NEURO_AXIS_INSERTION] = zone;
     rows[0].crc = trajectory_row_crc(&rows[0]);
-    world_put(AXIS_INSERTION, zone);
+    world_put(NEURO_AXIS_INSERTION, zone);
     expect_judged(STATUS_OK, 0U);
-    world_put(AXIS_INSERTION, zone + 2 + robot.axes[AXIS_INSERTION].deadband_ticks);
-    expect_judged(STATUS_SWITCH_ZONE, AXIS_INSERTION);
+    world_put(NEURO_AXIS_INSERTION, zone + 2 + robot.axes[NEURO_AXIS_INSERTION].deadband_ticks);
+    expect_judged(STATUS_SWITCH_ZONE, NEURO_AXIS_INSERTION);
 }
 
 void test_SWR_TRAJ_008_it_begins_with_a_way_from_where_the_axes_stand(void)
 {
-    world_put(AXIS_YAW, 200);
-    world_put(AXIS_ROTATION, -100);
+    world_put(NEURO_AXIS_YAW, 200);
+    world_put(NEURO_AXIS_ROTATION, -100);
     step();
     TEST_ASSERT_INT32_WITHIN(1, 200, yaw());
     step_until_on_way();
     TEST_ASSERT_EQUAL_INT32(0, yaw());
-    TEST_ASSERT_EQUAL_INT32(0, axes[AXIS_ROTATION].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_ROTATION].setpoint_ticks);
     TEST_ASSERT_EQUAL_UINT32(500000U, mode.time_us);
 }
 
@@ -170,7 +170,7 @@ void test_SWR_TRAJ_009_each_row_is_met_in_its_cycle(void)
     step_until_on_way();
     steps(1000U);
     TEST_ASSERT_EQUAL_INT32(-PEAK, yaw());
-    TEST_ASSERT_INT32_WITHIN(1, -400 * 256, axes[AXIS_YAW].setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_INT32_WITHIN(1, -400 * 256, axes[NEURO_AXIS_YAW].setpoint_speed_ticks_per_s_q8);
     TEST_ASSERT_EQUAL_UINT32(1U, mode.row);
     steps(999U);
     TEST_ASSERT_INT32_WITHIN(1, -2 * PEAK, yaw());
@@ -203,7 +203,7 @@ static void expect_failed(event_id_t id, uint32_t subject, status_t status)
     TEST_ASSERT_EQUAL_UINT32(1U, result.note_count);
     TEST_ASSERT_EQUAL(id, result.notes[0].id);
     TEST_ASSERT_EQUAL_UINT32(subject, result.notes[0].axis);
-    TEST_ASSERT_TRUE(world_rests(AXIS_YAW));
+    TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_YAW));
 }
 
 void test_SWR_TRAJ_010_lost_time_ends_it_by_name(void)
@@ -234,7 +234,7 @@ void test_SWR_TRAJ_011_after_a_pause_it_goes_on_from_where_the_axes_stand(void)
     const int32_t before = yaw();
     trajectory_mode_pause(&mode);
     leg_stop(&leg);
-    world_put(AXIS_YAW, before + 20);
+    world_put(NEURO_AXIS_YAW, before + 20);
     step();
     TEST_ASSERT_INT32_WITHIN(1, before + 20, yaw());
     TEST_ASSERT_EQUAL_UINT32(time_us, mode.time_us);
@@ -254,7 +254,7 @@ void test_SWR_TRAJ_011_time_gains_its_pace_after_a_pause(void)
     const uint32_t time_us = mode.time_us;
     step();
     TEST_ASSERT_EQUAL_UINT32(LIMIT_CYCLE_US / cycles, mode.time_us - time_us);
-    TEST_ASSERT_INT32_WITHIN(256, 0, axes[AXIS_YAW].setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_INT32_WITHIN(256, 0, axes[NEURO_AXIS_YAW].setpoint_speed_ticks_per_s_q8);
     steps(cycles - 1U);
     TEST_ASSERT_UINT32_WITHIN(2U * LIMIT_CYCLE_US, LIMIT_TRAJECTORY_RAMP_US / 2U,
                               mode.time_us - time_us);
@@ -265,7 +265,7 @@ void test_SWR_TRAJ_011_time_gains_its_pace_after_a_pause(void)
 
 void test_SWR_TRAJ_011_a_pause_on_the_way_to_the_first_row_begins_that_anew(void)
 {
-    world_put(AXIS_YAW, 200);
+    world_put(NEURO_AXIS_YAW, 200);
     steps(10U);
     trajectory_mode_pause(&mode);
     leg_stop(&leg);
@@ -276,7 +276,7 @@ void test_SWR_TRAJ_011_a_pause_on_the_way_to_the_first_row_begins_that_anew(void
 
 void test_SWR_TRAJ_012_a_row_that_changed_ends_it_before_it_is_driven(void)
 {
-    rows[2].ticks[AXIS_YAW] -= 1;
+    rows[2].ticks[NEURO_AXIS_YAW] -= 1;
     step_until_on_way();
     steps(1000U);
     step();

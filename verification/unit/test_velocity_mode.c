@@ -155,11 +155,11 @@ static void finish(status_t status, uint32_t axis)
 
 void test_SWR_VEL_001_speeds_are_armed_for_a_time_or_one_for_a_way(void)
 {
-    ask(AXIS_YAW, -833, 1);
+    ask(NEURO_AXIS_YAW, -833, 1);
     expect(STATUS_OK, 0U);
-    ask(AXIS_ROTATION, 1285, (int32_t)LIMIT_VELOCITY_TIME_MS);
+    ask(NEURO_AXIS_ROTATION, 1285, (int32_t)LIMIT_VELOCITY_TIME_MS);
     expect(STATUS_OK, 0U);
-    mode.axes = ONE(AXIS_ROTATION);
+    mode.axes = ONE(NEURO_AXIS_ROTATION);
     mode.bound = -1;
     expect(STATUS_OK, 0U);
 }
@@ -171,60 +171,61 @@ void test_SWR_VEL_002_no_axis_no_end_and_no_speed_are_refused_by_name(void)
     mode.axes = ONE(robot.axis_count);
     expect(STATUS_UNKNOWN_COMMAND, 0U);
     mode.axes = 0U;
-    ask(AXIS_YAW, 100, 0);
+    ask(NEURO_AXIS_YAW, 100, 0);
     expect(STATUS_OUT_OF_RANGE, 0U);
     mode.bound = (int32_t)LIMIT_VELOCITY_TIME_MS + 1;
     expect(STATUS_OUT_OF_RANGE, 0U);
-    ask(AXIS_PITCH, 100, -10);
+    ask(NEURO_AXIS_PITCH, 100, -10);
     expect(STATUS_OUT_OF_RANGE, 0U);
-    ask(AXIS_PITCH, 0, 10);
-    expect(STATUS_OUT_OF_RANGE, AXIS_PITCH);
-    ask(AXIS_PITCH, 834, 10);
-    expect(STATUS_TOO_FAST, AXIS_PITCH);
-    ask(AXIS_PITCH, INT32_MIN, 10);
-    expect(STATUS_TOO_FAST, AXIS_PITCH);
+    ask(NEURO_AXIS_PITCH, 0, 10);
+    expect(STATUS_OUT_OF_RANGE, NEURO_AXIS_PITCH);
+    ask(NEURO_AXIS_PITCH, 834, 10);
+    expect(STATUS_TOO_FAST, NEURO_AXIS_PITCH);
+    ask(NEURO_AXIS_PITCH, INT32_MIN, 10);
+    expect(STATUS_TOO_FAST, NEURO_AXIS_PITCH);
 }
 
 void test_SWR_VEL_009_no_speed_across_a_needle_that_is_in(void)
 {
-    put(AXIS_INSERTION, 20000);
-    ask(AXIS_ROTATION, 100, 1000);
+    put(NEURO_AXIS_INSERTION, 20000);
+    ask(NEURO_AXIS_ROTATION, 100, 1000);
     expect(STATUS_OK, 0U);
-    ask(AXIS_LATERAL, -100, 1000);
-    expect(STATUS_NEEDLE_IN, AXIS_LATERAL);
+    ask(NEURO_AXIS_LATERAL, -100, 1000);
+    expect(STATUS_NEEDLE_IN, NEURO_AXIS_LATERAL);
 }
 
 void test_SWR_VEL_009_nor_together_with_one_that_takes_it_in(void)
 {
-    put(AXIS_INSERTION, 400);
-    ask(AXIS_LATERAL, -100, 1000);
-    ask(AXIS_INSERTION, 100, 1000);
-    expect(STATUS_NEEDLE_IN, AXIS_LATERAL);
-    ask(AXIS_INSERTION, -100, 1000);
+    put(NEURO_AXIS_INSERTION, 400);
+    ask(NEURO_AXIS_LATERAL, -100, 1000);
+    ask(NEURO_AXIS_INSERTION, 100, 1000);
+    expect(STATUS_NEEDLE_IN, NEURO_AXIS_LATERAL);
+    ask(NEURO_AXIS_INSERTION, -100, 1000);
     expect(STATUS_OK, 0U);
-    ask(AXIS_INSERTION, 100, 1000);
-    mode.axes = ONE(AXIS_INSERTION) | ONE(AXIS_ROTATION);
-    mode.speeds_ticks_per_s[AXIS_ROTATION] = 100;
+    ask(NEURO_AXIS_INSERTION, 100, 1000);
+    mode.axes = ONE(NEURO_AXIS_INSERTION) | ONE(NEURO_AXIS_ROTATION);
+    mode.speeds_ticks_per_s[NEURO_AXIS_ROTATION] = 100;
     expect(STATUS_OK, 0U);
-    world_lose(AXIS_INSERTION);
-    expect(STATUS_NEEDLE_IN, AXIS_INSERTION);
+    world_lose(NEURO_AXIS_INSERTION);
+    expect(STATUS_NEEDLE_IN, NEURO_AXIS_INSERTION);
 }
 
 void test_SWR_VEL_005_six_hundred_ticks_at_the_speed_of_the_thesis(void)
 {
     int32_t fastest_q8 = 0;
-    ask(AXIS_YAW, -833, -600);
+    ask(NEURO_AXIS_YAW, -833, -600);
     while (is_ramping()) {
         step();
-        fastest_q8 = (before_q8[AXIS_YAW] < fastest_q8) ? before_q8[AXIS_YAW] : fastest_q8;
+        fastest_q8 =
+            (before_q8[NEURO_AXIS_YAW] < fastest_q8) ? before_q8[NEURO_AXIS_YAW] : fastest_q8;
     }
     TEST_ASSERT_EQUAL_INT32(-833 * 256, fastest_q8);
     TEST_ASSERT_EQUAL_INT32(VELOCITY_END_WAY, result.notes[0].value);
-    TEST_ASSERT_EQUAL_INT32(-600, axes[AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(-600, axes[NEURO_AXIS_YAW].encoder.position_ticks);
     /* 600 / 833 + 833 / 1929 s, and the last hundredths of a tick. */
     TEST_ASSERT_UINT32_WITHIN(20U, 1160U, cycles);
     finish(STATUS_OK, 0U);
-    TEST_ASSERT_EQUAL_INT32(-600, axes[AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(-600, axes[NEURO_AXIS_YAW].encoder.position_ticks);
 }
 
 void test_SWR_VEL_005_each_way_is_met_to_the_tick(void)
@@ -235,17 +236,17 @@ void test_SWR_VEL_005_each_way_is_met_to_the_tick(void)
         const int32_t way = random_within(1, 700);
         const int32_t speed = random_within(20, 1285);
         const int32_t sign = ((i & 1U) != 0U) ? 1 : -1;
-        ask(AXIS_ROTATION, sign * speed, -way);
-        TEST_ASSERT_EQUAL(VELOCITY_END_WAY, run_down(AXIS_ROTATION));
-        TEST_ASSERT_EQUAL_INT32(sign * way, axes[AXIS_ROTATION].setpoint_ticks);
+        ask(NEURO_AXIS_ROTATION, sign * speed, -way);
+        TEST_ASSERT_EQUAL(VELOCITY_END_WAY, run_down(NEURO_AXIS_ROTATION));
+        TEST_ASSERT_EQUAL_INT32(sign * way, axes[NEURO_AXIS_ROTATION].setpoint_ticks);
     }
 }
 
 void test_SWR_VEL_005_a_slow_way_ends_with_the_longest_time(void)
 {
-    ask(AXIS_YAW, -1, -600);
-    TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(AXIS_YAW));
-    TEST_ASSERT_EQUAL_INT32(-60, axes[AXIS_YAW].encoder.position_ticks);
+    ask(NEURO_AXIS_YAW, -1, -600);
+    TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(NEURO_AXIS_YAW));
+    TEST_ASSERT_EQUAL_INT32(-60, axes[NEURO_AXIS_YAW].encoder.position_ticks);
     finish(STATUS_OK, 0U);
 }
 
@@ -254,14 +255,14 @@ void test_SWR_VEL_004_every_set_point_is_at_rest_when_the_time_is_over(void)
     static const int32_t times_ms[] = {1, 2, 50, 777, 2000};
     for (uint32_t i = 0U; i < (sizeof times_ms / sizeof times_ms[0]); i++) {
         setUp();
-        ask(AXIS_YAW, -300, times_ms[i]);
-        ask(AXIS_PITCH, -100, times_ms[i]);
+        ask(NEURO_AXIS_YAW, -300, times_ms[i]);
+        ask(NEURO_AXIS_PITCH, -100, times_ms[i]);
         while ((int32_t)cycles < times_ms[i]) {
             step();
             TEST_ASSERT_TRUE(((int32_t)cycles == times_ms[i]) || is_ramping());
         }
-        TEST_ASSERT_EQUAL_INT32(0, axes[AXIS_YAW].setpoint_speed_ticks_per_s_q8);
-        TEST_ASSERT_EQUAL_INT32(0, axes[AXIS_PITCH].setpoint_speed_ticks_per_s_q8);
+        TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_YAW].setpoint_speed_ticks_per_s_q8);
+        TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_PITCH].setpoint_speed_ticks_per_s_q8);
         TEST_ASSERT_EQUAL_UINT32(1U, leg.is_running);
         finish(STATUS_OK, 0U);
     }
@@ -269,39 +270,39 @@ void test_SWR_VEL_004_every_set_point_is_at_rest_when_the_time_is_over(void)
 
 void test_SWR_VEL_003_each_axis_has_its_own_ramp_and_its_own_speed(void)
 {
-    ask(AXIS_ROTATION, 1285, 3000);
-    ask(AXIS_INSERTION, 16667, 3000);
-    put(AXIS_INSERTION, 5000);
+    ask(NEURO_AXIS_ROTATION, 1285, 3000);
+    ask(NEURO_AXIS_INSERTION, 16667, 3000);
+    put(NEURO_AXIS_INSERTION, 5000);
     for (uint32_t i = 0U; i < 1500U; i++) {
         step();
     }
-    TEST_ASSERT_EQUAL_INT32(1285 * 256, before_q8[AXIS_ROTATION]);
-    TEST_ASSERT_EQUAL_INT32(16667 * 256, before_q8[AXIS_INSERTION]);
-    TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(AXIS_INSERTION));
+    TEST_ASSERT_EQUAL_INT32(1285 * 256, before_q8[NEURO_AXIS_ROTATION]);
+    TEST_ASSERT_EQUAL_INT32(16667 * 256, before_q8[NEURO_AXIS_INSERTION]);
+    TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(NEURO_AXIS_INSERTION));
     finish(STATUS_OK, 0U);
 }
 
 void test_SWR_VEL_003_it_keeps_to_the_cap_also_when_that_comes_later(void)
 {
-    ask(AXIS_ROTATION, 1285, 4000);
+    ask(NEURO_AXIS_ROTATION, 1285, 4000);
     for (uint32_t i = 0U; i < 1000U; i++) {
         step();
     }
-    frame.speed_cap_percent[AXIS_ROTATION] = 25U;
+    frame.speed_cap_percent[NEURO_AXIS_ROTATION] = 25U;
     for (uint32_t i = 0U; i < 500U; i++) {
         step();
     }
-    TEST_ASSERT_INT32_WITHIN(256, 321 * 256, before_q8[AXIS_ROTATION]);
+    TEST_ASSERT_INT32_WITHIN(256, 321 * 256, before_q8[NEURO_AXIS_ROTATION]);
 }
 
 void test_SWR_VEL_003_an_axis_that_is_not_homed_keeps_to_its_home_speed(void)
 {
-    ask(AXIS_ROTATION, 1285, 4000);
-    world_lose(AXIS_ROTATION);
+    ask(NEURO_AXIS_ROTATION, 1285, 4000);
+    world_lose(NEURO_AXIS_ROTATION);
     for (uint32_t i = 0U; i < 80U; i++) {
         step();
     }
-    TEST_ASSERT_EQUAL_INT32(321 * 256, before_q8[AXIS_ROTATION]);
+    TEST_ASSERT_EQUAL_INT32(321 * 256, before_q8[NEURO_AXIS_ROTATION]);
 }
 
 static velocity_end_t end_at(uint32_t axis, int32_t soft_ticks, int32_t zone_ticks)
@@ -351,18 +352,20 @@ void test_SWR_VEL_006_each_axis_comes_to_rest_at_its_limits(void)
 
 void test_SWR_VEL_006_what_stands_in_the_zone_of_its_switch_does_not_go_on(void)
 {
-    put(AXIS_YAW, 8);
-    ask(AXIS_YAW, 100, 1000);
-    TEST_ASSERT_EQUAL(VELOCITY_END_SWITCH_ZONE, run_down(AXIS_YAW));
-    TEST_ASSERT_EQUAL_INT32(8, axes[AXIS_YAW].encoder.position_ticks);
-    finish(STATUS_SWITCH_ZONE, AXIS_YAW);
+    put(NEURO_AXIS_YAW, 8);
+    ask(NEURO_AXIS_YAW, 100, 1000);
+    TEST_ASSERT_EQUAL(VELOCITY_END_SWITCH_ZONE, run_down(NEURO_AXIS_YAW));
+    TEST_ASSERT_EQUAL_INT32(8, axes[NEURO_AXIS_YAW].encoder.position_ticks);
+    finish(STATUS_SWITCH_ZONE, NEURO_AXIS_YAW);
 }
 
 static int64_t separation_nm(void)
 {
     joints_t joints = {.value = {0}};
-    joints.value[AXIS_HEAD] = joints_of(&robot.axes[AXIS_HEAD], axes[AXIS_HEAD].setpoint_ticks);
-    joints.value[AXIS_FEET] = joints_of(&robot.axes[AXIS_FEET], axes[AXIS_FEET].setpoint_ticks);
+    joints.value[NEURO_AXIS_HEAD] =
+        joints_of(&robot.axes[NEURO_AXIS_HEAD], axes[NEURO_AXIS_HEAD].setpoint_ticks);
+    joints.value[NEURO_AXIS_FEET] =
+        joints_of(&robot.axes[NEURO_AXIS_FEET], axes[NEURO_AXIS_FEET].setpoint_ticks);
     return kinematics_coupled(&robot, 0U, &joints);
 }
 
@@ -390,18 +393,18 @@ void test_SWR_VEL_007_two_axes_at_any_speeds_come_to_rest_before_the_limit_they_
     for (uint32_t i = 0U; i < SCENES(100U); i++) {
         setUp();
         random_state = i + 1U;
-        put(AXIS_HEAD, random_within(-5000, -300));
-        put(AXIS_FEET, random_within(-100, 200));
-        ask(AXIS_HEAD, any_speed(AXIS_HEAD), 12000);
-        ask(AXIS_FEET, any_speed(AXIS_FEET), 12000);
-        robot.axes[AXIS_HEAD].acceleration_ticks_per_s2 = random_within(500, 6000);
+        put(NEURO_AXIS_HEAD, random_within(-5000, -300));
+        put(NEURO_AXIS_FEET, random_within(-100, 200));
+        ask(NEURO_AXIS_HEAD, any_speed(NEURO_AXIS_HEAD), 12000);
+        ask(NEURO_AXIS_FEET, any_speed(NEURO_AXIS_FEET), 12000);
+        robot.axes[NEURO_AXIS_HEAD].acceleration_ticks_per_s2 = random_within(500, 6000);
         while (is_ramping()) {
             step();
             expect_apart();
         }
         if (mode.barred != 0U) {
             TEST_ASSERT_EQUAL_INT32(VELOCITY_END_COUPLED_LIMIT, result.notes[0].value);
-            finish(STATUS_SEPARATION_LIMIT, AXIS_HEAD);
+            finish(STATUS_SEPARATION_LIMIT, NEURO_AXIS_HEAD);
             ended++;
         }
     }
@@ -410,90 +413,90 @@ void test_SWR_VEL_007_two_axes_at_any_speeds_come_to_rest_before_the_limit_they_
 
 void test_SWR_VEL_007_what_is_outside_may_come_back_but_go_no_farther_out(void)
 {
-    put(AXIS_HEAD, -20);
-    put(AXIS_FEET, -350);
-    ask(AXIS_FEET, -100, 500);
-    TEST_ASSERT_EQUAL(VELOCITY_END_COUPLED_LIMIT, run_down(AXIS_FEET));
-    finish(STATUS_SEPARATION_LIMIT, AXIS_FEET);
+    put(NEURO_AXIS_HEAD, -20);
+    put(NEURO_AXIS_FEET, -350);
+    ask(NEURO_AXIS_FEET, -100, 500);
+    TEST_ASSERT_EQUAL(VELOCITY_END_COUPLED_LIMIT, run_down(NEURO_AXIS_FEET));
+    finish(STATUS_SEPARATION_LIMIT, NEURO_AXIS_FEET);
     setUp();
-    put(AXIS_HEAD, -20);
-    put(AXIS_FEET, -350);
-    ask(AXIS_FEET, 100, 500);
-    TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(AXIS_FEET));
+    put(NEURO_AXIS_HEAD, -20);
+    put(NEURO_AXIS_FEET, -350);
+    ask(NEURO_AXIS_FEET, 100, 500);
+    TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(NEURO_AXIS_FEET));
     setUp();
-    put(AXIS_HEAD, -5400);
-    ask(AXIS_HEAD, -100, 500);
-    TEST_ASSERT_EQUAL(VELOCITY_END_COUPLED_LIMIT, run_down(AXIS_HEAD));
+    put(NEURO_AXIS_HEAD, -5400);
+    ask(NEURO_AXIS_HEAD, -100, 500);
+    TEST_ASSERT_EQUAL(VELOCITY_END_COUPLED_LIMIT, run_down(NEURO_AXIS_HEAD));
     setUp();
-    put(AXIS_HEAD, -5400);
-    ask(AXIS_HEAD, 100, 500);
-    TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(AXIS_HEAD));
+    put(NEURO_AXIS_HEAD, -5400);
+    ask(NEURO_AXIS_HEAD, 100, 500);
+    TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(NEURO_AXIS_HEAD));
 }
 
 void test_SWR_VEL_008_before_homing_a_short_way_at_home_speed(void)
 {
-    const int32_t way =
-        (int32_t)((int64_t)LIMIT_UNHOMED_JOG_BAM * 65536 / robot.axes[AXIS_YAW].unit_per_tick_q16);
-    world_lose(AXIS_YAW);
-    put(AXIS_YAW, 5);
-    ask(AXIS_YAW, 833, 5000);
-    TEST_ASSERT_EQUAL(VELOCITY_END_SHORT_WAY, run_down(AXIS_YAW));
-    TEST_ASSERT_EQUAL_INT32(5 + way, axes[AXIS_YAW].setpoint_ticks);
-    finish(STATUS_JOG_TOO_FAR, AXIS_YAW);
+    const int32_t way = (int32_t)((int64_t)LIMIT_UNHOMED_JOG_BAM * 65536 /
+                                  robot.axes[NEURO_AXIS_YAW].unit_per_tick_q16);
+    world_lose(NEURO_AXIS_YAW);
+    put(NEURO_AXIS_YAW, 5);
+    ask(NEURO_AXIS_YAW, 833, 5000);
+    TEST_ASSERT_EQUAL(VELOCITY_END_SHORT_WAY, run_down(NEURO_AXIS_YAW));
+    TEST_ASSERT_EQUAL_INT32(5 + way, axes[NEURO_AXIS_YAW].setpoint_ticks);
+    finish(STATUS_JOG_TOO_FAR, NEURO_AXIS_YAW);
 }
 
 void test_SWR_VEL_008_what_shares_a_limit_with_one_that_is_not_homed_as_well(void)
 {
-    const int32_t way =
-        (int32_t)((int64_t)LIMIT_UNHOMED_JOG_NM * 65536 / robot.axes[AXIS_FEET].unit_per_tick_q16);
-    world_lose(AXIS_HEAD);
-    put(AXIS_FEET, 100);
-    ask(AXIS_FEET, -196, 5000);
-    TEST_ASSERT_EQUAL(VELOCITY_END_SHORT_WAY, run_down(AXIS_FEET));
-    TEST_ASSERT_EQUAL_INT32(100 - way, axes[AXIS_FEET].setpoint_ticks);
+    const int32_t way = (int32_t)((int64_t)LIMIT_UNHOMED_JOG_NM * 65536 /
+                                  robot.axes[NEURO_AXIS_FEET].unit_per_tick_q16);
+    world_lose(NEURO_AXIS_HEAD);
+    put(NEURO_AXIS_FEET, 100);
+    ask(NEURO_AXIS_FEET, -196, 5000);
+    TEST_ASSERT_EQUAL(VELOCITY_END_SHORT_WAY, run_down(NEURO_AXIS_FEET));
+    TEST_ASSERT_EQUAL_INT32(100 - way, axes[NEURO_AXIS_FEET].setpoint_ticks);
 }
 
 void test_SWR_VEL_008_its_switch_ends_it_where_it_stands(void)
 {
-    world_lose(AXIS_YAW);
-    ask(AXIS_YAW, 200, 2000);
+    world_lose(NEURO_AXIS_YAW);
+    ask(NEURO_AXIS_YAW, 200, 2000);
     for (uint32_t i = 0U; i < 60U; i++) {
         step();
     }
-    const int32_t met = axes[AXIS_YAW].encoder.position_ticks;
-    axes[AXIS_YAW].limit_switches = CARD_LIMIT_UPPER;
+    const int32_t met = axes[NEURO_AXIS_YAW].encoder.position_ticks;
+    axes[NEURO_AXIS_YAW].limit_switches = CARD_LIMIT_UPPER;
     do {
         step();
-        put(AXIS_YAW, axes[AXIS_YAW].setpoint_ticks);
-        world_put(AXIS_YAW, met);
+        put(NEURO_AXIS_YAW, axes[NEURO_AXIS_YAW].setpoint_ticks);
+        world_put(NEURO_AXIS_YAW, met);
     } while (is_ramping());
     TEST_ASSERT_EQUAL_INT32(VELOCITY_END_SWITCH_ZONE, result.notes[0].value);
-    TEST_ASSERT_EQUAL_INT32(met, leg.profile.end_ticks[AXIS_YAW]);
-    finish(STATUS_SWITCH_ZONE, AXIS_YAW);
+    TEST_ASSERT_EQUAL_INT32(met, leg.profile.end_ticks[NEURO_AXIS_YAW]);
+    finish(STATUS_SWITCH_ZONE, NEURO_AXIS_YAW);
     /* Away from it. */
     setUp();
-    world_lose(AXIS_YAW);
-    axes[AXIS_YAW].limit_switches = CARD_LIMIT_UPPER;
-    ask(AXIS_YAW, -200, 100);
-    TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(AXIS_YAW));
+    world_lose(NEURO_AXIS_YAW);
+    axes[NEURO_AXIS_YAW].limit_switches = CARD_LIMIT_UPPER;
+    ask(NEURO_AXIS_YAW, -200, 100);
+    TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(NEURO_AXIS_YAW));
 }
 
 void test_SWR_VEL_010_a_pause_leaves_what_is_left_of_the_way(void)
 {
-    ask(AXIS_YAW, -833, -600);
+    ask(NEURO_AXIS_YAW, -833, -600);
     for (uint32_t i = 0U; i < 300U; i++) {
         step();
     }
     rest_one_cycle();
-    world_put(AXIS_YAW, axes[AXIS_YAW].encoder.position_ticks - 2);
+    world_put(NEURO_AXIS_YAW, axes[NEURO_AXIS_YAW].encoder.position_ticks - 2);
     rest_one_cycle();
-    TEST_ASSERT_EQUAL(VELOCITY_END_WAY, run_down(AXIS_YAW));
-    TEST_ASSERT_EQUAL_INT32(-600, axes[AXIS_YAW].setpoint_ticks);
+    TEST_ASSERT_EQUAL(VELOCITY_END_WAY, run_down(NEURO_AXIS_YAW));
+    TEST_ASSERT_EQUAL_INT32(-600, axes[NEURO_AXIS_YAW].setpoint_ticks);
 }
 
 void test_SWR_VEL_010_a_pause_leaves_what_is_left_of_the_time(void)
 {
-    ask(AXIS_YAW, -100, 1000);
+    ask(NEURO_AXIS_YAW, -100, 1000);
     for (uint32_t i = 0U; i < 400U; i++) {
         step();
     }
@@ -501,23 +504,23 @@ void test_SWR_VEL_010_a_pause_leaves_what_is_left_of_the_time(void)
         rest_one_cycle();
     }
     const uint32_t paused = cycles;
-    TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(AXIS_YAW));
+    TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(NEURO_AXIS_YAW));
     TEST_ASSERT_UINT32_WITHIN(2U, 600U, cycles - paused);
 }
 
 void test_SWR_VEL_010_what_has_ended_does_not_start_again(void)
 {
-    put(AXIS_HEAD, -20);
-    put(AXIS_FEET, -100);
-    ask(AXIS_FEET, -400, 3000);
-    TEST_ASSERT_EQUAL(VELOCITY_END_COUPLED_LIMIT, run_down(AXIS_FEET));
+    put(NEURO_AXIS_HEAD, -20);
+    put(NEURO_AXIS_FEET, -100);
+    ask(NEURO_AXIS_FEET, -400, 3000);
+    TEST_ASSERT_EQUAL(VELOCITY_END_COUPLED_LIMIT, run_down(NEURO_AXIS_FEET));
     rest_one_cycle();
-    world_put(AXIS_FEET, 0);
+    world_put(NEURO_AXIS_FEET, 0);
     rest_one_cycle();
     while (result.progress == MODE_RUNNING) {
         step();
         TEST_ASSERT_EQUAL_UINT32(0U, result.note_count);
-        TEST_ASSERT_EQUAL_INT32(0, axes[AXIS_FEET].encoder.position_ticks);
+        TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_FEET].encoder.position_ticks);
     }
     TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, result.status);
 }

@@ -18,7 +18,7 @@
 #define FAR_TICKS 100000
 #define WORDS_PER_KHZ 22009000.0
 
-static const axis_config_t *const rotation = &robot_prostate.axes[AXIS_ROTATION];
+static const axis_config_t *const rotation = &robot_prostate.axes[PROSTATE_AXIS_ROTATION];
 static servo_t servo;
 static sim_motor_t motor;
 
@@ -182,7 +182,8 @@ void test_SWR_BOX_011_the_resonance_of_a_warm_motor_is_20_hz_lower_for_each_kelv
 void test_SWR_BOX_010_a_motor_by_waves_grows_warmer_than_by_its_driver(void)
 {
     TEST_ASSERT_EQUAL_DOUBLE(30.0, motor.heat.settled_c);
-    TEST_ASSERT_EQUAL_DOUBLE(25.0, sim_motor_heat(&robot_prostate.axes[AXIS_INSERTION]).settled_c);
+    TEST_ASSERT_EQUAL_DOUBLE(
+        25.0, sim_motor_heat(&robot_prostate.axes[PROSTATE_AXIS_INSERTION]).settled_c);
 }
 
 void test_SWR_AXIS_019_the_model_goes_where_a_motor_with_waves_goes(void)

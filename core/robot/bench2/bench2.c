@@ -32,9 +32,9 @@ static solution_t reach(const robot_t *robot, const point_t *target, joints_t *j
     int32_t ticks[ROBOT_AXIS_MAX];
     joint_limits_t limits;
     margin_t margin;
-    joints->value[AXIS_SLIDE] =
+    joints->value[BENCH2_AXIS_SLIDE] =
         fixed_saturate((int64_t)target->x_nm - robot->geometry_nm[BENCH2_HOME_X]);
-    joints->value[AXIS_NEEDLE] =
+    joints->value[BENCH2_AXIS_NEEDLE] =
         fixed_saturate((int64_t)robot->geometry_nm[BENCH2_HOME_Y] - target->y_nm);
     joints_to_ticks(robot, joints, ticks);
     margin_set_axes(&limits, robot);
@@ -51,10 +51,12 @@ void bench2_forward(const robot_t *robot, const probe_t *probe, const joints_t *
 {
     (void)probe;
     set_orientation(zframe_treatment);
-    zframe_treatment->translation = (point_t){
-        fixed_saturate((int64_t)robot->geometry_nm[BENCH2_HOME_X] + joints->value[AXIS_SLIDE]),
-        fixed_saturate((int64_t)robot->geometry_nm[BENCH2_HOME_Y] - joints->value[AXIS_NEEDLE]),
-        robot->geometry_nm[BENCH2_HOME_Z]};
+    zframe_treatment->translation =
+        (point_t){fixed_saturate((int64_t)robot->geometry_nm[BENCH2_HOME_X] +
+                                 joints->value[BENCH2_AXIS_SLIDE]),
+                  fixed_saturate((int64_t)robot->geometry_nm[BENCH2_HOME_Y] -
+                                 joints->value[BENCH2_AXIS_NEEDLE]),
+                  robot->geometry_nm[BENCH2_HOME_Z]};
 }
 
 solution_t bench2_inverse(const robot_t *robot, const probe_t *probe, const needle_line_t *line,

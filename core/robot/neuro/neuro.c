@@ -113,8 +113,8 @@ static int64_t reach(const needle_t *self, int64_t depth_nm, int64_t value[JOINT
         (int64_t)self->target.y_nm - fixed_multiply_q30(lever_nm, self->direction_q30[1]);
     const int64_t z_nm =
         (int64_t)self->target.z_nm - fixed_multiply_q30(lever_nm, self->direction_q30[2]);
-    value[AXIS_LATERAL] = x_nm - robot->geometry_nm[NEURO_RCM_HOME_X];
-    value[AXIS_INSERTION] = depth_nm;
+    value[NEURO_AXIS_LATERAL] = x_nm - robot->geometry_nm[NEURO_RCM_HOME_X];
+    value[NEURO_AXIS_INSERTION] = depth_nm;
     value[NEURO_LIMIT_HEIGHT] = self->home_height_nm + y_nm - robot->geometry_nm[NEURO_RCM_HOME_Y];
     return (z_nm - robot->geometry_nm[NEURO_RCM_HOME_Z]) * 2;
 }
@@ -134,8 +134,8 @@ static void spread(const needle_t *self, int64_t axial_nm, int64_t value[JOINT_L
 {
     const int64_t opened_nm =
         value[NEURO_LIMIT_SEPARATION] - self->robot->geometry_nm[NEURO_HOME_SEPARATION];
-    value[AXIS_HEAD] = fixed_shift_rounded(axial_nm + opened_nm, 1U);
-    value[AXIS_FEET] = fixed_shift_rounded(axial_nm - opened_nm, 1U);
+    value[NEURO_AXIS_HEAD] = fixed_shift_rounded(axial_nm + opened_nm, 1U);
+    value[NEURO_AXIS_FEET] = fixed_shift_rounded(axial_nm - opened_nm, 1U);
 }
 
 /* Joints at the depth, refused if one would stand outside its limits at the nearest ticks. */
@@ -147,9 +147,9 @@ static solution_t finish(const needle_t *self, const joint_limits_t *limits, int
     const int64_t axial_nm = reach(self, depth_nm, value);
     separate(self, value);
     spread(self, axial_nm, value);
-    value[AXIS_ROTATION] = self->rotation_bam;
-    value[AXIS_PITCH] = self->pitch_bam;
-    value[AXIS_YAW] = self->yaw_bam;
+    value[NEURO_AXIS_ROTATION] = self->rotation_bam;
+    value[NEURO_AXIS_PITCH] = self->pitch_bam;
+    value[NEURO_AXIS_YAW] = self->yaw_bam;
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         joints->value[i] = fixed_saturate(value[i]);
     }
@@ -165,7 +165,7 @@ static solution_t finish(const needle_t *self, const joint_limits_t *limits, int
         margin_add(&margin, limits, i, value[i]);
     }
     margin_add(&margin, limits, NEURO_LIMIT_SEPARATION,
-               (value[AXIS_HEAD] - value[AXIS_FEET]) +
+               (value[NEURO_AXIS_HEAD] - value[NEURO_AXIS_FEET]) +
                    self->robot->geometry_nm[NEURO_HOME_SEPARATION]);
     return (margin.margin_q56 < 0) ? margin_limit(&margin, limits) : result_of(STATUS_OK);
 }
@@ -194,12 +194,12 @@ static margin_t margin_at_depth(const needle_t *self, const joint_limits_t *limi
     int64_t value[JOINT_LIMIT_COUNT];
     margin_t margin;
     margin_init(&margin);
-    margin_add(&margin, limits, AXIS_INSERTION, depth_nm);
+    margin_add(&margin, limits, NEURO_AXIS_INSERTION, depth_nm);
     if (margin.margin_q56 <= least_q56) {
         return margin;
     }
     const int64_t axial_nm = reach(self, depth_nm, value);
-    margin_add(&margin, limits, AXIS_LATERAL, value[AXIS_LATERAL]);
+    margin_add(&margin, limits, NEURO_AXIS_LATERAL, value[NEURO_AXIS_LATERAL]);
     /* The height is no joint: room to its ends is worth nothing. */
     margin_add_missed(&margin, limits, NEURO_LIMIT_HEIGHT, value[NEURO_LIMIT_HEIGHT]);
     if (margin.margin_q56 <= least_q56) {
@@ -211,8 +211,8 @@ static margin_t margin_at_depth(const needle_t *self, const joint_limits_t *limi
         return margin;
     }
     spread(self, axial_nm, value);
-    margin_add(&margin, limits, AXIS_HEAD, value[AXIS_HEAD]);
-    margin_add(&margin, limits, AXIS_FEET, value[AXIS_FEET]);
+    margin_add(&margin, limits, NEURO_AXIS_HEAD, value[NEURO_AXIS_HEAD]);
+    margin_add(&margin, limits, NEURO_AXIS_FEET, value[NEURO_AXIS_FEET]);
     return margin;
 }
 
@@ -222,7 +222,7 @@ static margin_t margin_at_depth(const needle_t *self, const joint_limits_t *limi
 static int64_t find_depth(const needle_t *self, const joint_limits_t *limits, margin_t *best)
 {
     const int64_t enough_q56 = (MARGIN_ONE_Q56 / 100) * (int64_t)LIMIT_DEPTH_MARGIN_PERCENT;
-    const int64_t whole = limits->limit[AXIS_INSERTION].maximum / DEPTH_STEP_NM;
+    const int64_t whole = limits->limit[NEURO_AXIS_INSERTION].maximum / DEPTH_STEP_NM;
     int64_t best_depth_nm = 0;
     *best = margin_at_depth(self, limits, 0, -INT64_MAX);
     for (int64_t i = whole; (i > 0) && (best->margin_q56 < enough_q56); i--) {
@@ -249,22 +249,22 @@ void neuro_limits(const robot_t *robot, joint_limits_t *limits)
 void neuro_forward(const robot_t *robot, const probe_t *probe, const joints_t *joints,
                    rigid_t *zframe_treatment)
 {
-    const int64_t head_nm = joints->value[AXIS_HEAD];
-    const int64_t feet_nm = joints->value[AXIS_FEET];
+    const int64_t head_nm = joints->value[NEURO_AXIS_HEAD];
+    const int64_t feet_nm = joints->value[NEURO_AXIS_FEET];
     const int64_t height_nm =
         height_of(robot, (head_nm - feet_nm) + robot->geometry_nm[NEURO_HOME_SEPARATION]);
     const int64_t home_height_nm = height_of(robot, robot->geometry_nm[NEURO_HOME_SEPARATION]);
-    const int32_t lever_nm = lever_at(robot, probe, joints->value[AXIS_INSERTION]);
-    const fixed_direction_t roll = fixed_direction(joints->value[AXIS_ROTATION]);
+    const int32_t lever_nm = lever_at(robot, probe, joints->value[NEURO_AXIS_INSERTION]);
+    const fixed_direction_t roll = fixed_direction(joints->value[NEURO_AXIS_ROTATION]);
     const int32_t x_q30[3] = {roll.cosine_q30, roll.sine_q30, 0};
     const int32_t y_q30[3] = {-roll.sine_q30, roll.cosine_q30, 0};
     const int64_t rcm_nm[3] = {
-        (int64_t)robot->geometry_nm[NEURO_RCM_HOME_X] + joints->value[AXIS_LATERAL],
+        (int64_t)robot->geometry_nm[NEURO_RCM_HOME_X] + joints->value[NEURO_AXIS_LATERAL],
         robot->geometry_nm[NEURO_RCM_HOME_Y] + height_nm - home_height_nm,
         robot->geometry_nm[NEURO_RCM_HOME_Z] + fixed_shift_rounded(head_nm + feet_nm, 1U)};
     int32_t frame_q30[3][3];
     int32_t origin_nm[3];
-    frame_of_angles(joints->value[AXIS_PITCH], joints->value[AXIS_YAW], frame_q30);
+    frame_of_angles(joints->value[NEURO_AXIS_PITCH], joints->value[NEURO_AXIS_YAW], frame_q30);
     for (uint32_t i = 0U; i < 3U; i++) {
         const int32_t row_q30[3] = {frame_q30[0][i], frame_q30[1][i], 0};
         zframe_treatment->rotation_q30[i][0] = fixed_saturate(fixed_dot_q30(row_q30, x_q30));
@@ -323,13 +323,13 @@ solution_t neuro_solve(const robot_t *robot, const probe_t *probe, const rigid_t
     if ((entry != NULL) && find_entry_depth(&needle, entry, &depth_nm)) {
         solution_t by_entry = finish(&needle, &limits, depth_nm, joints);
         /* No depth helps an angle. */
-        by_entry.is_by_entry = (by_entry.axis <= (uint8_t)AXIS_INSERTION) ? 1U : 0U;
+        by_entry.is_by_entry = (by_entry.axis <= (uint8_t)NEURO_AXIS_INSERTION) ? 1U : 0U;
         return by_entry;
     }
     depth_nm = find_depth(&needle, &limits, &best);
-    margin_add(&best, &limits, AXIS_ROTATION, needle.rotation_bam);
-    margin_add(&best, &limits, AXIS_PITCH, needle.pitch_bam);
-    margin_add(&best, &limits, AXIS_YAW, needle.yaw_bam);
+    margin_add(&best, &limits, NEURO_AXIS_ROTATION, needle.rotation_bam);
+    margin_add(&best, &limits, NEURO_AXIS_PITCH, needle.pitch_bam);
+    margin_add(&best, &limits, NEURO_AXIS_YAW, needle.yaw_bam);
     const solution_t result = finish(&needle, &limits, depth_nm, joints);
     /* A height that is missed is the cause of whatever else is. */
     const bool is_told =
@@ -340,6 +340,6 @@ solution_t neuro_solve(const robot_t *robot, const probe_t *probe, const rigid_t
 int64_t neuro_coupled(const robot_t *robot, uint32_t index, const joints_t *joints)
 {
     (void)index;
-    return ((int64_t)joints->value[AXIS_HEAD] - joints->value[AXIS_FEET]) +
+    return ((int64_t)joints->value[NEURO_AXIS_HEAD] - joints->value[NEURO_AXIS_FEET]) +
            robot->geometry_nm[NEURO_HOME_SEPARATION];
 }

@@ -71,7 +71,8 @@ static pivot_t pivot_of(const robot_t *robot, int64_t left_nm, int64_t right_nm)
 
 static pivot_t front_of(const robot_t *robot, const joints_t *joints)
 {
-    return pivot_of(robot, joints->value[AXIS_FRONT_LEFT], joints->value[AXIS_FRONT_RIGHT]);
+    return pivot_of(robot, joints->value[PROSTATE_AXIS_FRONT_LEFT],
+                    joints->value[PROSTATE_AXIS_FRONT_RIGHT]);
 }
 
 /* Angles of a direction; beta is positive downwards. */
@@ -85,15 +86,17 @@ static angles_t angles_of(const int64_t direction[3])
 /* How far the front pivot is to the left of the rear one, nm. */
 static int64_t aside_nm(const joints_t *joints)
 {
-    return middle_nm(joints->value[AXIS_FRONT_LEFT], joints->value[AXIS_FRONT_RIGHT]) -
-           middle_nm(joints->value[AXIS_REAR_LEFT], joints->value[AXIS_REAR_RIGHT]);
+    return middle_nm(joints->value[PROSTATE_AXIS_FRONT_LEFT],
+                     joints->value[PROSTATE_AXIS_FRONT_RIGHT]) -
+           middle_nm(joints->value[PROSTATE_AXIS_REAR_LEFT],
+                     joints->value[PROSTATE_AXIS_REAR_RIGHT]);
 }
 
 static angles_t angles_at(const robot_t *robot, const joints_t *joints)
 {
     const pivot_t front = front_of(robot, joints);
-    const pivot_t rear =
-        pivot_of(robot, joints->value[AXIS_REAR_LEFT], joints->value[AXIS_REAR_RIGHT]);
+    const pivot_t rear = pivot_of(robot, joints->value[PROSTATE_AXIS_REAR_LEFT],
+                                  joints->value[PROSTATE_AXIS_REAR_RIGHT]);
     const int64_t way_nm[3] = {front.x_nm - rear.x_nm, front.y_nm - rear.y_nm,
                                robot->geometry_nm[PROSTATE_STAGE_DISTANCE]};
     return angles_of(way_nm);
@@ -167,12 +170,12 @@ static void set_joints(const aimed_t *self, const carriers_t *carriers, joints_t
 {
     const int64_t front_nm = half_opened_nm(self->robot, &carriers->front);
     const int64_t rear_nm = half_opened_nm(self->robot, &carriers->rear);
-    joints->value[AXIS_FRONT_LEFT] = fixed_saturate(carriers->front.x_nm + front_nm);
-    joints->value[AXIS_FRONT_RIGHT] = fixed_saturate(carriers->front.x_nm - front_nm);
-    joints->value[AXIS_REAR_LEFT] = fixed_saturate(carriers->rear.x_nm + rear_nm);
-    joints->value[AXIS_REAR_RIGHT] = fixed_saturate(carriers->rear.x_nm - rear_nm);
-    joints->value[AXIS_INSERTION] = fixed_saturate(carriers->insertion_nm);
-    joints->value[AXIS_ROTATION] = self->rotation_bam;
+    joints->value[PROSTATE_AXIS_FRONT_LEFT] = fixed_saturate(carriers->front.x_nm + front_nm);
+    joints->value[PROSTATE_AXIS_FRONT_RIGHT] = fixed_saturate(carriers->front.x_nm - front_nm);
+    joints->value[PROSTATE_AXIS_REAR_LEFT] = fixed_saturate(carriers->rear.x_nm + rear_nm);
+    joints->value[PROSTATE_AXIS_REAR_RIGHT] = fixed_saturate(carriers->rear.x_nm - rear_nm);
+    joints->value[PROSTATE_AXIS_INSERTION] = fixed_saturate(carriers->insertion_nm);
+    joints->value[PROSTATE_AXIS_ROTATION] = self->rotation_bam;
 }
 
 static void set_limits(const robot_t *robot, joint_limits_t *limits)
@@ -235,10 +238,12 @@ int64_t prostate_coupled(const robot_t *robot, uint32_t index, const joints_t *j
     int64_t value = 0;
     switch (index) {
     case PROSTATE_FRONT_GAP:
-        value = (int64_t)joints->value[AXIS_FRONT_LEFT] - joints->value[AXIS_FRONT_RIGHT];
+        value = (int64_t)joints->value[PROSTATE_AXIS_FRONT_LEFT] -
+                joints->value[PROSTATE_AXIS_FRONT_RIGHT];
         break;
     case PROSTATE_REAR_GAP:
-        value = (int64_t)joints->value[AXIS_REAR_LEFT] - joints->value[AXIS_REAR_RIGHT];
+        value = (int64_t)joints->value[PROSTATE_AXIS_REAR_LEFT] -
+                joints->value[PROSTATE_AXIS_REAR_RIGHT];
         break;
     case PROSTATE_ALPHA:
         value = fixed_atan2_bam(aside_nm(joints), robot->geometry_nm[PROSTATE_STAGE_DISTANCE]);
@@ -257,8 +262,8 @@ void prostate_forward(const robot_t *robot, const probe_t *probe, const joints_t
     const int32_t *const probe_nm = probe->length_nm;
     const pivot_t front = front_of(robot, joints);
     const int32_t lever_nm = fixed_saturate((int64_t)probe_nm[PROSTATE_PROBE_NEEDLE_TIP] +
-                                            joints->value[AXIS_INSERTION]);
-    const fixed_direction_t roll = fixed_direction(joints->value[AXIS_ROTATION]);
+                                            joints->value[PROSTATE_AXIS_INSERTION]);
+    const fixed_direction_t roll = fixed_direction(joints->value[PROSTATE_AXIS_ROTATION]);
     const int32_t x_q30[3] = {roll.cosine_q30, roll.sine_q30, 0};
     const int32_t y_q30[3] = {-roll.sine_q30, roll.cosine_q30, 0};
     const int64_t front_nm[3] = {

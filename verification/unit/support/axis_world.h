@@ -16,10 +16,10 @@
 #define ABOVE 100
 #define BELOW (-100)
 
-static const axis_config_t *const with_upper_switch = &robot_neuro.axes[AXIS_PITCH];
-static const axis_config_t *const inverted = &robot_neuro.axes[AXIS_HEAD];
-static const axis_config_t *const with_lower_switch = &robot_neuro.axes[AXIS_INSERTION];
-static const axis_config_t *const without_switch = &robot_neuro.axes[AXIS_ROTATION];
+static const axis_config_t *const with_upper_switch = &robot_neuro.axes[NEURO_AXIS_PITCH];
+static const axis_config_t *const inverted = &robot_neuro.axes[NEURO_AXIS_HEAD];
+static const axis_config_t *const with_lower_switch = &robot_neuro.axes[NEURO_AXIS_INSERTION];
+static const axis_config_t *const without_switch = &robot_neuro.axes[NEURO_AXIS_ROTATION];
 
 static axis_t axis;
 static const axis_config_t *config;

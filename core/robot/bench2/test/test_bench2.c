@@ -44,8 +44,8 @@ static solution_t aim_from(int32_t x_nm, int32_t z_nm)
 void test_SWR_KIN_003_golden_joints_give_the_golden_poses(void)
 {
     for (size_t i = 0U; i < GOLDEN_COUNT; i++) {
-        joints.value[AXIS_SLIDE] = golden_bench2[i].slide_nm;
-        joints.value[AXIS_NEEDLE] = golden_bench2[i].needle_nm;
+        joints.value[BENCH2_AXIS_SLIDE] = golden_bench2[i].slide_nm;
+        joints.value[BENCH2_AXIS_NEEDLE] = golden_bench2[i].needle_nm;
         bench2_forward(&robot_bench2, &robot_bench2.probe, &joints, &pose);
         TEST_ASSERT_EQUAL_INT32(golden_bench2[i].point_nm[0], pose.translation.x_nm);
         TEST_ASSERT_EQUAL_INT32(golden_bench2[i].point_nm[1], pose.translation.y_nm);
@@ -63,13 +63,13 @@ void test_SWR_KIN_002_golden_poses_give_the_golden_joints(void)
         TEST_ASSERT_EQUAL_INT(
             STATUS_OK,
             bench2_solve(&robot_bench2, &robot_bench2.probe, &pose, NULL, &joints).status);
-        TEST_ASSERT_EQUAL_INT32(golden_bench2[i].slide_nm, joints.value[AXIS_SLIDE]);
-        TEST_ASSERT_EQUAL_INT32(golden_bench2[i].needle_nm, joints.value[AXIS_NEEDLE]);
+        TEST_ASSERT_EQUAL_INT32(golden_bench2[i].slide_nm, joints.value[BENCH2_AXIS_SLIDE]);
+        TEST_ASSERT_EQUAL_INT32(golden_bench2[i].needle_nm, joints.value[BENCH2_AXIS_NEEDLE]);
         joints = (joints_t){{0}};
         const point_t entry = {target.x_nm, target.y_nm + 40000000, target.z_nm};
         TEST_ASSERT_EQUAL_INT(STATUS_OK, aim(entry, target, 0).status);
-        TEST_ASSERT_EQUAL_INT32(golden_bench2[i].slide_nm, joints.value[AXIS_SLIDE]);
-        TEST_ASSERT_EQUAL_INT32(golden_bench2[i].needle_nm, joints.value[AXIS_NEEDLE]);
+        TEST_ASSERT_EQUAL_INT32(golden_bench2[i].slide_nm, joints.value[BENCH2_AXIS_SLIDE]);
+        TEST_ASSERT_EQUAL_INT32(golden_bench2[i].needle_nm, joints.value[BENCH2_AXIS_NEEDLE]);
     }
 }
 
@@ -104,10 +104,10 @@ void test_SWR_KIN_004_the_limit_that_is_missed_is_named(void)
     pose.translation.x_nm = 1000000;
     solution_t result = bench2_solve(&robot_bench2, &robot_bench2.probe, &pose, NULL, &joints);
     TEST_ASSERT_EQUAL_INT(STATUS_AXIS_LIMIT, result.status);
-    TEST_ASSERT_EQUAL_UINT8(AXIS_SLIDE, result.axis);
+    TEST_ASSERT_EQUAL_UINT8(BENCH2_AXIS_SLIDE, result.axis);
     TEST_ASSERT_EQUAL_UINT8(1U, result.is_maximum);
     pose.translation = (point_t){0, 69000000, 50000000};
     result = bench2_solve(&robot_bench2, &robot_bench2.probe, &pose, NULL, &joints);
-    TEST_ASSERT_EQUAL_UINT8(AXIS_NEEDLE, result.axis);
+    TEST_ASSERT_EQUAL_UINT8(BENCH2_AXIS_NEEDLE, result.axis);
     TEST_ASSERT_EQUAL_UINT8(1U, result.is_maximum);
 }

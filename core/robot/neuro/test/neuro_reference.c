@@ -41,12 +41,12 @@ static double height(const robot_t *robot, double separation_mm)
 static void rcm(const robot_t *robot, const double joint[ROBOT_AXIS_MAX], double point_mm[3])
 {
     const double home = robot->geometry_nm[NEURO_HOME_SEPARATION] / NM_PER_MM;
-    const double separation = home + joint[AXIS_HEAD] - joint[AXIS_FEET];
-    point_mm[0] = robot->geometry_nm[NEURO_RCM_HOME_X] / NM_PER_MM + joint[AXIS_LATERAL];
+    const double separation = home + joint[NEURO_AXIS_HEAD] - joint[NEURO_AXIS_FEET];
+    point_mm[0] = robot->geometry_nm[NEURO_RCM_HOME_X] / NM_PER_MM + joint[NEURO_AXIS_LATERAL];
     point_mm[1] = robot->geometry_nm[NEURO_RCM_HOME_Y] / NM_PER_MM + height(robot, separation) -
                   height(robot, home);
     point_mm[2] = robot->geometry_nm[NEURO_RCM_HOME_Z] / NM_PER_MM +
-                  (joint[AXIS_HEAD] + joint[AXIS_FEET]) / 2.0;
+                  (joint[NEURO_AXIS_HEAD] + joint[NEURO_AXIS_FEET]) / 2.0;
 }
 
 void neuro_reference_joints(const robot_t *robot, const joints_t *joints,
@@ -67,15 +67,15 @@ double neuro_reference_limit(const axis_config_t *axis, int32_t ticks)
 void neuro_reference_forward(const robot_t *robot, const double joint[ROBOT_AXIS_MAX],
                              neuro_reference_pose_t *pose)
 {
-    const double roll = joint[AXIS_ROTATION];
+    const double roll = joint[NEURO_AXIS_ROTATION];
     const double about_z[3][3] = {
         {cos(roll), -sin(roll), 0.0}, {sin(roll), cos(roll), 0.0}, {0.0, 0.0, 1.0}};
     const double lever =
-        joint[AXIS_INSERTION] + (robot->probe.length_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
-                                 robot->geometry_nm[NEURO_ROBOT_TO_RCM]) /
-                                    NM_PER_MM;
+        joint[NEURO_AXIS_INSERTION] + (robot->probe.length_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
+                                       robot->geometry_nm[NEURO_ROBOT_TO_RCM]) /
+                                          NM_PER_MM;
     double needle[3][3];
-    frame(joint[AXIS_PITCH], joint[AXIS_YAW], needle);
+    frame(joint[NEURO_AXIS_PITCH], joint[NEURO_AXIS_YAW], needle);
     multiply((const double(*)[3])needle, about_z, pose->rotation);
     rcm(robot, joint, pose->translation_mm);
     for (int i = 0; i < 3; i++) {
@@ -90,7 +90,7 @@ void neuro_reference_entry(const robot_t *robot, const double joint[ROBOT_AXIS_M
                           robot->geometry_nm[NEURO_ROBOT_TO_RCM]) /
                          NM_PER_MM;
     double needle[3][3];
-    frame(joint[AXIS_PITCH], joint[AXIS_YAW], needle);
+    frame(joint[NEURO_AXIS_PITCH], joint[NEURO_AXIS_YAW], needle);
     rcm(robot, joint, entry_mm);
     for (int i = 0; i < 3; i++) {
         entry_mm[i] += lever * needle[i][2];
@@ -112,16 +112,16 @@ bool neuro_reference_inverse(const robot_t *robot, const neuro_reference_pose_t 
     for (int i = 0; i < 3; i++) {
         point[i] = pose->translation_mm[i] - lever * pose->rotation[i][2];
     }
-    joint[AXIS_PITCH] = asin(-pose->rotation[0][2]);
-    joint[AXIS_YAW] = atan2(pose->rotation[2][2], -pose->rotation[1][2]);
-    frame(joint[AXIS_PITCH], joint[AXIS_YAW], needle);
+    joint[NEURO_AXIS_PITCH] = asin(-pose->rotation[0][2]);
+    joint[NEURO_AXIS_YAW] = atan2(pose->rotation[2][2], -pose->rotation[1][2]);
+    frame(joint[NEURO_AXIS_PITCH], joint[NEURO_AXIS_YAW], needle);
     for (int i = 0; i < 3; i++) {
         cosine += needle[i][0] * pose->rotation[i][0];
         sine += needle[i][1] * pose->rotation[i][0];
     }
-    joint[AXIS_ROTATION] = atan2(sine, cosine);
-    joint[AXIS_INSERTION] = depth_mm;
-    joint[AXIS_LATERAL] = point[0] - robot->geometry_nm[NEURO_RCM_HOME_X] / NM_PER_MM;
+    joint[NEURO_AXIS_ROTATION] = atan2(sine, cosine);
+    joint[NEURO_AXIS_INSERTION] = depth_mm;
+    joint[NEURO_AXIS_LATERAL] = point[0] - robot->geometry_nm[NEURO_RCM_HOME_X] / NM_PER_MM;
     const double risen =
         height(robot, home) + point[1] - robot->geometry_nm[NEURO_RCM_HOME_Y] / NM_PER_MM;
     if (risen <= 0.0 || risen >= link) {
@@ -130,8 +130,8 @@ bool neuro_reference_inverse(const robot_t *robot, const neuro_reference_pose_t 
     const double opened = 2.0 * sqrt(link * link - risen * risen) +
                           robot->geometry_nm[NEURO_TOP_WIDTH] / NM_PER_MM - home;
     const double moved = point[2] - robot->geometry_nm[NEURO_RCM_HOME_Z] / NM_PER_MM;
-    joint[AXIS_HEAD] = moved + opened / 2.0;
-    joint[AXIS_FEET] = moved - opened / 2.0;
+    joint[NEURO_AXIS_HEAD] = moved + opened / 2.0;
+    joint[NEURO_AXIS_FEET] = moved - opened / 2.0;
     return true;
 }
 
@@ -142,8 +142,8 @@ static double margin_of(double value, double minimum, double maximum)
 
 double neuro_reference_margin(const robot_t *robot, const double joint[ROBOT_AXIS_MAX])
 {
-    const double separation =
-        robot->geometry_nm[NEURO_HOME_SEPARATION] / NM_PER_MM + joint[AXIS_HEAD] - joint[AXIS_FEET];
+    const double separation = robot->geometry_nm[NEURO_HOME_SEPARATION] / NM_PER_MM +
+                              joint[NEURO_AXIS_HEAD] - joint[NEURO_AXIS_FEET];
     double smallest =
         margin_of(separation, robot->geometry_nm[NEURO_MINIMUM_SEPARATION] / NM_PER_MM,
                   robot->geometry_nm[NEURO_MAXIMUM_SEPARATION] / NM_PER_MM);
@@ -160,7 +160,7 @@ double neuro_reference_depth_margin(const robot_t *robot, const double joint[ROB
 {
     double others[ROBOT_AXIS_MAX];
     memcpy(others, joint, sizeof others);
-    for (unsigned i = AXIS_ROTATION; i <= AXIS_YAW; i++) {
+    for (unsigned i = NEURO_AXIS_ROTATION; i <= NEURO_AXIS_YAW; i++) {
         const axis_config_t *axis = &robot->axes[i];
         others[i] = (neuro_reference_limit(axis, axis->minimum_ticks) +
                      neuro_reference_limit(axis, axis->maximum_ticks)) /

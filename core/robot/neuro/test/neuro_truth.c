@@ -7,6 +7,6 @@ double neuro_truth_coupled(const robot_t *robot, uint32_t index,
                            const double places[ROBOT_AXIS_MAX])
 {
     (void)index;
-    return (robot->geometry_nm[NEURO_HOME_SEPARATION] / 1e6) + places[AXIS_HEAD] -
-           places[AXIS_FEET];
+    return (robot->geometry_nm[NEURO_HOME_SEPARATION] / 1e6) + places[NEURO_AXIS_HEAD] -
+           places[NEURO_AXIS_FEET];
 }

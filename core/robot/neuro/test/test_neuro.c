@@ -47,8 +47,8 @@ static point_t point_of(const double millimetres[3])
 static bool is_separation_legal(const int32_t ticks[ROBOT_AXIS_MAX])
 {
     const int64_t separation = robot.geometry_nm[NEURO_HOME_SEPARATION] +
-                               joints_value(&robot.axes[AXIS_HEAD], ticks[AXIS_HEAD]) -
-                               joints_value(&robot.axes[AXIS_FEET], ticks[AXIS_FEET]);
+                               joints_value(&robot.axes[NEURO_AXIS_HEAD], ticks[NEURO_AXIS_HEAD]) -
+                               joints_value(&robot.axes[NEURO_AXIS_FEET], ticks[NEURO_AXIS_FEET]);
     return separation >= robot.geometry_nm[NEURO_MINIMUM_SEPARATION] &&
            separation <= robot.geometry_nm[NEURO_MAXIMUM_SEPARATION];
 }
@@ -119,14 +119,14 @@ static void expect_closure(const int32_t ticks[ROBOT_AXIS_MAX])
     neuro_reference_joints(&robot, &start, joint);
     neuro_reference_entry(&robot, joint, entry_mm);
     const point_t entry = point_of(entry_mm);
-    TEST_ASSERT_EQUAL(
-        STATUS_OK,
-        neuro_inverse(&robot, &robot.probe,
-                      &(needle_line_t){entry, pose.translation, start.value[AXIS_ROTATION]}, &back)
-            .status);
+    TEST_ASSERT_EQUAL(STATUS_OK, neuro_inverse(&robot, &robot.probe,
+                                               &(needle_line_t){entry, pose.translation,
+                                                                start.value[NEURO_AXIS_ROTATION]},
+                                               &back)
+                                     .status);
     expect_same_pose(&pose, &back);
     TEST_ASSERT_EQUAL(STATUS_OK, neuro_inverse_at_depth(&robot, &robot.probe, &pose,
-                                                        start.value[AXIS_INSERTION], &back)
+                                                        start.value[NEURO_AXIS_INSERTION], &back)
                                      .status);
     expect_same_pose(&pose, &back);
 }
@@ -187,8 +187,8 @@ void test_SWR_KIN_001_forward_equals_the_reference_at_random_joints(void)
         int32_t ticks[ROBOT_AXIS_MAX];
         set_random_legal_ticks(ticks);
         joints_from_ticks(&robot, ticks, &joints);
-        joints.value[AXIS_HEAD] += (int32_t)random_below(10000U) - 5000;
-        joints.value[AXIS_PITCH] += (int32_t)random_below(100000U);
+        joints.value[NEURO_AXIS_HEAD] += (int32_t)random_below(10000U) - 5000;
+        joints.value[NEURO_AXIS_PITCH] += (int32_t)random_below(100000U);
         expect_forward_equals_reference(&joints);
     }
 }
@@ -196,10 +196,10 @@ void test_SWR_KIN_001_forward_equals_the_reference_at_random_joints(void)
 void test_SWR_KIN_001_beyond_the_linkage_the_height_is_taken_at_the_end_of_reach(void)
 {
     rigid_t pose;
-    joints.value[AXIS_HEAD] = 100000000;
+    joints.value[NEURO_AXIS_HEAD] = 100000000;
     neuro_forward(&robot, &robot.probe, &joints, &pose);
     TEST_ASSERT_INT32_WITHIN(2, 209890000 - 20192820, pose.translation.y_nm);
-    joints.value[AXIS_HEAD] = -500000000;
+    joints.value[NEURO_AXIS_HEAD] = -500000000;
     neuro_forward(&robot, &robot.probe, &joints, &pose);
     TEST_ASSERT_INT32_WITHIN(2, 209890000 - 20192820, pose.translation.y_nm);
 }
@@ -216,7 +216,7 @@ void test_SWR_KIN_002_forward_of_inverse_closes_on_a_grid_over_the_workspace(voi
         }
         if (is_separation_legal(ticks)) {
             /* Only half a turn to each side is ever asked for. */
-            ticks[AXIS_ROTATION] /= 2;
+            ticks[NEURO_AXIS_ROTATION] /= 2;
             expect_closure(ticks);
             poses++;
         }
@@ -239,13 +239,14 @@ void test_SWR_KIN_002_inverse_returns_the_joints_it_came_from(void)
         int32_t ticks[ROBOT_AXIS_MAX];
         int32_t back[ROBOT_AXIS_MAX];
         set_random_legal_ticks(ticks);
-        ticks[AXIS_ROTATION] /= 2;
+        ticks[NEURO_AXIS_ROTATION] /= 2;
         const rigid_t pose = pose_at(ticks);
         joints_t start;
         joints_from_ticks(&robot, ticks, &start);
-        TEST_ASSERT_EQUAL(STATUS_OK, neuro_inverse_at_depth(&robot, &robot.probe, &pose,
-                                                            start.value[AXIS_INSERTION], &joints)
-                                         .status);
+        TEST_ASSERT_EQUAL(STATUS_OK,
+                          neuro_inverse_at_depth(&robot, &robot.probe, &pose,
+                                                 start.value[NEURO_AXIS_INSERTION], &joints)
+                              .status);
         joints_to_ticks(&robot, &joints, back);
         TEST_ASSERT_EQUAL_INT32_ARRAY(ticks, back, robot_neuro.axis_count);
     }
@@ -295,7 +296,8 @@ void test_SWR_KIN_003_golden_entries_and_targets_give_the_golden_joints(void)
         TEST_ASSERT_EQUAL_MESSAGE(
             STATUS_OK,
             neuro_inverse(&robot, &robot.probe,
-                          &(needle_line_t){entry, target, expected.value[AXIS_ROTATION]}, &joints)
+                          &(needle_line_t){entry, target, expected.value[NEURO_AXIS_ROTATION]},
+                          &joints)
                 .status,
             golden->name);
         for (uint32_t axis = 0U; axis < robot_neuro.axis_count; axis++) {
@@ -317,7 +319,7 @@ void test_SWR_KIN_003_golden_poses_and_depths_give_the_golden_joints(void)
         neuro_forward(&robot, &robot.probe, &expected, &pose);
         TEST_ASSERT_EQUAL_MESSAGE(STATUS_OK,
                                   neuro_inverse_at_depth(&robot, &robot.probe, &pose,
-                                                         nm(golden->joints[AXIS_INSERTION]),
+                                                         nm(golden->joints[NEURO_AXIS_INSERTION]),
                                                          &joints)
                                       .status,
                                   golden->name);
@@ -377,21 +379,23 @@ static void expect_limit(uint8_t axis, bool is_maximum)
     memcpy(ticks, middle, sizeof ticks);
     ticks[axis] = is_maximum ? config->maximum_ticks : config->minimum_ticks;
     /* The other carriage follows, so that the separation stays. */
-    ticks[AXIS_FEET] += (axis == (uint8_t)AXIS_HEAD) ? (ticks[AXIS_HEAD] - middle[AXIS_HEAD]) : 0;
-    ticks[AXIS_HEAD] += (axis == (uint8_t)AXIS_FEET) ? (ticks[AXIS_FEET] - middle[AXIS_FEET]) : 0;
+    ticks[NEURO_AXIS_FEET] +=
+        (axis == (uint8_t)NEURO_AXIS_HEAD) ? (ticks[NEURO_AXIS_HEAD] - middle[NEURO_AXIS_HEAD]) : 0;
+    ticks[NEURO_AXIS_HEAD] +=
+        (axis == (uint8_t)NEURO_AXIS_FEET) ? (ticks[NEURO_AXIS_FEET] - middle[NEURO_AXIS_FEET]) : 0;
     /* The other carriage may not be what stops it. */
-    robot.axes[AXIS_HEAD].minimum_ticks -= (axis == (uint8_t)AXIS_FEET) ? 20000 : 0;
-    robot.axes[AXIS_HEAD].maximum_ticks += (axis == (uint8_t)AXIS_FEET) ? 20000 : 0;
-    robot.axes[AXIS_FEET].minimum_ticks -= (axis == (uint8_t)AXIS_HEAD) ? 20000 : 0;
-    robot.axes[AXIS_FEET].maximum_ticks += (axis == (uint8_t)AXIS_HEAD) ? 20000 : 0;
+    robot.axes[NEURO_AXIS_HEAD].minimum_ticks -= (axis == (uint8_t)NEURO_AXIS_FEET) ? 20000 : 0;
+    robot.axes[NEURO_AXIS_HEAD].maximum_ticks += (axis == (uint8_t)NEURO_AXIS_FEET) ? 20000 : 0;
+    robot.axes[NEURO_AXIS_FEET].minimum_ticks -= (axis == (uint8_t)NEURO_AXIS_HEAD) ? 20000 : 0;
+    robot.axes[NEURO_AXIS_FEET].maximum_ticks += (axis == (uint8_t)NEURO_AXIS_HEAD) ? 20000 : 0;
     rigid_t pose = pose_at(ticks);
-    int64_t depth = joints_value(&robot.axes[AXIS_INSERTION], ticks[AXIS_INSERTION]);
+    int64_t depth = joints_value(&robot.axes[NEURO_AXIS_INSERTION], ticks[NEURO_AXIS_INSERTION]);
     TEST_ASSERT_EQUAL(
         STATUS_OK,
         neuro_inverse_at_depth(&robot, &robot.probe, &pose, (int32_t)depth, &joints).status);
     ticks[axis] += is_maximum ? 1 : -1;
     pose = pose_at(ticks);
-    depth = joints_value(&robot.axes[AXIS_INSERTION], ticks[AXIS_INSERTION]);
+    depth = joints_value(&robot.axes[NEURO_AXIS_INSERTION], ticks[NEURO_AXIS_INSERTION]);
     expect_refusal(
         (solution_t){.status = STATUS_AXIS_LIMIT, .axis = axis, .is_maximum = is_maximum ? 1U : 0U},
         neuro_inverse_at_depth(&robot, &robot.probe, &pose, (int32_t)depth, &joints));
@@ -402,8 +406,8 @@ void test_SWR_KIN_004_one_tick_beyond_a_limit_names_the_axis_and_the_end(void)
     for (uint8_t axis = 0U; axis < robot_neuro.axis_count; axis++) {
         robot = robot_neuro;
         /* Half a turn is more than the pose can tell apart, so the range is made shorter. */
-        robot.axes[AXIS_ROTATION].minimum_ticks = -3000;
-        robot.axes[AXIS_ROTATION].maximum_ticks = 3000;
+        robot.axes[NEURO_AXIS_ROTATION].minimum_ticks = -3000;
+        robot.axes[NEURO_AXIS_ROTATION].maximum_ticks = 3000;
         const robot_t shortened = robot;
         expect_limit(axis, false);
         robot = shortened;
@@ -416,15 +420,15 @@ void test_SWR_KIN_004_carriages_too_close_or_too_far_apart_are_refused_by_separa
     const int32_t depth = 18000000;
     int32_t ticks[ROBOT_AXIS_MAX];
     memcpy(ticks, middle, sizeof ticks);
-    ticks[AXIS_HEAD] = ticks[AXIS_FEET] - 5360;
+    ticks[NEURO_AXIS_HEAD] = ticks[NEURO_AXIS_FEET] - 5360;
     rigid_t pose = pose_at(ticks);
     expect_refusal((solution_t){.status = STATUS_SEPARATION_LIMIT},
                    neuro_inverse_at_depth(&robot, &robot.probe, &pose, depth, &joints));
-    ticks[AXIS_HEAD] = ticks[AXIS_FEET] + 240;
+    ticks[NEURO_AXIS_HEAD] = ticks[NEURO_AXIS_FEET] + 240;
     pose = pose_at(ticks);
     expect_refusal((solution_t){.status = STATUS_SEPARATION_LIMIT, .is_maximum = 1U},
                    neuro_inverse_at_depth(&robot, &robot.probe, &pose, depth, &joints));
-    ticks[AXIS_HEAD] = ticks[AXIS_FEET] + 230;
+    ticks[NEURO_AXIS_HEAD] = ticks[NEURO_AXIS_FEET] + 230;
     pose = pose_at(ticks);
     TEST_ASSERT_EQUAL(STATUS_OK,
                       neuro_inverse_at_depth(&robot, &robot.probe, &pose, depth, &joints).status);
@@ -533,7 +537,7 @@ void test_SWR_PLAN_001_an_entry_on_the_axis_decides_the_depth(void)
         int32_t ticks[ROBOT_AXIS_MAX];
         int32_t solved[ROBOT_AXIS_MAX];
         set_random_legal_ticks(ticks);
-        ticks[AXIS_ROTATION] /= 2;
+        ticks[NEURO_AXIS_ROTATION] /= 2;
         const rigid_t pose = pose_at(ticks);
         const point_t entry = entry_at(ticks, ((i % 2) == 0) ? 0.0 : 0.09);
         TEST_ASSERT_EQUAL(STATUS_OK,
@@ -553,11 +557,12 @@ void test_SWR_PLAN_001_an_entry_is_on_the_axis_up_to_the_limit(void)
     TEST_ASSERT_EQUAL(STATUS_OK,
                       neuro_solve(&robot, &robot.probe, &pose, NULL, &free_joints).status);
     TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &robot.probe, &pose, &inside, &joints).status);
-    TEST_ASSERT_INT32_WITHIN(100, 17999964, joints.value[AXIS_INSERTION]);
+    TEST_ASSERT_INT32_WITHIN(100, 17999964, joints.value[NEURO_AXIS_INSERTION]);
     TEST_ASSERT_EQUAL(STATUS_OK,
                       neuro_solve(&robot, &robot.probe, &pose, &outside, &joints).status);
-    TEST_ASSERT_EQUAL_INT32(free_joints.value[AXIS_INSERTION], joints.value[AXIS_INSERTION]);
-    TEST_ASSERT_NOT_EQUAL_INT32(17999964, joints.value[AXIS_INSERTION]);
+    TEST_ASSERT_EQUAL_INT32(free_joints.value[NEURO_AXIS_INSERTION],
+                            joints.value[NEURO_AXIS_INSERTION]);
+    TEST_ASSERT_NOT_EQUAL_INT32(17999964, joints.value[NEURO_AXIS_INSERTION]);
 }
 
 void test_SWR_PLAN_001_an_entry_off_the_axis_by_0_11_mm_is_ignored(void)
@@ -575,14 +580,14 @@ void test_SWR_PLAN_001_an_entry_that_asks_for_an_illegal_depth_is_refused(void)
     int32_t ticks[ROBOT_AXIS_MAX];
     memcpy(ticks, middle, sizeof ticks);
     const rigid_t pose = pose_at(ticks);
-    ticks[AXIS_INSERTION] = -20000;
+    ticks[NEURO_AXIS_INSERTION] = -20000;
     const rigid_t retracted = pose_at(ticks);
     point_t entry = entry_at(middle, 0.0);
     entry.x_nm += pose.translation.x_nm - retracted.translation.x_nm;
     entry.y_nm += pose.translation.y_nm - retracted.translation.y_nm;
     entry.z_nm += pose.translation.z_nm - retracted.translation.z_nm;
     expect_refusal(
-        (solution_t){.status = STATUS_AXIS_LIMIT, .axis = AXIS_INSERTION, .is_maximum = 0U},
+        (solution_t){.status = STATUS_AXIS_LIMIT, .axis = NEURO_AXIS_INSERTION, .is_maximum = 0U},
         neuro_solve(&robot, &robot.probe, &pose, &entry, &joints));
 }
 
@@ -602,7 +607,8 @@ void test_SWR_PLAN_020_it_is_told_whether_an_entry_decided_the_depth(void)
 /* A place may be reached at another depth, an angle not. */
 void test_SWR_PLAN_020_an_angle_out_of_reach_is_not_the_fault_of_an_entry(void)
 {
-    static const uint32_t missed[] = {AXIS_LATERAL, AXIS_INSERTION, AXIS_PITCH, AXIS_YAW};
+    static const uint32_t missed[] = {NEURO_AXIS_LATERAL, NEURO_AXIS_INSERTION, NEURO_AXIS_PITCH,
+                                      NEURO_AXIS_YAW};
     for (uint32_t i = 0U; i < (sizeof missed / sizeof missed[0]); i++) {
         const uint32_t axis = missed[i];
         int32_t ticks[ROBOT_AXIS_MAX];
@@ -657,7 +663,7 @@ void test_SWR_PLAN_014_the_free_depth_is_the_largest_whole_millimetre_with_room(
         set_random_legal_ticks(ticks);
         const rigid_t target = pose_at(ticks);
         const solution_t result = neuro_solve(&robot, &robot.probe, &target, NULL, &joints);
-        const depths_t depths = depths_of(&target, joints.value[AXIS_INSERTION]);
+        const depths_t depths = depths_of(&target, joints.value[NEURO_AXIS_INSERTION]);
         if ((result.status == STATUS_OK) && (depths.largest > (ENOUGH + 1.0e-6))) {
             TEST_ASSERT_TRUE(depths.chosen >= (ENOUGH - 1.0e-6));
             TEST_ASSERT_TRUE(depths.above <= (ENOUGH + 1.0e-6));
@@ -672,10 +678,10 @@ void test_SWR_PLAN_014_the_needle_goes_38_mm_alone_where_the_base_has_room(void)
 {
     int32_t ticks[ROBOT_AXIS_MAX];
     memcpy(ticks, middle, sizeof ticks);
-    ticks[AXIS_INSERTION] = robot.axes[AXIS_INSERTION].maximum_ticks;
+    ticks[NEURO_AXIS_INSERTION] = robot.axes[NEURO_AXIS_INSERTION].maximum_ticks;
     const rigid_t pose = pose_at(ticks);
     TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &robot.probe, &pose, NULL, &joints).status);
-    TEST_ASSERT_EQUAL_INT32(38000000, joints.value[AXIS_INSERTION]);
+    TEST_ASSERT_EQUAL_INT32(38000000, joints.value[NEURO_AXIS_INSERTION]);
 }
 
 void test_SWR_PLAN_002_without_that_room_the_depth_has_the_largest_margin_of_all(void)
@@ -684,10 +690,10 @@ void test_SWR_PLAN_002_without_that_room_the_depth_has_the_largest_margin_of_all
     for (uint32_t i = 0U; i < SCENES(20000U); i++) {
         int32_t ticks[ROBOT_AXIS_MAX];
         set_random_legal_ticks(ticks);
-        ticks[AXIS_LATERAL] /= 40;
+        ticks[NEURO_AXIS_LATERAL] /= 40;
         const rigid_t target = pose_at(ticks);
         const solution_t result = neuro_solve(&robot, &robot.probe, &target, NULL, &joints);
-        const depths_t depths = depths_of(&target, joints.value[AXIS_INSERTION]);
+        const depths_t depths = depths_of(&target, joints.value[NEURO_AXIS_INSERTION]);
         if ((result.status == STATUS_OK) && (depths.largest < (ENOUGH - 1.0e-6))) {
             TEST_ASSERT_TRUE(depths.chosen >= (depths.largest - 1.0e-6));
             expect_same_pose(&target, &joints);
@@ -707,11 +713,11 @@ void test_SWR_PLAN_002_a_joint_that_no_depth_moves_does_not_decide_it(void)
     memcpy(ticks, middle, sizeof ticks);
     const rigid_t before = pose_at(ticks);
     TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &robot.probe, &before, NULL, &joints).status);
-    const int32_t depth_nm = joints.value[AXIS_INSERTION];
+    const int32_t depth_nm = joints.value[NEURO_AXIS_INSERTION];
     /* The margin of the yaw is 0 at every depth now. */
-    robot.axes[AXIS_YAW].minimum_ticks = ticks[AXIS_YAW];
+    robot.axes[NEURO_AXIS_YAW].minimum_ticks = ticks[NEURO_AXIS_YAW];
     TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &robot.probe, &before, NULL, &joints).status);
-    TEST_ASSERT_EQUAL_INT32(depth_nm, joints.value[AXIS_INSERTION]);
+    TEST_ASSERT_EQUAL_INT32(depth_nm, joints.value[NEURO_AXIS_INSERTION]);
 }
 
 void test_SWR_PLAN_002_a_margin_is_the_part_of_the_range_to_the_nearer_limit(void)
@@ -720,13 +726,14 @@ void test_SWR_PLAN_002_a_margin_is_the_part_of_the_range_to_the_nearer_limit(voi
     margin_t margin;
     neuro_limits(&robot, &limits);
     margin_init(&margin);
-    const int64_t range = limits.limit[AXIS_LATERAL].maximum - limits.limit[AXIS_LATERAL].minimum;
-    margin_add(&margin, &limits, AXIS_LATERAL, -range / 4);
+    const int64_t range =
+        limits.limit[NEURO_AXIS_LATERAL].maximum - limits.limit[NEURO_AXIS_LATERAL].minimum;
+    margin_add(&margin, &limits, NEURO_AXIS_LATERAL, -range / 4);
     TEST_ASSERT_TRUE(fabs((double)margin.margin_q56 / 72057594037927936.0 - 0.25) < 1.0e-7);
     expect_refusal(
-        (solution_t){.status = STATUS_AXIS_LIMIT, .axis = AXIS_LATERAL, .is_maximum = 1U},
+        (solution_t){.status = STATUS_AXIS_LIMIT, .axis = NEURO_AXIS_LATERAL, .is_maximum = 1U},
         margin_limit(&margin, &limits));
-    margin_add(&margin, &limits, AXIS_LATERAL, -range / 2);
+    margin_add(&margin, &limits, NEURO_AXIS_LATERAL, -range / 2);
     TEST_ASSERT_TRUE(fabs((double)margin.margin_q56 / 72057594037927936.0 - 0.25) < 1.0e-7);
     margin_add(&margin, &limits, NEURO_LIMIT_SEPARATION, 75000000);
     TEST_ASSERT_EQUAL_INT64(0, margin.margin_q56);
@@ -740,16 +747,17 @@ void test_SWR_PLAN_003_without_a_legal_depth_the_nearest_limit_is_named(void)
 {
     int32_t ticks[ROBOT_AXIS_MAX];
     memcpy(ticks, middle, sizeof ticks);
-    ticks[AXIS_YAW] = 100;
+    ticks[NEURO_AXIS_YAW] = 100;
     rigid_t pose = pose_at(ticks);
-    expect_refusal((solution_t){.status = STATUS_AXIS_LIMIT, .axis = AXIS_YAW, .is_maximum = 1U},
-                   neuro_solve(&robot, &robot.probe, &pose, NULL, &joints));
+    expect_refusal(
+        (solution_t){.status = STATUS_AXIS_LIMIT, .axis = NEURO_AXIS_YAW, .is_maximum = 1U},
+        neuro_solve(&robot, &robot.probe, &pose, NULL, &joints));
     memcpy(ticks, middle, sizeof ticks);
-    ticks[AXIS_PITCH] = 0;
-    ticks[AXIS_LATERAL] = -4000;
+    ticks[NEURO_AXIS_PITCH] = 0;
+    ticks[NEURO_AXIS_LATERAL] = -4000;
     pose = pose_at(ticks);
     expect_refusal(
-        (solution_t){.status = STATUS_AXIS_LIMIT, .axis = AXIS_LATERAL, .is_maximum = 0U},
+        (solution_t){.status = STATUS_AXIS_LIMIT, .axis = NEURO_AXIS_LATERAL, .is_maximum = 0U},
         neuro_solve(&robot, &robot.probe, &pose, NULL, &joints));
 }
 
@@ -757,7 +765,7 @@ void test_SWR_PLAN_003_the_depth_that_misses_by_least_decides_which_limit_is_nam
 {
     int32_t ticks[ROBOT_AXIS_MAX];
     memcpy(ticks, middle, sizeof ticks);
-    ticks[AXIS_YAW] = 0;
+    ticks[NEURO_AXIS_YAW] = 0;
     /* Straight down: the height needed grows by 1 mm with each mm of depth. */
     rigid_t pose = pose_at(ticks);
     pose.translation.y_nm += 30000000;
@@ -815,22 +823,22 @@ void test_SWR_FIX_003_ticks_and_joints_of_the_farthest_positions_do_not_wrap(voi
     static const int32_t farthest[ROBOT_AXIS_MAX] = {INT32_MAX, INT32_MIN, 1, -1, 8073, 0, 0};
     int32_t ticks[ROBOT_AXIS_MAX];
     joints_from_ticks(&robot, farthest, &joints);
-    TEST_ASSERT_EQUAL_INT32(INT32_MAX, joints.value[AXIS_HEAD]);
-    TEST_ASSERT_EQUAL_INT32(INT32_MIN, joints.value[AXIS_FEET]);
-    TEST_ASSERT_EQUAL_INT32(21169, joints.value[AXIS_LATERAL]);
-    TEST_ASSERT_EQUAL_INT32(-300, joints.value[AXIS_INSERTION]);
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, joints.value[NEURO_AXIS_HEAD]);
+    TEST_ASSERT_EQUAL_INT32(INT32_MIN, joints.value[NEURO_AXIS_FEET]);
+    TEST_ASSERT_EQUAL_INT32(21169, joints.value[NEURO_AXIS_LATERAL]);
+    TEST_ASSERT_EQUAL_INT32(-300, joints.value[NEURO_AXIS_INSERTION]);
     /* 6.280047 rad is 0.003138 rad short of a turn. */
-    TEST_ASSERT_INT32_WITHIN(2000, -2145000, joints.value[AXIS_ROTATION]);
+    TEST_ASSERT_INT32_WITHIN(2000, -2145000, joints.value[NEURO_AXIS_ROTATION]);
     joints_to_ticks(&robot, &joints, ticks);
-    TEST_ASSERT_EQUAL_INT32(169093, ticks[AXIS_HEAD]);
-    TEST_ASSERT_EQUAL_INT32(-169093, ticks[AXIS_FEET]);
-    TEST_ASSERT_EQUAL_INT32(-4, ticks[AXIS_ROTATION]);
+    TEST_ASSERT_EQUAL_INT32(169093, ticks[NEURO_AXIS_HEAD]);
+    TEST_ASSERT_EQUAL_INT32(-169093, ticks[NEURO_AXIS_FEET]);
+    TEST_ASSERT_EQUAL_INT32(-4, ticks[NEURO_AXIS_ROTATION]);
 }
 
 void test_SWR_CORE_003_a_robot_whose_limits_cross_breaks_contract_100(void)
 {
     joint_limits_t limits;
-    robot.axes[AXIS_YAW].minimum_ticks = robot.axes[AXIS_YAW].maximum_ticks;
+    robot.axes[NEURO_AXIS_YAW].minimum_ticks = robot.axes[NEURO_AXIS_YAW].maximum_ticks;
     EXPECT_CONTRACT("margin", 100U, neuro_limits(&robot, &limits));
 }
 

@@ -81,18 +81,20 @@ static inline void reference_pivot(const robot_t *robot, double left, double rig
 /* Joint values as mm and rad. */
 static inline void reference_joints(const joints_t *joints, double joint[ROBOT_AXIS_MAX])
 {
-    for (unsigned i = 0; i < AXIS_ROTATION; i++) {
+    for (unsigned i = 0; i < PROSTATE_AXIS_ROTATION; i++) {
         joint[i] = joints->value[i] / REFERENCE_NM_PER_MM;
     }
-    joint[AXIS_ROTATION] = joints->value[AXIS_ROTATION] * (REFERENCE_PI / 2147483648.0);
+    joint[PROSTATE_AXIS_ROTATION] =
+        joints->value[PROSTATE_AXIS_ROTATION] * (REFERENCE_PI / 2147483648.0);
 }
 
 static inline void reference_line(const robot_t *robot, const double joint[ROBOT_AXIS_MAX],
                                   double front[3], double direction[3])
 {
     double rear[3];
-    reference_pivot(robot, joint[AXIS_FRONT_LEFT], joint[AXIS_FRONT_RIGHT], 0.0, front);
-    reference_pivot(robot, joint[AXIS_REAR_LEFT], joint[AXIS_REAR_RIGHT],
+    reference_pivot(robot, joint[PROSTATE_AXIS_FRONT_LEFT], joint[PROSTATE_AXIS_FRONT_RIGHT], 0.0,
+                    front);
+    reference_pivot(robot, joint[PROSTATE_AXIS_REAR_LEFT], joint[PROSTATE_AXIS_REAR_RIGHT],
                     reference_length(robot, PROSTATE_STAGE_DISTANCE), rear);
     for (int i = 0; i < 3; i++) {
         direction[i] = front[i] - rear[i];
@@ -112,8 +114,9 @@ static inline void reference_forward(const robot_t *robot, const double joint[RO
     double level[3][3];
     double front[3];
     double direction[3];
-    const double roll = joint[AXIS_ROTATION];
-    const double lever = reference_probe(robot, PROSTATE_PROBE_NEEDLE_TIP) + joint[AXIS_INSERTION];
+    const double roll = joint[PROSTATE_AXIS_ROTATION];
+    const double lever =
+        reference_probe(robot, PROSTATE_PROBE_NEEDLE_TIP) + joint[PROSTATE_AXIS_INSERTION];
     reference_line(robot, joint, front, direction);
     reference_frame(direction, level);
     for (int i = 0; i < 3; i++) {

@@ -9,8 +9,8 @@ double prostate_truth_coupled(const robot_t *robot, uint32_t index,
     double front[3];
     double direction[3];
     double angles[2];
-    const double gaps[2] = {places[AXIS_FRONT_LEFT] - places[AXIS_FRONT_RIGHT],
-                            places[AXIS_REAR_LEFT] - places[AXIS_REAR_RIGHT]};
+    const double gaps[2] = {places[PROSTATE_AXIS_FRONT_LEFT] - places[PROSTATE_AXIS_FRONT_RIGHT],
+                            places[PROSTATE_AXIS_REAR_LEFT] - places[PROSTATE_AXIS_REAR_RIGHT]};
     if (index < 2U) {
         return gaps[index];
     }

@@ -53,7 +53,7 @@ static int32_t bam(double angle)
 static void set_joints(const double joint[ROBOT_AXIS_MAX], joints_t *result)
 {
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
-        result->value[i] = (i == AXIS_ROTATION) ? bam(joint[i]) : nm(joint[i]);
+        result->value[i] = (i == PROSTATE_AXIS_ROTATION) ? bam(joint[i]) : nm(joint[i]);
     }
 }
 
@@ -77,7 +77,7 @@ static void set_random_legal_ticks(int32_t ticks[ROBOT_AXIS_MAX])
             const axis_config_t *const axis = &robot.axes[i];
             ticks[i] = (int32_t)lround(random_between(axis->minimum_ticks, axis->maximum_ticks));
         }
-        ticks[AXIS_ROTATION] /= 10;
+        ticks[PROSTATE_AXIS_ROTATION] /= 10;
         joints_from_ticks(&robot, ticks, &values);
     } while (!is_legal(&values));
 }
@@ -174,8 +174,8 @@ void test_SWR_KIN_001_forward_equals_the_reference_at_random_joints(void)
         int32_t ticks[ROBOT_AXIS_MAX];
         set_random_legal_ticks(ticks);
         joints_from_ticks(&robot, ticks, &joints);
-        joints.value[AXIS_FRONT_LEFT] += (int32_t)(random_word() % 4000U) - 2000;
-        joints.value[AXIS_ROTATION] = (int32_t)random_word();
+        joints.value[PROSTATE_AXIS_FRONT_LEFT] += (int32_t)(random_word() % 4000U) - 2000;
+        joints.value[PROSTATE_AXIS_ROTATION] = (int32_t)random_word();
         expect_forward_equals_reference(&joints);
     }
 }
@@ -196,17 +196,17 @@ void test_SWR_KIN_001_forward_equals_the_reference_with_another_needle(void)
 void test_SWR_KIN_001_beyond_its_reach_a_stage_stands_at_the_end_of_it(void)
 {
     rigid_t pose;
-    joints.value[AXIS_FRONT_LEFT] = 500000000;
-    joints.value[AXIS_FRONT_RIGHT] = -500000000;
-    joints.value[AXIS_REAR_LEFT] = 500000000;
-    joints.value[AXIS_REAR_RIGHT] = -500000000;
+    joints.value[PROSTATE_AXIS_FRONT_LEFT] = 500000000;
+    joints.value[PROSTATE_AXIS_FRONT_RIGHT] = -500000000;
+    joints.value[PROSTATE_AXIS_REAR_LEFT] = 500000000;
+    joints.value[PROSTATE_AXIS_REAR_RIGHT] = -500000000;
     prostate_forward(&robot, &robot.probe, &joints, &pose);
     TEST_ASSERT_INT32_WITHIN(2, nm(12.0 + 67.5 - 167.4), pose.translation.y_nm);
     /* Narrower than its top it does not sink again, as the root of listing 3 would have it. */
-    joints.value[AXIS_FRONT_LEFT] = nm(20.0);
-    joints.value[AXIS_FRONT_RIGHT] = nm(-20.0);
-    joints.value[AXIS_REAR_LEFT] = nm(20.0);
-    joints.value[AXIS_REAR_RIGHT] = nm(-20.0);
+    joints.value[PROSTATE_AXIS_FRONT_LEFT] = nm(20.0);
+    joints.value[PROSTATE_AXIS_FRONT_RIGHT] = nm(-20.0);
+    joints.value[PROSTATE_AXIS_REAR_LEFT] = nm(20.0);
+    joints.value[PROSTATE_AXIS_REAR_RIGHT] = nm(-20.0);
     prostate_forward(&robot, &robot.probe, &joints, &pose);
     TEST_ASSERT_INT32_WITHIN(2, nm(124.0 + 12.0 + 67.5 - 167.4), pose.translation.y_nm);
 }
@@ -220,11 +220,12 @@ static void expect_closure(const int32_t ticks[ROBOT_AXIS_MAX])
     TEST_ASSERT_EQUAL_INT(STATUS_OK, rigid_check(&pose));
     TEST_ASSERT_EQUAL_INT(STATUS_OK, solve(&pose).status);
     expect_same_pose(&pose, &joints);
-    TEST_ASSERT_EQUAL_INT(STATUS_OK, prostate_inverse(&robot, &robot.probe,
-                                                      &(needle_line_t){entry, pose.translation,
-                                                                       start.value[AXIS_ROTATION]},
-                                                      &joints)
-                                         .status);
+    TEST_ASSERT_EQUAL_INT(STATUS_OK,
+                          prostate_inverse(&robot, &robot.probe,
+                                           &(needle_line_t){entry, pose.translation,
+                                                            start.value[PROSTATE_AXIS_ROTATION]},
+                                           &joints)
+                              .status);
     expect_same_pose(&pose, &joints);
 }
 
@@ -348,8 +349,9 @@ void test_SWR_KIN_010_the_needle_turns_about_the_pivots_by_its_own_length(void)
     /* Listing 3 takes the link, 124 mm, for the needle: 11.8 mm less at 5 degrees. */
     const rigid_t pose = needle_at(0.0, 160.0, 5.0 * DEGREE, 0.0, 259.075);
     TEST_ASSERT_EQUAL_INT(STATUS_OK, solve(&pose).status);
-    TEST_ASSERT_INT32_WITHIN(20, 0, joints.value[AXIS_INSERTION]);
-    TEST_ASSERT_INT32_WITHIN(20, -joints.value[AXIS_FRONT_LEFT], joints.value[AXIS_FRONT_RIGHT]);
+    TEST_ASSERT_INT32_WITHIN(20, 0, joints.value[PROSTATE_AXIS_INSERTION]);
+    TEST_ASSERT_INT32_WITHIN(20, -joints.value[PROSTATE_AXIS_FRONT_LEFT],
+                             joints.value[PROSTATE_AXIS_FRONT_RIGHT]);
 }
 
 void test_SWR_KIN_010_a_higher_rear_stage_points_the_needle_down(void)
@@ -422,7 +424,7 @@ void test_SWR_KIN_013_the_roll_of_a_pose_is_the_shorter_turn_from_zero(void)
     joints_to_ticks(&robot, &joints, ticks);
     /* 28.499 rad less four and a half turns and a bit. */
     TEST_ASSERT_INT32_WITHIN(1, (int32_t)lround((28.4986674476 - (10.0 * REFERENCE_PI)) * 265.27),
-                             ticks[AXIS_ROTATION]);
+                             ticks[PROSTATE_AXIS_ROTATION]);
     expect_same_pose(&pose, &joints);
 }
 
@@ -449,7 +451,7 @@ void test_SWR_PLAN_020_no_entry_is_to_blame_for_a_refusal(void)
     const rigid_t pose = needle_at(0.0, 160.0, 0.0, 0.0, 259.0);
     const point_t entry = behind(&pose, 50000000);
     const solution_t result = prostate_solve(&robot, &robot.probe, &pose, &entry, &joints);
-    expect_refusal(STATUS_AXIS_LIMIT, AXIS_INSERTION, 0U, result);
+    expect_refusal(STATUS_AXIS_LIMIT, PROSTATE_AXIS_INSERTION, 0U, result);
     TEST_ASSERT_EQUAL_UINT8(0U, result.is_by_entry);
 }
 
@@ -525,12 +527,12 @@ void test_SWR_KIN_011_a_stage_too_narrow_or_too_wide_is_refused_by_its_name(void
 void test_SWR_KIN_011_an_axis_beyond_its_limit_is_named(void)
 {
     rigid_t pose = needle_at(0.0, 160.0, 0.0, 0.0, 259.0);
-    expect_refusal(STATUS_AXIS_LIMIT, AXIS_INSERTION, 0U, solve(&pose));
+    expect_refusal(STATUS_AXIS_LIMIT, PROSTATE_AXIS_INSERTION, 0U, solve(&pose));
     pose = needle_at(0.0, 160.0, 0.0, 0.0, 259.075 + 169.0);
-    expect_refusal(STATUS_AXIS_LIMIT, AXIS_INSERTION, 1U, solve(&pose));
+    expect_refusal(STATUS_AXIS_LIMIT, PROSTATE_AXIS_INSERTION, 1U, solve(&pose));
     /* Of 2.3 m, more than a length has bits for. */
     pose = needle_at(0.0, 160.0, 0.0, 5.0 * DEGREE, 2300.0);
-    expect_refusal(STATUS_AXIS_LIMIT, AXIS_INSERTION, 1U, solve(&pose));
+    expect_refusal(STATUS_AXIS_LIMIT, PROSTATE_AXIS_INSERTION, 1U, solve(&pose));
     pose = needle_at(80.0, 160.0, 0.0, 0.0, 300.0);
     const solution_t result = solve(&pose);
     TEST_ASSERT_EQUAL_INT(STATUS_AXIS_LIMIT, result.status);
@@ -589,7 +591,7 @@ void test_SWR_KIN_012_the_farthest_poses_are_refused(void)
 
 void test_SWR_ROBOT_030_no_motor_with_a_lead_turns_more_than_150_times_a_minute(void)
 {
-    for (uint32_t i = 0U; i <= AXIS_INSERTION; i++) {
+    for (uint32_t i = 0U; i <= PROSTATE_AXIS_INSERTION; i++) {
         const int64_t counts_per_minute = (int64_t)robot.axes[i].full_speed_ticks_per_s * 60;
         TEST_ASSERT_TRUE(counts_per_minute <= ((int64_t)LIMIT_MOTOR_TURNS_PER_MINUTE * 5000));
         TEST_ASSERT_TRUE(robot.axes[i].speed_ticks_per_s < robot.axes[i].full_speed_ticks_per_s);
@@ -598,12 +600,12 @@ void test_SWR_ROBOT_030_no_motor_with_a_lead_turns_more_than_150_times_a_minute(
 
 void test_SWR_ROBOT_031_the_rear_left_carriage_is_taken_where_it_is_parked_before_others_home(void)
 {
-    const axis_config_t *const parked = &robot.axes[AXIS_REAR_LEFT];
+    const axis_config_t *const parked = &robot.axes[PROSTATE_AXIS_REAR_LEFT];
     TEST_ASSERT_EQUAL_UINT8(HOME_IN_PLACE, parked->home_method);
     TEST_ASSERT_EQUAL_UINT8(LIMIT_SWITCH_NONE, parked->limit_switch);
     TEST_ASSERT_EQUAL_INT64((int64_t)LIMIT_PARKED_NM, joints_value(parked, parked->home_ticks));
-    for (uint32_t i = 0U; i < AXIS_REAR_LEFT; i++) {
+    for (uint32_t i = 0U; i < PROSTATE_AXIS_REAR_LEFT; i++) {
         TEST_ASSERT_TRUE(parked->home_stage < robot.axes[i].home_stage);
     }
-    TEST_ASSERT_TRUE(parked->home_stage < robot.axes[AXIS_REAR_RIGHT].home_stage);
+    TEST_ASSERT_TRUE(parked->home_stage < robot.axes[PROSTATE_AXIS_REAR_RIGHT].home_stage);
 }
