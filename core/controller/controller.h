@@ -139,17 +139,17 @@ typedef struct {
     uint32_t sequence; /**< Of the outgoing frames. */
     uint32_t events;   /**< Number of the next event. */
     uint32_t events_lost;
-    uint32_t last_event;     /**< event_id_t of the one that was noted last. */
-    uint32_t vain_start_ups; /**< Those that an axis or a card has ended since one was done. */
-    uint32_t vain_axis;      /**< Of the last of them; ROBOT_AXIS_MAX: it was a card. */
-    uint32_t vain_card;      /**< Its slot; CARD_SLOT_COUNT: it was an axis. */
-    uint32_t vain_event;     /**< event_id_t that ended it. */
     uint32_t seals[CONTROLLER_SECTIONS];
     card_health_t health[CARD_SLOT_COUNT]; /**< By slot; counts, too. */
     uint32_t cycles_lost;                  /**< Of the inputs before; counts, too, */
     uint32_t unrecorded;                   /**< and those of them in the present gap. */
     robot_cards_t cards;    /**< Of the robot, as its undamaged table says in each cycle. */
     program_list_t program; /**< The treatment program that is held; has checksums of its own. */
+    uint32_t last_event;    /**< event_id_t of the one noted last; it counts only, with the next. */
+    uint32_t vain_start_ups; /**< Those that an axis or a card has ended since one was done. */
+    uint32_t vain_axis;      /**< Of the last of them; ROBOT_AXIS_MAX: it was a card. */
+    uint32_t vain_card;      /**< Its slot; CARD_SLOT_COUNT: it was an axis. */
+    uint32_t vain_event;     /**< event_id_t that ended it. */
     /** Of mode.list; each has a checksum. The last member, as they are too many to be copied with
      * the rest: what comes before is a checkpoint, to which those that the list has belong. */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];

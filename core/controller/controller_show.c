@@ -102,24 +102,21 @@ static next_step_t next_step(const controller_t *self, bool is_homed)
     }
     const uint32_t count = (uint32_t)(sizeof(remedies) / sizeof(remedies[0]));
     next_step_t step = NEXT_STEP_HOLD_PEDAL;
-    for (uint32_t i = (reasons != 0U) ? count : 0U; i > 0U; i--) {
-        const remedy_t *const remedy = &remedies[i - 1U];
+    uint32_t left = (reasons != 0U) ? count : 0U;
+    for (const remedy_t *remedy = remedies; left > 0U; remedy++) {
+        left--;
         if ((reasons & ((uint32_t)1U << (uint32_t)remedy->reason)) != 0U) {
             step = remedy->step;
+            left = 0U;
         }
     }
     return (step == NEXT_STEP_NOTHING) ? release_first(self, step_for_plan(self, is_homed)) : step;
 }
 
-/* START_UP, if nothing must come before it. */
-static named_step_t ready_first(const controller_t *self, const cycle_t *cycle, next_step_t step)
-{
-    const bool is_for_start_up = (step == NEXT_STEP_START_UP) || (step == NEXT_STEP_CHECK_CARDS) ||
-                                 (step == NEXT_STEP_PEDAL_FAULT);
-    return is_for_start_up ? controller_ready(self, cycle) : controller_step_only(step);
-}
-
 #define BIT(step) ((uint32_t)1U << (uint32_t)(step))
+/* Where START_UP is wanted: something may have to come before it. */
+#define FOR_START_UP                                                                               \
+    (BIT(NEXT_STEP_START_UP) | BIT(NEXT_STEP_CHECK_CARDS) | BIT(NEXT_STEP_PEDAL_FAULT))
 
 static bool is_one_of(next_step_t step, uint32_t steps)
 {
@@ -145,7 +142,9 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
                           BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_COMPARE) | BIT(NEXT_STEP_NOTHING) |
                           BIT(NEXT_STEP_PROGRAM_DONE);
     next_step_t first = step;
-    if (controller_awaits_grant(self) && is_one_of(step, calm)) {
+    if (!is_one_of(step, calm)) {
+        /* An act at the box, or a wait: whoever commands. */
+    } else if (controller_awaits_grant(self)) {
         first = NEXT_STEP_GRANT;
     } else if (!authority_is_held(&self->authority) && is_one_of(step, commanded)) {
         first = is_anybodys(&self->authority) ? NEXT_STEP_AUTHORITY : NEXT_STEP_WAIT;
@@ -157,12 +156,18 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
 
 static void show_step(const controller_t *self, const cycle_t *cycle, snapshot_t *shown)
 {
-    const next_step_t asked = next_step(self, shown->is_homed != 0U);
-    const named_step_t named = ready_first(self, cycle, asked);
-    shown->next_step = (uint32_t)authority_first(self, named.step);
-    shown->step_axis = named.axis;
-    shown->step_card = named.card;
-    shown->step_event = (uint32_t)named.event;
+    next_step_t step = next_step(self, shown->is_homed != 0U);
+    shown->step_axis = ROBOT_AXIS_MAX;
+    shown->step_card = CARD_SLOT_COUNT;
+    shown->step_event = (uint32_t)EVENT_STARTED;
+    if (is_one_of(step, FOR_START_UP)) {
+        const named_step_t named = controller_ready(self, cycle);
+        step = named.step;
+        shown->step_axis = named.axis;
+        shown->step_card = named.card;
+        shown->step_event = (uint32_t)named.event;
+    }
+    shown->next_step = (uint32_t)authority_first(self, step);
 }
 
 static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t index)
