@@ -17,10 +17,9 @@
 #define LOOK_US 200000U
 #define STOP_STEP_NS 2000000L
 
-/* Together less than LIMIT_STOP_TIME_US, in the time of the board. */
+/* Together less than LIMIT_STOP_TIME_US, in the time of the board; the recorder has its own time. */
 #define STOP_CLIENTS_US UINT64_C(300000)
 #define STOP_CONTROL_US UINT64_C(900000) /* It may just be waiting for the box. */
-#define STOP_RECORDER_US UINT64_C(500000)
 #define STOP_COMPANIONS_US UINT64_C(200000)
 
 static bool init_member(family_t *self, member_t member, const char *name, const options_t *options,
@@ -301,6 +300,6 @@ void family_stop(family_t *self, exchange_t *exchange)
     stop(self, clients, 2U, STOP_CLIENTS_US);
     stop(self, control, 1U, STOP_CONTROL_US * self->slowness);
     exchange_note_control_ended(exchange);
-    stop(self, recorder, 1U, STOP_RECORDER_US);
+    stop(self, recorder, 1U, LIMIT_RECORDER_END_US);
     stop(self, companions, BOARD_COMPANIONS, STOP_COMPANIONS_US * self->slowness);
 }

@@ -89,6 +89,18 @@ class TestRecorder < SystemTest
     assert_equal 0, code, text
   end
 
+  # It is held while cycles come, and told to end before it has written them.
+  def test_SWR_REC_025_a_recorder_that_is_behind_writes_the_whole_run_before_it_ends
+    record(1000) do
+      boresight.kill('recorder', 'STOP')
+      behind = boresight.status['cycle'] + 4000
+      boresight.wait_until('4000 cycles wait for the recorder') { boresight.status['cycle'] > behind }
+    end
+    text, code = replay(boresight.recordings)
+    assert_match(/^(\d+) of \1 cycles replayed, every output equal$/, text)
+    assert_equal 0, code, text
+  end
+
   def test_SWR_REC_001_a_full_disk_is_said_once_and_recording_goes_on_when_there_is_room
     skip 'prlimit is missing' unless system('command -v prlimit > /dev/null')
     record(500) do
