@@ -95,16 +95,6 @@ static bool leaves_target(const controller_t *self, const cycle_t *cycle, uint32
            !drift_audit_is_far(&self->axes[index].drift, &cycle->robot->axes[index]);
 }
 
-/* A drift that has become too large for the target while the position was in doubt. */
-static void watch_doubt(controller_t *self, const cycle_t *cycle, uint32_t index)
-{
-    const drift_audit_t *const drift = &self->axes[index].drift;
-    if ((self->plan.has_target != 0U) && drift_audit_is_far(drift, &cycle->robot->axes[index])) {
-        controller_note(self, cycle, EVENT_AXIS_DRIFTED, index, drift->idle_ticks);
-        plan_forget_target(&self->plan);
-    }
-}
-
 /* Trouble that begins ends every order; an axis that has it already, those that need this axis. */
 static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, uint32_t notes)
 {
@@ -134,13 +124,10 @@ static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index,
                            (before == (uint32_t)AXIS_REFERENCE_TAKEN) ||
                            (before == (uint32_t)AXIS_REFERENCE_VERIFIED);
     self->records[index].grade = now;
-    const bool is_in_doubt = now == (uint32_t)AXIS_REFERENCE_UNVERIFIED;
     if (now == before) {
-        if (is_in_doubt) {
-            watch_doubt(self, cycle, index);
-        }
         return;
     }
+    const bool is_in_doubt = now == (uint32_t)AXIS_REFERENCE_UNVERIFIED;
     if ((is_in_doubt && !leaves_target(self, cycle, index, notes)) ||
         (now == (uint32_t)AXIS_REFERENCE_LOST)) {
         plan_forget_target(&self->plan);
@@ -176,14 +163,21 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     note_grade(self, cycle, index, notes);
 }
 
-/* One axis a cycle, in turn: what gets hot takes its time. A warm motor is another one for who
- * drives it; a hot one is not driven. Where its axis is does not depend on that. */
-static void watch_heat(controller_t *self, const cycle_t *cycle)
+/* A drift that has become too large for the target while the position was in doubt. */
+static void watch_doubt(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
-    const uint32_t index = self->cycle % ROBOT_AXIS_MAX;
-    if ((index >= self->axis_count) || controller_is_blind(self)) {
-        return;
+    const axis_t *const axis = &self->axes[index];
+    if ((axis->chart.reference == AXIS_REFERENCE_UNVERIFIED) && (self->plan.has_target != 0U) &&
+        drift_audit_is_far(&axis->drift, &cycle->robot->axes[index])) {
+        controller_note(self, cycle, EVENT_AXIS_DRIFTED, index, axis->drift.idle_ticks);
+        plan_forget_target(&self->plan);
     }
+}
+
+/* A warm motor is another one for who drives it; a hot one is not driven. Where its axis is does
+ * not depend on that. */
+static void watch_heat(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
     const link_t *const link = controller_link(self, index);
     if (!link_is_usable(link)) {
         return;
@@ -195,6 +189,16 @@ static void watch_heat(controller_t *self, const cycle_t *cycle)
         axis_disable(&self->axes[index]);
         controller_note(self, cycle, EVENT_AXIS_HOT, index, heat_dc);
         controller_fail_order(self, cycle, EVENT_CAUSE_AXIS, index);
+    }
+}
+
+/* One axis a cycle, in turn: what gets hot or drifts takes its time. */
+static void watch_axis(controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t index = self->cycle % ROBOT_AXIS_MAX;
+    if ((index < self->axis_count) && !controller_is_blind(self)) {
+        watch_doubt(self, cycle, index);
+        watch_heat(self, cycle, index);
     }
 }
 
@@ -395,7 +399,7 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
             observe_axis(self, cycle, i);
         }
     }
-    watch_heat(self, cycle);
+    watch_axis(self, cycle);
     controller_observe_other_cards(self, cycle);
     controller_watch_card(self, cycle);
     controller_observe_authority(self, cycle);

@@ -31,7 +31,7 @@ static void drift_to(uint32_t axis, int32_t ticks)
     drift_audit_t *const drift = &rig.controller.axes[axis].drift;
     drift->idle_ticks = ticks;
     controller_seal(&rig.controller);
-    rig_cycles(&rig, 2U);
+    rig_cycles(&rig, ROBOT_AXIS_MAX);
 }
 
 static void expect_in_doubt(uint32_t axis, uint32_t has_target)
