@@ -102,12 +102,10 @@ static next_step_t next_step(const controller_t *self, bool is_homed)
     }
     const uint32_t count = (uint32_t)(sizeof(remedies) / sizeof(remedies[0]));
     next_step_t step = NEXT_STEP_HOLD_PEDAL;
-    uint32_t left = (reasons != 0U) ? count : 0U;
-    for (const remedy_t *remedy = remedies; left > 0U; remedy++) {
-        left--;
+    for (uint32_t i = (reasons != 0U) ? count : 0U; i > 0U; i--) {
+        const remedy_t *const remedy = &remedies[i - 1U];
         if ((reasons & ((uint32_t)1U << (uint32_t)remedy->reason)) != 0U) {
             step = remedy->step;
-            left = 0U;
         }
     }
     return (step == NEXT_STEP_NOTHING) ? release_first(self, step_for_plan(self, is_homed)) : step;
