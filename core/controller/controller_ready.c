@@ -91,6 +91,9 @@ static named_step_t find_vain_homing(const controller_t *self, const robot_t *ro
     named_step_t found = controller_step_only(NEXT_STEP_START_UP);
     if (axis_is_contradicted(axis)) {
         found = of_axis(NEXT_STEP_COMPARE, index, EVENT_AXIS_SWITCH_ELSEWHERE);
+    } else if (escort_was_missing(&self->mode.escort, index) && !axis_is_homed(axis)) {
+        found = of_axis(is_in_doubt ? NEXT_STEP_CONFIRM : NEXT_STEP_BY_HAND, index,
+                        EVENT_HOMING_NO_WAY);
     } else if (coupled_guard_bars_homing(robot, self->axes, index)) {
         found = of_axis(is_in_doubt ? NEXT_STEP_CONFIRM : NEXT_STEP_MAKE_ROOM, index,
                         EVENT_HOMING_BARRED);
@@ -102,13 +105,19 @@ static named_step_t find_vain_homing(const controller_t *self, const robot_t *ro
     return found;
 }
 
+/* One that has no switch: what is shown of it is known to be old, or in doubt. */
+static next_step_t step_in_place(const axis_t *axis)
+{
+    return (axis->chart.reference == AXIS_REFERENCE_LOST) ? NEXT_STEP_PLACE : NEXT_STEP_CONFIRM;
+}
+
 /* Without the button START_UP would be refused, or not be enough; the former first. */
 static named_step_t find_doubt(const controller_t *self, const robot_t *robot)
 {
     named_step_t found = controller_step_only(NEXT_STEP_START_UP);
     for (uint32_t i = 0U; is_start_up(&found) && (i < self->axis_count); i++) {
         if (axis_needs_confirmation(&self->axes[i], &robot->axes[i])) {
-            found = of_axis(NEXT_STEP_CONFIRM, i, EVENT_AXIS_REFERENCE_LOST);
+            found = of_axis(step_in_place(&self->axes[i]), i, EVENT_AXIS_REFERENCE_LOST);
         }
     }
     for (uint32_t i = 0U; is_start_up(&found) && (i < self->axis_count); i++) {
@@ -123,7 +132,7 @@ static named_step_t free_button(const controller_t *self, const cycle_t *cycle,
                                 const named_step_t *asked)
 {
     named_step_t found = *asked;
-    if (asked->step == NEXT_STEP_MAKE_ROOM) {
+    if ((asked->step == NEXT_STEP_MAKE_ROOM) || (asked->step == NEXT_STEP_BY_HAND)) {
         return found;
     }
     if (procedure_is_armed(&self->procedure)) {

@@ -29,6 +29,8 @@ static inline named_step_t controller_step_only(next_step_t step)
  * @satisfies SWR-NEXT-004
  * @satisfies SWR-NEXT-005
  * @satisfies SWR-NEXT-007
+ * @satisfies SWR-NEXT-021
+ * @satisfies SWR-NEXT-022
  */
 named_step_t controller_ready(const controller_t *self, const cycle_t *cycle);
 

@@ -137,7 +137,8 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
                                BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING) |
                                BIT(NEXT_STEP_CALIBRATION) | BIT(NEXT_STEP_PLANNING);
     const uint32_t calm = commanded | BIT(NEXT_STEP_RELEASE_PEDAL) | BIT(NEXT_STEP_PRESS_PEDAL) |
-                          BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_COMPARE) | BIT(NEXT_STEP_NOTHING) |
+                          BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_COMPARE) | BIT(NEXT_STEP_PLACE) |
+                          BIT(NEXT_STEP_BY_HAND) | BIT(NEXT_STEP_NOTHING) |
                           BIT(NEXT_STEP_PROGRAM_DONE);
     next_step_t first = step;
     if (!is_one_of(step, calm)) {

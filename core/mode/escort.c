@@ -19,7 +19,13 @@
 #define SAME INT64_C(64)
 
 /* What is looked for: first one that holds for the longer way, and that nobody has to wait for. */
-typedef enum { SEARCH_DONE = 0, SEARCH_EVEN = 1, SEARCH_FAR = 2, SEARCH_NEAR = 3 } search_t;
+typedef enum {
+    SEARCH_DONE = 0,
+    SEARCH_EVEN = 1,
+    SEARCH_FAR = 2,
+    SEARCH_NEAR = 3,
+    SEARCH_IN_VAIN = 4
+} search_t;
 
 /* The way ahead with one escort. */
 typedef struct {
@@ -282,6 +288,11 @@ uint32_t escort_pace(const escort_t *self, uint32_t index)
     return pace_of(self->paces, index);
 }
 
+bool escort_was_missing(const escort_t *self, uint32_t index)
+{
+    return (self->leader == (index + 1U)) && (self->search == (uint32_t)SEARCH_IN_VAIN);
+}
+
 bool escort_is_slow(const escort_t *self)
 {
     return (self->paces & DOUBLES) != 0U;
@@ -301,7 +312,7 @@ static escort_verdict_t look_for(escort_t *self, const robot_t *robot, axis_t ax
         self->paces = next_paces(robot, self->leader - 1U, self->paces, most);
         if (self->paces == 0U) {
             verdict = is_near ? ESCORT_NONE : ESCORT_RESTS;
-            self->search += is_near ? 0U : 1U;
+            self->search++;
         }
     }
     return verdict;

@@ -48,6 +48,9 @@ void escort_end(escort_t *self);
 /** @return how many ticks axis `index` goes for each of the leader's: 0, 1 or 2 */
 uint32_t escort_pace(const escort_t *self, uint32_t index);
 
+/** @return true when no escort was found for axis `index`, which homed last */
+bool escort_was_missing(const escort_t *self, uint32_t index);
+
 /** @return true when one goes twice the way: then the leader goes half as fast */
 bool escort_is_slow(const escort_t *self);
 

@@ -17,6 +17,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 
 #define FRONT_LEFT ((uint32_t)PROSTATE_AXIS_FRONT_LEFT)
@@ -273,17 +274,24 @@ void test_SWR_ROBOT_024_a_homed_robot_that_stands_elsewhere_is_taken_home(void)
     expect_at_home();
 }
 
+static void silence(const char *axis)
+{
+    char order[40];
+    (void)snprintf(order, sizeof order, "card %s silent", axis);
+    rig_box(&rig, order);
+    rig_cycles(&rig, 200U);
+    (void)snprintf(order, sizeof order, "card %s normal", axis);
+    rig_box(&rig, order);
+    rig_cycles(&rig, 50U);
+}
+
 /* Half of it would turn the needle guide by 12 degrees. */
 void test_SWR_AXIS_032_two_carriages_that_are_homed_again_take_the_whole_block_along(void)
 {
     double before[ROBOT_AXIS_MAX];
     start_at_home();
-    rig_box(&rig, "card front_right silent");
-    rig_box(&rig, "card rear_right silent");
-    rig_cycles(&rig, 200U);
-    rig_box(&rig, "card front_right normal");
-    rig_box(&rig, "card rear_right normal");
-    rig_cycles(&rig, 50U);
+    silence("front_right");
+    silence("rear_right");
     TEST_ASSERT_FALSE(is_homed(FRONT_RIGHT));
     TEST_ASSERT_FALSE(is_homed(REAR_RIGHT));
     box_true_positions(&rig.box, before);
@@ -297,6 +305,87 @@ void test_SWR_AXIS_032_two_carriages_that_are_homed_again_take_the_whole_block_a
     }
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, MOST_CYCLES).kind);
     expect_at_home();
+}
+
+static void expect_step(next_step_t step, uint32_t axis)
+{
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(step, rig.outputs.snapshot.next_step);
+    TEST_ASSERT_EQUAL_UINT32(axis, rig.outputs.snapshot.step_axis);
+}
+
+/* No carriage has room, and the needle guide may not be turned at all. */
+static void fail_for_want_of_a_way(void)
+{
+    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = FRONT_LEFT};
+    start_at_home();
+    for (uint32_t i = 0U; i <= REAR_RIGHT; i++) {
+        robot.axes[i].minimum_ticks = rig_position(&rig, i) - 100;
+        robot.axes[i].maximum_ticks = rig_position(&rig, i) + 100;
+    }
+    robot.coupled_limits[2].minimum = -1;
+    robot.coupled_limits[2].maximum = 1;
+    seal_robot();
+    rig.robot = robot;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 1000U).kind);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_HOMING_NO_WAY));
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    rig_release(&rig);
+}
+
+static void hold_button(void)
+{
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 2U);
+    rig_box(&rig, "button release");
+    rig_cycles(&rig, 2U);
+}
+
+void test_SWR_NEXT_022_one_without_a_way_to_its_switch_is_to_be_moved_by_hand(void)
+{
+    fail_for_want_of_a_way();
+    expect_step(NEXT_STEP_BY_HAND, FRONT_LEFT);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_PRESS_PEDAL, rig.outputs.snapshot.next_step);
+}
+
+/* Once somebody says where it is, there is nothing to be moved. */
+void test_SWR_NEXT_022_one_that_is_restored_is_to_be_confirmed_instead(void)
+{
+    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = FRONT_RIGHT};
+    command_t restore = {.kind = COMMAND_RESTORE, .argument = 1U << FRONT_LEFT};
+    fail_for_want_of_a_way();
+    restore.ticks[FRONT_LEFT] = rig_position(&rig, FRONT_LEFT);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    rig_cycles(&rig, 500U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, restore).status);
+    expect_step(NEXT_STEP_CONFIRM, FRONT_LEFT);
+    hold_button();
+    TEST_ASSERT_TRUE(is_homed(FRONT_LEFT));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
+    expect_step(NEXT_STEP_START_UP, ROBOT_AXIS_MAX);
+}
+
+/* As saved; then the operator says that it is so. */
+void test_SWR_NEXT_021_one_without_a_switch_that_is_lost_is_to_be_placed_and_confirmed(void)
+{
+    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = REAR_LEFT};
+    command_t restore = {.kind = COMMAND_RESTORE, .argument = 1U << REAR_LEFT};
+    start_at_home();
+    rig_cycles(&rig, 500U);
+    restore.ticks[REAR_LEFT] = rig_position(&rig, REAR_LEFT);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
+    expect_step(NEXT_STEP_PLACE, REAR_LEFT);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, restore).status);
+    expect_step(NEXT_STEP_CONFIRM, REAR_LEFT);
+    hold_button();
+    TEST_ASSERT_TRUE(is_homed(REAR_LEFT));
 }
 
 /* Its own supervision finds it. */

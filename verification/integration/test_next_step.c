@@ -203,11 +203,11 @@ void test_SWR_NEXT_007_what_is_armed_is_stopped_before_a_position_is_confirmed(v
     rig_start_homed(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     fail_axis(NEURO_AXIS_FEET);
-    expect_named(NEXT_STEP_CONFIRM, NEURO_AXIS_FEET, CARD_SLOT_COUNT, EVENT_AXIS_REFERENCE_LOST);
+    expect_named(NEXT_STEP_PLACE, NEURO_AXIS_FEET, CARD_SLOT_COUNT, EVENT_AXIS_REFERENCE_LOST);
     jog(NEURO_AXIS_ROTATION);
     expect(NEXT_STEP_STOP);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
-    expect(NEXT_STEP_CONFIRM);
+    expect(NEXT_STEP_PLACE);
     hold_button();
     expect(NEXT_STEP_START_UP);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_START_UP));
@@ -302,7 +302,7 @@ void test_SWR_NEXT_005_a_position_that_moves_is_not_to_be_confirmed(void)
     rig_box(&rig, "scanner off");
     rig_box(&rig, "motor feet normal");
     rig_cycles(&rig, 2000U);
-    expect(NEXT_STEP_CONFIRM);
+    expect(NEXT_STEP_PLACE);
 }
 
 void test_SWR_NEXT_003_who_has_authority_next_waits_until_the_axes_rest(void)

@@ -61,7 +61,7 @@ void test_SWR_NEXT_001_a_fault_of_any_axis_asks_for_start_up(void)
         const bool has_switch = robot_neuro.axes[i].home_method == (uint8_t)HOME_BY_SWITCH;
         rig_release(&rig);
         rig_cycles(&rig, 300U); /* It comes to rest. */
-        expect_step(has_switch ? NEXT_STEP_START_UP : NEXT_STEP_CONFIRM);
+        expect_step(has_switch ? NEXT_STEP_START_UP : NEXT_STEP_PLACE);
     }
 }
 

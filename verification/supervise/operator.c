@@ -292,10 +292,12 @@ static void follow(operator_t *self, rig_t *rig, uint32_t step)
         hold_button(self, rig);
         break;
     case NEXT_STEP_CONFIRM:
+    case NEXT_STEP_PLACE:
     case NEXT_STEP_COMPARE:
         compare(self, rig, step);
         break;
     case NEXT_STEP_MAKE_ROOM:
+    case NEXT_STEP_BY_HAND:
         start_anew(self, rig);
         break;
     case NEXT_STEP_CHECK_CARDS:

@@ -516,6 +516,7 @@ static void do_next_step(stage_t *self, rig_t *rig)
         }
         break;
     case NEXT_STEP_CONFIRM:
+    case NEXT_STEP_PLACE:
     case NEXT_STEP_COMPARE:
         confirm(self, rig);
         break;

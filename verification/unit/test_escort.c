@@ -293,7 +293,10 @@ void test_SWR_AXIS_052_each_escort_is_tried_once_before_there_is_none(void)
     robot.coupled_limits[2].minimum = -1;
     robot.coupled_limits[2].maximum = 1;
     begin(FRONT_LEFT, 0, AXIS_REFERENCE_APPROACH);
+    TEST_ASSERT_FALSE(escort_was_missing(&escort, FRONT_LEFT));
     TEST_ASSERT_EQUAL_UINT32(8U + 27U + 27U, rests_until_none(FRONT_LEFT));
+    TEST_ASSERT_TRUE(escort_was_missing(&escort, FRONT_LEFT));
+    TEST_ASSERT_FALSE(escort_was_missing(&escort, FRONT_RIGHT));
 }
 
 /* Between the carriages of a stage are 88 to 308 mm: front_left is between -60 mm, its own end 40
