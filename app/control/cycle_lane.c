@@ -17,22 +17,34 @@ static bool has_room(const cycle_lane_t *self, exchange_t *exchange)
     return exchange_cycle_room(exchange) >= wanted;
 }
 
+/* False when the recorder has given no sign of life for too long. */
+static bool is_patient(cycle_lane_t *self, const exchange_t *exchange, uint64_t *heard_ns)
+{
+    const uint32_t beats = exchange_beats(exchange, EXCHANGE_RECORDER);
+    const uint64_t now_ns = realtime_now_ns();
+
+    if (beats != self->heard) {
+        self->heard = beats;
+        *heard_ns = now_ns;
+    }
+    return (now_ns - *heard_ns) < PATIENCE_NS;
+}
+
 void cycle_lane_wait(cycle_lane_t *self, exchange_t *exchange, const volatile sig_atomic_t *stop)
 {
-    const bool has_read = exchange_cycles_released(exchange) != self->released;
+    const bool is_heard = exchange_beats(exchange, EXCHANGE_RECORDER) != self->heard;
     bool is_full = !has_room(self, exchange);
 
-    if (!is_full || (self->has_waited && !has_read)) {
+    if (!is_full || (self->has_waited && !is_heard)) {
         return;
     }
-    const uint64_t end_ns = realtime_now_ns() + PATIENCE_NS;
-    while (is_full && (*stop == 0) && (realtime_now_ns() < end_ns)) {
+    uint64_t heard_ns = realtime_now_ns();
+    while (is_full && (*stop == 0) && is_patient(self, exchange, &heard_ns)) {
         bsp_stand_still_ns(NAP_NS);
         exchange_beat(exchange, EXCHANGE_CONTROL);
         is_full = !has_room(self, exchange);
     }
     self->has_waited = is_full;
-    self->released = exchange_cycles_released(exchange);
 }
 
 bool cycle_lane_look(cycle_lane_t *self, exchange_t *exchange)

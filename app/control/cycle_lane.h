@@ -15,16 +15,16 @@
 
 /** At first all zero. */
 typedef struct {
-    bool is_gap;       /**< This cycle is not recorded. */
-    bool has_waited;   /**< For a recorder that did not read, */
-    uint32_t released; /**< which had released up to here. */
-    uint32_t lost;     /**< Cycles that were not recorded since the start. */
+    bool is_gap;     /**< This cycle is not recorded. */
+    bool has_waited; /**< For a recorder that gave no sign of life */
+    uint32_t heard;  /**< since this one. */
+    uint32_t lost;   /**< Cycles that were not recorded since the start. */
 } cycle_lane_t;
 
 /**
  * In elastic time, before the board's time goes on: waits until the next cycle can be recorded,
- * `*stop` is not 0, or the patience with the recorder is used up. The board learns that control
- * lives.
+ * `*stop` is not 0, or the recorder has given no sign of life for LIMIT_RECORDER_PATIENCE_US: it
+ * gives one with each record. The board learns that control lives.
  *
  * @satisfies SWR-REC-019
  */

@@ -54,8 +54,11 @@ static uint32_t told_tail(const exchange_t *self)
     return __atomic_load_n(&self->segment->others.cycles_tail, __ATOMIC_ACQUIRE);
 }
 
-/* A reader only comes closer; what leads anywhere else is damage. */
-uint32_t exchange_cycles_released(exchange_t *self)
+/*
+ * Up to where the recorder has released, where that was last believable: a reader only comes
+ * closer, and what leads anywhere else is damage.
+ */
+static uint32_t believable_tail(exchange_t *self)
 {
     uint32_t *const seen = &self->segment->control.cycles_seen;
     const uint32_t before = __atomic_load_n(seen, __ATOMIC_RELAXED);
@@ -76,7 +79,7 @@ static void publish_put(exchange_t *self)
 
 uint32_t exchange_cycle_room(exchange_t *self)
 {
-    const uint32_t waiting = between(self, exchange_cycles_released(self), self->cycles_put);
+    const uint32_t waiting = between(self, believable_tail(self), self->cycles_put);
 
     publish_put(self);
     return (waiting < self->cycles) ? (self->cycles - waiting) : 0U;

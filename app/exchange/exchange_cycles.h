@@ -72,14 +72,6 @@ uint32_t exchange_cycles_taken(const exchange_t *self);
 void exchange_release_cycles(exchange_t *self, uint32_t taken);
 
 /**
- * For control: up to where the recorder has released, where that was last believable; another value
- * says that it lives.
- *
- * @satisfies SWR-EXCH-025
- */
-uint32_t exchange_cycles_released(exchange_t *self);
-
-/**
  * For the recorder, before it takes records: sets right what a neighbour has damaged of the lane,
  * and adds the entries that are lost by it to `*dropped`.
  *

@@ -279,6 +279,7 @@ static bool take_one(black_box_t *self, uint64_t now_us)
         return false;
     }
     record_one(self, &self->record, now_us);
+    exchange_beat(self->exchange, EXCHANGE_RECORDER);
     if (self->writer.blocks != blocks) {
         exchange_release_cycles(self->exchange, before);
     }

@@ -20,6 +20,7 @@
 /* Together less than LIMIT_STOP_TIME_US, in the time of the board; the recorder has its own time. */
 #define STOP_CLIENTS_US UINT64_C(300000)
 #define STOP_CONTROL_US UINT64_C(900000) /* It may just be waiting for the box. */
+#define STOP_RECORDER_LOOKS 250U         /* Without a sign of life. */
 #define STOP_COMPANIONS_US UINT64_C(200000)
 
 static bool init_member(family_t *self, member_t member, const char *name, const options_t *options,
@@ -271,27 +272,61 @@ static void send(const family_t *self, const member_t *members, uint32_t count, 
     }
 }
 
-static void stop(family_t *self, const member_t *members, uint32_t count, uint64_t timeout_us)
+static void ask_to_stop(const family_t *self, const member_t *members, uint32_t count)
 {
-    const struct timespec step = {.tv_sec = 0, .tv_nsec = STOP_STEP_NS};
-    const uint64_t end_us = clock_monotonic_us() + timeout_us;
-
     send(self, members, count, SIGTERM);
     send(self, members, count, SIGCONT); /* A stopped one would not hear. */
-    while (is_running(self, members, count) && (clock_monotonic_us() < end_us)) {
-        (void)nanosleep(&step, NULL);
-    }
+}
+
+static void rest(void)
+{
+    const struct timespec step = {.tv_sec = 0, .tv_nsec = STOP_STEP_NS};
+
+    (void)nanosleep(&step, NULL);
+}
+
+static void make_end(family_t *self, const member_t *members, uint32_t count)
+{
     send(self, members, count, SIGKILL);
     while (is_running(self, members, count)) {
-        (void)nanosleep(&step, NULL);
+        rest();
     }
+}
+
+static void stop(family_t *self, const member_t *members, uint32_t count, uint64_t timeout_us)
+{
+    const uint64_t end_us = clock_monotonic_us() + timeout_us;
+
+    ask_to_stop(self, members, count);
+    while (is_running(self, members, count) && (clock_monotonic_us() < end_us)) {
+        rest();
+    }
+    make_end(self, members, count);
+}
+
+/* What waits for it is recorded first; it gives a sign of life with each cycle. */
+static void stop_recorder(family_t *self, const exchange_t *exchange)
+{
+    static const member_t recorder[] = {MEMBER_RECORDER};
+    const uint64_t end_us = clock_monotonic_us() + LIMIT_RECORDER_END_US;
+    uint32_t heard = exchange_beats(exchange, EXCHANGE_RECORDER);
+    uint32_t looks = 0U;
+
+    ask_to_stop(self, recorder, 1U);
+    while (is_running(self, recorder, 1U) && (looks < STOP_RECORDER_LOOKS) &&
+           (clock_monotonic_us() < end_us)) {
+        rest();
+        const uint32_t beats = exchange_beats(exchange, EXCHANGE_RECORDER);
+        looks = (beats != heard) ? 0U : (looks + 1U);
+        heard = beats;
+    }
+    make_end(self, recorder, 1U);
 }
 
 void family_stop(family_t *self, exchange_t *exchange)
 {
     static const member_t clients[] = {MEMBER_IGTL, MEMBER_HTTP};
     static const member_t control[] = {MEMBER_CONTROL};
-    static const member_t recorder[] = {MEMBER_RECORDER};
     member_t companions[BOARD_COMPANIONS];
 
     for (uint32_t i = 0U; i < BOARD_COMPANIONS; i++) {
@@ -300,6 +335,6 @@ void family_stop(family_t *self, exchange_t *exchange)
     stop(self, clients, 2U, STOP_CLIENTS_US);
     stop(self, control, 1U, STOP_CONTROL_US * self->slowness);
     exchange_note_control_ended(exchange);
-    stop(self, recorder, 1U, LIMIT_RECORDER_END_US);
+    stop_recorder(self, exchange);
     stop(self, companions, BOARD_COMPANIONS, STOP_COMPANIONS_US * self->slowness);
 }

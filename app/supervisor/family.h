@@ -81,7 +81,7 @@ bool family_end_hanging(family_t *self, exchange_t *exchange, member_t member);
  * obey in his time is killed. The recorder is told by `exchange` that control has ended.
  *
  * @satisfies SWR-SUP-001
- * @satisfies SWR-REC-025
+ * @satisfies SWR-SUP-013
  */
 void family_stop(family_t *self, exchange_t *exchange);
 

@@ -86,7 +86,7 @@ class TestRecorder < SystemTest
   end
 
   # It is held while cycles come, and told to end before it has written them.
-  def test_SWR_REC_025_a_recorder_that_is_behind_writes_the_whole_run_before_it_ends
+  def test_SWR_SUP_013_a_recorder_that_is_behind_writes_the_whole_run_before_it_ends
     record(1000) do
       boresight.kill('recorder', 'STOP')
       behind = boresight.status['cycle'] + 4000
@@ -95,6 +95,17 @@ class TestRecorder < SystemTest
     text, code = replay(boresight.recordings)
     assert_match(/^(\d+) of \1 cycles replayed, every output equal$/, text)
     assert_equal 0, code, text
+  end
+
+  def test_SWR_SUP_013_what_waits_for_a_recorder_at_the_end_is_recorded
+    last = record(500) do
+      boresight.kill('recorder', 'STOP')
+      first = boresight.status['cycle']
+      boresight.wait_until('cycles wait for it') { boresight.status['cycle'] > first + 2500 }
+    end
+    cycles, text = replayed(boresight.recording_files.fetch(0), 0)
+    assert_operator cycles, :>, last
+    refute_match(/follow no checkpoint|lost|cut short/i, text + boresight.output)
   end
 
   def test_SWR_REC_001_a_full_disk_is_said_once_and_recording_goes_on_when_there_is_room

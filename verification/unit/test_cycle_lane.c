@@ -27,6 +27,7 @@ static uint64_t world_ns;
 static uint32_t naps;
 static uint32_t reads_at; /* In which nap the recorder reads */
 static uint32_t reads;    /* so many, */
+static uint32_t beats_until;
 static uint32_t stops_at; /* and control is told to end. */
 static volatile sig_atomic_t stop;
 
@@ -36,6 +37,7 @@ static void read_cycles(uint32_t count)
 
     for (uint32_t i = 0U; i < count; i++) {
         (void)exchange_take_cycle(reader, &record);
+        exchange_beat(reader, EXCHANGE_RECORDER);
     }
     exchange_release_cycles(reader, exchange_cycles_taken(reader));
 }
@@ -47,6 +49,9 @@ static void nap(uint64_t nap_ns, int calls)
     naps++;
     if (naps == reads_at) {
         read_cycles(reads);
+    }
+    if (naps < beats_until) {
+        exchange_beat(reader, EXCHANGE_RECORDER);
     }
     stop = (naps == stops_at) ? 15 : stop;
 }
@@ -67,6 +72,7 @@ void setUp(void)
     naps = 0U;
     reads_at = NEVER;
     reads = LANE;
+    beats_until = 0U;
     stops_at = NEVER;
     stop = 0;
     bsp_stand_still_ns_Stub(nap);
@@ -148,6 +154,18 @@ void test_SWR_REC_019_a_recorder_that_has_read_since_is_waited_for_again(void)
     TEST_ASSERT_EQUAL_UINT32(3U, naps);
     TEST_ASSERT_TRUE(run_cycle());
     TEST_ASSERT_EQUAL_UINT32(1U, lane.lost);
+}
+
+/* It has the next block not written yet. */
+void test_SWR_REC_019_a_recorder_that_is_slow_is_waited_for_as_long_as_it_lives(void)
+{
+    fill();
+    reads_at = 10000U; /* 20 s. */
+    beats_until = reads_at;
+    wait_for_recorder();
+    TEST_ASSERT_EQUAL_UINT32(reads_at, naps);
+    TEST_ASSERT_FALSE(run_cycle());
+    TEST_ASSERT_EQUAL_UINT32(0U, lane.lost);
 }
 
 void test_SWR_REC_019_a_signal_ends_it_at_once(void)

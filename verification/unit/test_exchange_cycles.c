@@ -182,7 +182,7 @@ void test_SWR_EXCH_025_a_damaged_index_of_the_reader_costs_nothing(void)
         for (uint32_t j = 0U; j < 5U; j++) {
             TEST_ASSERT_TRUE(push(first + j));
         }
-        const uint32_t sound = exchange_cycles_released(control);
+        const uint32_t sound = control->segment->others.cycles_tail;
         reader->segment->others.cycles_tail = damage[i];
         TEST_ASSERT_LESS_OR_EQUAL_UINT32(LANE, exchange_cycle_room(control));
         TEST_ASSERT_EQUAL(damage[i] != sound, exchange_repair_cycles(reader, &dropped));
