@@ -36,7 +36,7 @@ class Crowds
 
   def meet(name, counts)
     print "  #{name} ... "
-    @is_shared ||= neighbours?
+    @is_shared ||= Neighbours.new.any?
     met = meet_loop(counts).merge(cyclictest: meet_cyclictest(counts))
     met[:ratio] = ratio(met)
     puts "worst #{met[:loop][:worst]} us"
@@ -159,7 +159,7 @@ class Crowds
     lines = ["This is #{machine}, and the crowd ran on it: only the ratios say something about the program.",
              'Both met the same crowd beside box, recorder and servers; cyclictest also beside a loop without its rights.']
     lines.concat(@met.filter_map { |name, met| "#{name}: a move did not end: #{met[:trouble]}" if met[:trouble] })
-    lines << NEIGHBOUR if @is_shared
+    lines << Neighbours::REMARK if @is_shared
     lines << "cyclictest could not run: #{@reference.refusal}" if @reference.refusal
     lines
   end

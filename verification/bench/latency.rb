@@ -32,7 +32,7 @@ class Latency
 
   def announced(what)
     print "  #{what} ... "
-    @is_shared ||= neighbours?
+    @is_shared ||= Neighbours.new.any?
     yield.tap { |figures| puts figures ? "worst #{figures[:worst]} us" : 'not possible' }
   end
 
@@ -93,7 +93,7 @@ class Latency
     lines = ["This is #{machine}: the times are the machine's;", 'only the ratio says something about the program.',
              'The loop ran with its whole system beside it (box, recorder, servers), cyclictest with nothing.']
     lines << "Not granted to the loop: #{@missing.join(', ')}; run as root for a fair comparison." if @missing.any?
-    lines << NEIGHBOUR if @is_shared
+    lines << Neighbours::REMARK if @is_shared
     lines << "cyclictest could not run: #{@cyclictest.refusal}" if @cyclictest.refusal
     lines
   end

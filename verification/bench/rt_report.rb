@@ -47,7 +47,7 @@ class RealTimeReport
     FileUtils.mkdir_p(OUT)
     puts "Intervals of the control loop, #{duration} in real time"
     @check = checked
-    @is_shared = neighbours?
+    @is_shared = Neighbours.new.any?
     measure
     @intervals = read
     leave
@@ -70,18 +70,12 @@ class RealTimeReport
   def measure
     robot = Boresight.start(arguments: ['--real-time', '--robot', Errand::ROBOT, '--recordings', RECORDINGS])
     Crowd.around(robot.http_port, **LOAD) { move(robot) }
-    @is_shared ||= Dir.glob('/proc/[0-9]*/comm').count { |path| control?(path) } > 1
+    @is_shared ||= Neighbours.new.any?
     @loop = robot.status['loop']
     @counts = robot.status['counts']
     robot.stop
   ensure
     robot&.kill_all
-  end
-
-  def control?(path)
-    File.read(path).start_with?('boresight-contr')
-  rescue SystemCallError
-    false
   end
 
   def move(robot)
@@ -156,7 +150,7 @@ class RealTimeReport
     lines = []
     lines << "Longest stage before a cycle that was late: #{late.join(', ')}." if late.any?
     lines << "This is #{machine}: without a real-time kernel the longest times are the machine's." unless @check.match?(/^ok  KERNEL/)
-    lines << NEIGHBOUR if @is_shared
+    lines << Neighbours::REMARK if @is_shared
     lines << "This is not the whole run:\n#{@missing}" unless @is_whole
     lines << "#{@counts['cycles_lost']} cycles found the recorder late." if @counts['cycles_lost'].positive?
     lines

@@ -5,6 +5,7 @@ require 'etc'
 require 'fileutils'
 require 'json'
 require 'open3'
+require_relative 'neighbours'
 
 ROOT = File.expand_path('../..', __dir__)
 BENCH_OUT = File.join(ROOT, 'build/bench')
@@ -52,14 +53,3 @@ def machine
   real_time = File.exist?('/sys/kernel/realtime') && File.read('/sys/kernel/realtime').to_i == 1
   "#{virtual} with #{Etc.nprocessors} cores and #{real_time ? 'a real-time' : 'an ordinary'} kernel"
 end
-
-# Another Boresight has its control loop on the same core, at the same priority.
-def neighbours?
-  Dir.glob('/proc/[0-9]*/comm').any? do |path|
-    File.read(path).start_with?('boresight-contr')
-  rescue SystemCallError
-    false
-  end
-end
-
-NEIGHBOUR = 'Another Boresight ran on this machine meanwhile; measure again without it.'
