@@ -47,6 +47,11 @@ HARDENED_static := $(HARDENED_arm)
 HARDENED_wasm := $(ANYWHERE)
 # WebAssembly keeps return addresses where no data can reach them.
 HARDENED_CORE := $(if $(filter wasm,$(CONFIG)),,-fstack-protector)
+# What every cycle computes is written straight on: loops of a known count, and the short functions of headers.
+STRAIGHT_gcc := -fpeel-loops --param max-inline-insns-single=200
+STRAIGHT_arm := $(STRAIGHT_gcc)
+STRAIGHT_static := $(STRAIGHT_gcc)
+STRAIGHT := $(STRAIGHT_$(CONFIG))
 # Coverage is that of the core and the charts; around them it would only take time.
 COUNTED_gcov := -O0 --coverage
 COUNTED := $(COUNTED_$(CONFIG))
@@ -216,16 +221,16 @@ $(GEN)/assets/chart_names.c: $(GEN)/charts/charts.json app/http/chart_names.rb
 
 object = $(patsubst %.c,$(OUT)/%.o,$(1))
 
-$(OUT)/core/%.o: FLAGS = $(CORE_INCLUDES) $(HARDENED_CORE) $(COUNTED)
+$(OUT)/core/%.o: FLAGS = $(CORE_INCLUDES) $(HARDENED_CORE) $(STRAIGHT) $(COUNTED)
 $(OUT)/$(GEN)/%.o: FLAGS = $(APP_INCLUDES)
-$(OUT)/$(GEN)/charts/%.o: FLAGS = $(CORE_INCLUDES) $(HARDENED_CORE) $(COUNTED)
+$(OUT)/$(GEN)/charts/%.o: FLAGS = $(CORE_INCLUDES) $(HARDENED_CORE) $(STRAIGHT) $(COUNTED)
 $(OUT)/$(APART)/gen/board/%.o: FLAGS = $(APP_INCLUDES)
 $(OUT)/bsp/%.o: FLAGS = -D_GNU_SOURCE $(BSP_INCLUDES)
 $(OUT)/app/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -DBORESIGHT_BUILD_ID='"$(BUILD_ID)"' -DBORESIGHT_VERSION='"$(VERSION)"'
 $(OUT)/verification/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES)
 
 # The way to compile; everything follows when it changes. Where the clone lies is no part of it: the bytes are the same.
-COMPILING := $(subst $(CURDIR),HERE,$(CC) $(CFLAGS))
+COMPILING := $(subst $(CURDIR),HERE,$(CC) $(CFLAGS) $(STRAIGHT))
 $(OUT)/flags: FORCE
 	@mkdir -p $(OUT); echo '$(COMPILING)' | cmp -s - $@ || echo '$(COMPILING)' >$@
 

@@ -14,7 +14,7 @@ static int32_t error_ticks(const axis_t *self)
 }
 
 /* What the axis may lag grows with how fast it is to be. */
-static int32_t following_error_ticks(const axis_t *self, const axis_config_t *config)
+static inline int32_t following_error_ticks(const axis_t *self, const axis_config_t *config)
 {
     const int64_t speed_q8 = fixed_magnitude((int64_t)self->setpoint_speed_ticks_per_s_q8);
     const int64_t product = speed_q8 * (int64_t)config->following_time_ms;
@@ -346,7 +346,7 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
     if (homing_is_too_long(&self->homing, config, leg, is_driven, elapsed_us)) {
         found |= AXIS_NOTE_HOME_TIMEOUT;
     }
-    if (homing_is_too_far(&self->homing, config, leg, view.position_ticks)) {
+    if (homing_is_leg(leg) && homing_is_too_far(&self->homing, config, leg, view.position_ticks)) {
         found |= AXIS_NOTE_SWITCH_FAULT;
     }
     const uint32_t faults = fail(self, found);
@@ -354,9 +354,9 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
     return faults | audit(self, config, is_off, elapsed_us);
 }
 
-static int32_t reading_at(const axis_t *self, const axis_config_t *config, int64_t way_ticks)
+/* `way`: ticks, below 0 as their complement, as the reading wraps, too. */
+static int32_t reading_at(const axis_t *self, const axis_config_t *config, uint32_t way)
 {
-    const uint32_t way = (uint32_t)way_ticks;
     const uint32_t reading = (uint32_t)self->encoder.reading;
     uint32_t at = reading + way;
     if (config->is_encoder_inverted != 0U) {
@@ -368,13 +368,13 @@ static int32_t reading_at(const axis_t *self, const axis_config_t *config, int64
 void axis_guard(const axis_t *self, const axis_config_t *config, bool is_driven,
                 int32_t *minimum_reading, int32_t *maximum_reading)
 {
-    int64_t below = -2 * (int64_t)self->supervision.rest_ticks;
-    int64_t above = -below;
+    uint32_t above = 2U * (uint32_t)self->supervision.rest_ticks;
+    uint32_t below = 0U - above;
     if (is_driven) {
-        const int64_t way = (int64_t)error_ticks(self);
-        const int64_t most = (int64_t)following_error_ticks(self, config);
-        below += ((way < 0) ? way : 0) - most;
-        above += ((way > 0) ? way : 0) + most;
+        const int32_t way = error_ticks(self);
+        const uint32_t most = (uint32_t)following_error_ticks(self, config);
+        below += ((way < 0) ? (uint32_t)way : 0U) - most;
+        above += ((way > 0) ? (uint32_t)way : 0U) + most;
     }
     const bool is_inverted = config->is_encoder_inverted != 0U;
     *minimum_reading = reading_at(self, config, is_inverted ? above : below);

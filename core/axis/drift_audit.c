@@ -1,31 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "axis/drift_audit.h"
 
-#include "base/fixed.h"
 #include "limits/requirement_limits.h"
-#include "motion/motor_model.h"
 #include "robot/joints.h"
-
-static int32_t sum(int32_t account_ticks, int64_t way_ticks)
-{
-    return fixed_saturate((int64_t)account_ticks + way_ticks);
-}
-
-void drift_audit_step(drift_audit_t *self, int32_t position_ticks, bool is_off, uint32_t elapsed_us)
-{
-    const int64_t way = (int64_t)position_ticks - (int64_t)self->position_ticks;
-    self->position_ticks = position_ticks;
-    if (!is_off) {
-        self->off_us = 0U;
-    } else if (self->off_us < MOTOR_REST_US) {
-        self->off_us += elapsed_us;
-    } else if (way != 0) {
-        self->idle_ticks = sum(self->idle_ticks, way);
-        self->scan_ticks = sum(self->scan_ticks, way);
-    } else {
-        /* It stands. */
-    }
-}
 
 void drift_audit_settle(drift_audit_t *self, int32_t position_ticks)
 {

@@ -7,6 +7,8 @@
 #ifndef BORESIGHT_DRIFT_AUDIT_H
 #define BORESIGHT_DRIFT_AUDIT_H
 
+#include "base/fixed.h"
+#include "motion/motor_model.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>
@@ -21,8 +23,22 @@ typedef struct {
 } drift_audit_t;
 
 /** One cycle: the axis is at `position_ticks`; its drive was off up to there or not. */
-void drift_audit_step(drift_audit_t *self, int32_t position_ticks, bool is_off,
-                      uint32_t elapsed_us);
+static inline void drift_audit_step(drift_audit_t *self, int32_t position_ticks, bool is_off,
+                                    uint32_t elapsed_us)
+{
+    const int64_t way = (int64_t)position_ticks - (int64_t)self->position_ticks;
+    self->position_ticks = position_ticks;
+    if (!is_off) {
+        self->off_us = 0U;
+    } else if (self->off_us < MOTOR_REST_US) {
+        self->off_us += elapsed_us;
+    } else if (way != 0) {
+        self->idle_ticks = fixed_saturate((int64_t)self->idle_ticks + way);
+        self->scan_ticks = fixed_saturate((int64_t)self->scan_ticks + way);
+    } else {
+        /* It stands. */
+    }
+}
 
 /** The axis stands at `position_ticks`, that is sure: a new account begins. */
 void drift_audit_settle(drift_audit_t *self, int32_t position_ticks);

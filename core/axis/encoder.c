@@ -41,7 +41,7 @@ static void measure(encoder_t *self, const card_report_t *report, int32_t speed_
 static void limit_speed(encoder_t *self, int64_t ticks, uint32_t time_us)
 {
     const int64_t measured_q8 = (int64_t)self->measured_ticks_per_s_q8;
-    const int64_t most_q8 = (ticks * Q8_US_PER_S) / (int64_t)time_us;
+    const int64_t most_q8 = fixed_divide_signed(ticks * Q8_US_PER_S, (int64_t)time_us);
     const int64_t size_q8 =
         (fixed_magnitude(measured_q8) > most_q8) ? most_q8 : fixed_magnitude(measured_q8);
     self->speed_ticks_per_s_q8 = (int32_t)((measured_q8 < 0) ? -size_q8 : size_q8);
@@ -130,9 +130,12 @@ bool encoder_step(encoder_t *self, const axis_config_t *config, const card_repor
     self->edge_age_us = (report->edges == CARD_EDGES_UNKNOWN)
                             ? ENCODER_AGE_UNKNOWN
                             : (report->time_us - report->last_edge_us);
-    const int64_t moved_ticks = (int64_t)encoder_way(config, self->reading, report->encoder_count);
-    self->reading = report->encoder_count;
-    self->position_ticks = fixed_saturate((int64_t)self->position_ticks + moved_ticks);
+    if (change_ticks != 0) {
+        const int64_t moved_ticks =
+            (int64_t)encoder_way(config, self->reading, report->encoder_count);
+        self->reading = report->encoder_count;
+        self->position_ticks = fixed_saturate((int64_t)self->position_ticks + moved_ticks);
+    }
     estimate_speed(self, report);
     return false;
 }

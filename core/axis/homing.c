@@ -8,18 +8,6 @@
 /* Free for so far, the switch has released. */
 #define CLEAR_TICKS INT64_C(3)
 
-/* Grows away from the switch. */
-static int64_t away(const axis_config_t *config, int32_t ticks)
-{
-    return (config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER) ? -(int64_t)ticks : (int64_t)ticks;
-}
-
-/* How far `to` is away from `from`. */
-static int64_t way(const axis_config_t *config, int32_t from, int32_t to)
-{
-    return away(config, to) - away(config, from);
-}
-
 /* Both edges are late by the debouncing, up to 10 ms, at different speeds. */
 static int64_t edge_spread_ticks(const axis_config_t *config)
 {
@@ -29,16 +17,6 @@ static int64_t edge_spread_ticks(const axis_config_t *config)
 static bool is_leaving(axis_reference_t leg)
 {
     return (leg == AXIS_REFERENCE_LEAVE) || (leg == AXIS_REFERENCE_BACK_OFF);
-}
-
-static bool is_homing(axis_reference_t leg)
-{
-    return (leg == AXIS_REFERENCE_APPROACH) || (leg == AXIS_REFERENCE_LATCH) || is_leaving(leg);
-}
-
-int64_t homing_way_from_switch(const axis_config_t *config, int32_t position_ticks)
-{
-    return way(config, config->home_ticks, position_ticks);
 }
 
 void homing_begin(homing_t *self, int32_t position_ticks)
@@ -67,8 +45,8 @@ static bool is_clear(const homing_t *self, const axis_config_t *config, axis_ref
 {
     const int64_t held =
         (leg == AXIS_REFERENCE_BACK_OFF) ? (int64_t)config->switch_hysteresis_ticks : INT64_C(0);
-    return (way(config, self->switch_ticks, position_ticks) >= CLEAR_TICKS) &&
-           (way(config, self->edge_ticks, position_ticks) >= (held + CLEAR_TICKS));
+    return (homing_way(config, self->switch_ticks, position_ticks) >= CLEAR_TICKS) &&
+           (homing_way(config, self->edge_ticks, position_ticks) >= (held + CLEAR_TICKS));
 }
 
 static homing_sight_t see_active(homing_t *self, const axis_config_t *config, axis_reference_t leg,
@@ -76,7 +54,7 @@ static homing_sight_t see_active(homing_t *self, const axis_config_t *config, ax
 {
     self->switch_ticks = position_ticks;
     if ((leg == AXIS_REFERENCE_LATCH) &&
-        (way(config, self->edge_ticks, position_ticks) > edge_spread_ticks(config))) {
+        (homing_way(config, self->edge_ticks, position_ticks) > edge_spread_ticks(config))) {
         return HOMING_WRONG;
     }
     if (leg != AXIS_REFERENCE_BACK_OFF) {
@@ -88,7 +66,7 @@ static homing_sight_t see_active(homing_t *self, const axis_config_t *config, ax
 homing_sight_t homing_see(homing_t *self, const axis_config_t *config, axis_reference_t leg,
                           int32_t position_ticks, bool is_switch_active)
 {
-    if (is_homing(leg) && (way(config, self->nearest_ticks, position_ticks) < 0)) {
+    if (homing_is_leg(leg) && (homing_way(config, self->nearest_ticks, position_ticks) < 0)) {
         self->nearest_ticks = position_ticks;
     }
     if (is_switch_active) {
@@ -109,29 +87,15 @@ bool homing_is_too_far(const homing_t *self, const axis_config_t *config, axis_r
 {
     bool is_far = false;
     if (is_leaving(leg)) {
-        is_far = way(config, self->nearest_ticks, position_ticks) > (int64_t)config->home_way_ticks;
+        is_far = homing_way(config, self->nearest_ticks, position_ticks) >
+                 (int64_t)config->home_way_ticks;
     } else if (leg == AXIS_REFERENCE_APPROACH) {
-        is_far = way(config, position_ticks, self->start_ticks) > longest_approach_ticks(config);
-    } else if (leg == AXIS_REFERENCE_LATCH) {
-        is_far = way(config, position_ticks, self->edge_ticks) > edge_spread_ticks(config);
+        is_far =
+            homing_way(config, position_ticks, self->start_ticks) > longest_approach_ticks(config);
     } else {
-        /* Not homing. */
+        is_far = homing_way(config, position_ticks, self->edge_ticks) > edge_spread_ticks(config);
     }
     return is_far;
-}
-
-bool homing_is_too_long(homing_t *self, const axis_config_t *config, axis_reference_t leg,
-                        bool is_driven, uint32_t elapsed_us)
-{
-    if (self->leg != (uint32_t)leg) {
-        self->leg = (uint32_t)leg;
-        self->leg_us = 0U;
-    }
-    if (!is_driven || !is_homing(leg)) {
-        return false;
-    }
-    self->leg_us += elapsed_us;
-    return self->leg_us >= config->home_time_us;
 }
 
 static int32_t part_of(int32_t speed_q8, uint32_t percent)

@@ -37,9 +37,26 @@ typedef struct {
     uint32_t has_nearest; /**< 0 or 1. */
 } homing_t;
 
+/** `leg` is one of homing. */
+static inline bool homing_is_leg(axis_reference_t leg)
+{
+    return (leg == AXIS_REFERENCE_APPROACH) || (leg == AXIS_REFERENCE_LATCH) ||
+           (leg == AXIS_REFERENCE_LEAVE) || (leg == AXIS_REFERENCE_BACK_OFF);
+}
+
+/** @return how far `to` is away from `from`, ticks; grows away from the switch */
+static inline int64_t homing_way(const axis_config_t *config, int32_t from, int32_t to)
+{
+    const int64_t way = (int64_t)to - (int64_t)from;
+    return (config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER) ? -way : way;
+}
+
 /** @return how far `position_ticks` is away from the switch of a homed axis, ticks; below 0 beyond
  * its edge */
-int64_t homing_way_from_switch(const axis_config_t *config, int32_t position_ticks);
+static inline int64_t homing_way_from_switch(const axis_config_t *config, int32_t position_ticks)
+{
+    return homing_way(config, config->home_ticks, position_ticks);
+}
 
 /** Homing begins at `position_ticks`. What earlier attempts used of the way is not given back. */
 void homing_begin(homing_t *self, int32_t position_ticks);
@@ -65,7 +82,7 @@ homing_sight_t homing_see(homing_t *self, const axis_config_t *config, axis_refe
 /**
  * @return true when the leg has gone farther than the switch can be: away from it `home_way_ticks`,
  * counted over all attempts; towards it the travel, a thirty-second of it and as much; at last
- * beyond the place of the first edge
+ * beyond the place of the first edge. `leg` is one of homing
  *
  * @satisfies SWR-AXIS-013
  */
@@ -79,8 +96,19 @@ bool homing_is_too_far(const homing_t *self, const axis_config_t *config, axis_r
  *
  * @satisfies SWR-AXIS-003
  */
-bool homing_is_too_long(homing_t *self, const axis_config_t *config, axis_reference_t leg,
-                        bool is_driven, uint32_t elapsed_us);
+static inline bool homing_is_too_long(homing_t *self, const axis_config_t *config,
+                                      axis_reference_t leg, bool is_driven, uint32_t elapsed_us)
+{
+    if (self->leg != (uint32_t)leg) {
+        self->leg = (uint32_t)leg;
+        self->leg_us = 0U;
+    }
+    if (!is_driven || !homing_is_leg(leg)) {
+        return false;
+    }
+    self->leg_us += elapsed_us;
+    return self->leg_us >= config->home_time_us;
+}
 
 /** Advances set-point and speed of `leg` by one cycle; a new leg begins at the position, at rest.
  */

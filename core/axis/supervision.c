@@ -13,18 +13,20 @@
 #define PLACE_US 100000U
 #define US_PER_S 1000000U
 
-static int64_t error_ticks(const supervision_view_t *view)
+/* How far the axis is from its set-point. */
+static uint32_t error_ticks(const supervision_view_t *view)
 {
-    const int64_t error = (int64_t)view->setpoint_ticks - (int64_t)view->position_ticks;
-    return (error < 0) ? -error : error;
+    return (view->setpoint_ticks < view->position_ticks)
+               ? ((uint32_t)view->position_ticks - (uint32_t)view->setpoint_ticks)
+               : ((uint32_t)view->setpoint_ticks - (uint32_t)view->position_ticks);
 }
 
 /* The motor is asked for more than a trembling. */
 static bool is_pushing(const axis_config_t *config, const supervision_view_t *view)
 {
-    const int64_t error = error_ticks(view);
-    return view->is_driven && (error >= (int64_t)LIMIT_STALL_PROGRESS_TICKS) &&
-           (error > (int64_t)config->deadband_ticks);
+    const uint32_t error = error_ticks(view);
+    return view->is_driven && (error >= LIMIT_STALL_PROGRESS_TICKS) &&
+           ((int64_t)error > (int64_t)config->deadband_ticks);
 }
 
 /* Way since the mark in the direction of the drive, not of the set-point: that may be overtaken for
@@ -57,7 +59,9 @@ static bool is_stalled(supervision_t *self, const axis_config_t *config,
     if (is_pushing(config, view)) {
         watch_progress(self, view);
     } else {
-        (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_NOT_DRIVEN);
+        if (self->stall.state != STALL_WATCHDOG_STATE_IDLE) { /* STALL-I09 */
+            (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_NOT_DRIVEN);
+        }
         self->mark_ticks = view->position_ticks;
     }
     return false;
@@ -65,7 +69,7 @@ static bool is_stalled(supervision_t *self, const axis_config_t *config,
 
 static bool is_astray(const supervision_view_t *view)
 {
-    return view->is_driven && (error_ticks(view) > (int64_t)view->following_error_ticks);
+    return view->is_driven && ((int64_t)error_ticks(view) > (int64_t)view->following_error_ticks);
 }
 
 static bool is_backwards(supervision_t *self, const supervision_view_t *view)
@@ -91,7 +95,8 @@ static int64_t due_ticks(const supervision_t *self)
 /* The motor was driven, and nothing was counted in its direction. A pause makes nothing good. */
 static bool is_silent(supervision_t *self, const axis_config_t *config, const count_cycle_t *cycle)
 {
-    if ((cycle->counted_ticks * (int64_t)self->account.direction) > 0) {
+    if ((cycle->counted_ticks != 0) &&
+        ((cycle->counted_ticks * (int64_t)self->account.direction) > 0)) {
         self->due_q16 = 0;
         self->silent_us = 0U;
         return false;
@@ -146,14 +151,14 @@ static bool is_uneven(supervision_t *self, const supervision_view_t *view, int64
                       const count_cycle_t *cycle)
 {
     const bool is_upwards = cycle->model_q16 > 0;
-    const int64_t way_q16 = is_upwards ? cycle->model_q16 : -cycle->model_q16;
-    const int32_t ticks = fixed_saturate(is_upwards ? cycle->counted_ticks : -cycle->counted_ticks);
-    if (way_q16 == 0) {
-        if (ticks != 0) {
+    if (cycle->model_q16 == 0) {
+        if (cycle->counted_ticks != 0) {
             edge_pace_begin(&self->pace);
         }
         return false;
     }
+    const int64_t way_q16 = is_upwards ? cycle->model_q16 : -cycle->model_q16;
+    const int32_t ticks = fixed_saturate(is_upwards ? cycle->counted_ticks : -cycle->counted_ticks);
     if ((ticks < 0) || ((self->account.direction > 0) != is_upwards) ||
         (view->edge_age_us == ENCODER_AGE_UNKNOWN)) {
         edge_pace_begin(&self->pace);
@@ -217,7 +222,8 @@ static bool is_moving_while_off(supervision_t *self, const axis_config_t *config
     }
     remember_place(self, view);
     self->off_ticks = way_while_off(self, view);
-    return joints_is_beyond(config, self->off_ticks, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM) &&
+    return (self->off_ticks != 0) &&
+           joints_is_beyond(config, self->off_ticks, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM) &&
            joints_is_above(config, self->off_ticks, LIMIT_REST_FLOOR_TICKS);
 }
 

@@ -97,8 +97,12 @@ uint64_t fixed_divide(uint64_t numerator, uint64_t divisor)
 static uint32_t bit_length(uint64_t value)
 {
     const uint32_t upper = (uint32_t)(value >> 32U);
-    uint32_t length = (upper != 0U) ? 32U : 0U;
-    uint32_t rest = (upper != 0U) ? upper : (uint32_t)(value & 0xFFFFFFFFU);
+    uint32_t length = 0U;
+    uint32_t rest = (uint32_t)(value & 0xFFFFFFFFU);
+    if (upper != 0U) {
+        length = 32U;
+        rest = upper;
+    }
     for (uint32_t step = 16U; step > 0U; step >>= 1U) {
         if ((rest >> step) != 0U) {
             rest >>= step;
@@ -172,8 +176,12 @@ fixed_direction_t fixed_direction(int32_t angle_bam)
  * is left. */
 static uint32_t count_sixteenths(uint32_t smaller, uint32_t larger, uint32_t *above)
 {
-    uint32_t count = (smaller == larger) ? 1U : 0U;
-    uint32_t rest = (smaller == larger) ? 0U : smaller;
+    uint32_t count = 0U;
+    uint32_t rest = smaller;
+    if (smaller == larger) {
+        count = 1U;
+        rest = 0U;
+    }
     for (uint32_t i = 0U; i < 4U; i++) {
         rest *= 2U;
         count *= 2U;
@@ -190,9 +198,11 @@ static uint32_t count_sixteenths(uint32_t smaller, uint32_t larger, uint32_t *ab
  * the upper 32 bits of it, it is too large by one at most: a quarter of the quotient's last bit. */
 static uint32_t sixteenth_q32(uint64_t above, uint64_t divisor)
 {
-    const uint64_t quotient = fixed_divide(above << 28U, divisor >> 4U);
-    const uint64_t excess = ((quotient * divisor) > (above << 32U)) ? 1U : 0U;
-    return (uint32_t)(quotient - excess);
+    uint64_t quotient = fixed_divide(above << 28U, divisor >> 4U);
+    if ((quotient * divisor) > (above << 32U)) {
+        quotient--;
+    }
+    return (uint32_t)quotient;
 }
 
 /* Angle of a vector in the first octant; `larger` has 31 bits. The nearest smaller sixteenth is

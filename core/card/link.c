@@ -91,6 +91,10 @@ void link_advance(link_t *self, uint32_t elapsed_us)
 void link_judge(link_t *self, bool is_good)
 {
     const card_link_inputs_t inputs = {.is_fresh = false};
+    if (is_good && (self->chart.state == CARD_LINK_STATE_LIVE)) {
+        self->age_cycles = 0U; /* LINK-I10: what is live ignores the event. */
+        return;
+    }
     if (is_good) {
         self->age_cycles = 0U;
         (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_GOOD);
@@ -118,14 +122,6 @@ void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, uint32_t elaps
     if (self->echo_mismatches >= LIMIT_ECHO_MISMATCH_CYCLES) {
         give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_ECHO);
     }
-}
-
-void link_note_sent(link_t *self, uint32_t sequence, const card_drive_t *drive)
-{
-    self->sent_sequence_before = self->sent_sequence;
-    self->sent_before = self->sent;
-    self->sent_sequence = sequence;
-    self->sent = *drive;
 }
 
 void link_reset(link_t *self)

@@ -66,7 +66,13 @@ void link_advance(link_t *self, uint32_t elapsed_us);
 void link_judge(link_t *self, bool is_good);
 
 /** Remembers what goes out in this cycle, for the comparison with the card's read-back. */
-void link_note_sent(link_t *self, uint32_t sequence, const card_drive_t *drive);
+static inline void link_note_sent(link_t *self, uint32_t sequence, const card_drive_t *drive)
+{
+    self->sent_sequence_before = self->sent_sequence;
+    self->sent_before = self->sent;
+    self->sent_sequence = sequence;
+    self->sent = *drive;
+}
 
 /**
  * Trusts a lost card again if it sent a valid frame without a fault in this cycle.

@@ -56,7 +56,7 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     const cycle_t cycle = {.robot = robot, .inputs = inputs, .outputs = outputs};
     mode_result_t result;
     /* The rest is written, or cleared, by controller_show() and controller_drive(). */
-    clear_words((uint8_t *)outputs, offsetof(controller_outputs_t, snapshot));
+    clear_aligned_words((uint8_t *)outputs, offsetof(controller_outputs_t, snapshot));
     controller_check_memory(self, &cycle);
     if (self->has_started == 0U) {
         begin(self, &cycle);

@@ -64,12 +64,13 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
     const axis_t *const axis = &self->axes[index];
     const card_drive_t *const request = &view->axes.requests[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
+    const bool is_on = request->mode != (uint32_t)CARD_DRIVE_OFF;
     const permit_facts_t facts = {
         .is_axis_faulty = axis_is_faulty(axis),
         .is_axis_enabled = axis_is_enabled(axis),
         .is_homed = axis_is_homed(axis),
-        .is_towards_switch = axis_is_towards_switch(axis, config, request),
-        .is_beyond_soft_limit = axis_is_beyond_limit(axis, config, request),
+        .is_towards_switch = is_on && axis_is_towards_switch(axis, config, request),
+        .is_beyond_soft_limit = is_on && axis_is_beyond_limit(axis, config, request),
         .is_coupled_limit = (view->at_coupled_limit & ((uint32_t)1U << index)) != 0U,
         .is_needle_in = is_needle_in(self, cycle->robot, index, view),
     };
@@ -180,11 +181,11 @@ static void clear_unused_frames(const cycle_t *cycle)
     uint32_t slot = 0U;
     for (; (used >> slot) != 0U; slot++) {
         if (((used >> slot) & 1U) == 0U) {
-            clear_words(outputs->frames[slot], CARD_FRAME_BYTES);
+            clear_aligned_words(outputs->frames[slot], CARD_FRAME_BYTES);
         }
     }
     for (; slot < CARD_SLOT_COUNT; slot++) {
-        clear_words(outputs->frames[slot], CARD_FRAME_BYTES);
+        clear_aligned_words(outputs->frames[slot], CARD_FRAME_BYTES);
     }
 }
 

@@ -35,16 +35,16 @@ static const range_t forgotten_range = {offsetof(controller_t, pending),
 
 #define AXIS_BYTES (offsetof(axis_t, supervision.stall.now_us) - offsetof(axis_t, encoder))
 
-/* Not a word more or less: they are sealed straight on. */
-typedef char axis_has_seven_times_sixteen_words_t[(AXIS_BYTES == 448U) ? 1 : -1];
-typedef char link_has_sixteen_words_t[((sizeof(link_t) - offsetof(link_t, sent)) == 64U) ? 1 : -1];
+/* Sixteen words, and seven times as many, are sealed straight on: no array where they are not. */
+typedef uint8_t link_bytes_t[((sizeof(link_t) - offsetof(link_t, sent)) == 64U) ? 64 : -1];
+typedef uint8_t axis_bytes_t[(AXIS_BYTES == 448U) ? 448 : -1];
 
 /* What of a link decides in a cycle to come: a report, and that one came, decides only in its
  * cycle. */
 static inline uint32_t seal_of_link(uint32_t seal, const link_t *link)
 {
     const uint8_t *const bytes = (const uint8_t *)link;
-    return seal_of_sixteen(seal, &bytes[offsetof(link_t, sent)]);
+    return seal_of_sixteen(seal, &bytes[sizeof(link_t) - sizeof(link_bytes_t)]);
 }
 
 static uint32_t seal_of_sensors(const controller_t *self)
@@ -108,7 +108,7 @@ static inline uint32_t seal_of_axis(const axis_t *axis)
     uint32_t seal = seal_of_sixteen(seal_of_sixteen(SEAL_START, bytes), &bytes[64]);
     seal = seal_of_sixteen(seal_of_sixteen(seal, &bytes[128]), &bytes[192]);
     seal = seal_of_sixteen(seal_of_sixteen(seal, &bytes[256]), &bytes[320]);
-    return seal_of_sixteen(seal, &bytes[384]);
+    return seal_of_sixteen(seal, &bytes[sizeof(axis_bytes_t) - 64U]);
 }
 
 static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])

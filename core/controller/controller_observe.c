@@ -155,7 +155,9 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
         plan_forget_target(&self->plan);
     }
     uint32_t notes = axis_observe(&self->axes[index], config, report, cycle->inputs->elapsed_us);
-    controller_compare(self, cycle, index);
+    if (self->awaited != 0U) {
+        controller_compare(self, cycle, index);
+    }
     notes |=
         axis_supervise(&self->axes[index], config, self->records[index].speed_cap_percent != 0U,
                        &link->sent_before, cycle->inputs->reported_us);

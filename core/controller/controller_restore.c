@@ -73,8 +73,7 @@ static void compare(controller_t *self, const cycle_t *cycle, uint32_t index)
 
 void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
-    if ((self->awaited != 0U) && is_awaited(self, index) &&
-        (self->axes[index].encoder.has_reading != 0U)) {
+    if (is_awaited(self, index) && (self->axes[index].encoder.has_reading != 0U)) {
         compare(self, cycle, index);
     }
 }

@@ -4,6 +4,9 @@
 #include "controller/controller_authority.h"
 #include "controller/controller_facts.h"
 #include "controller/controller_ready.h"
+
+#include "base/clear.h"
+
 #include "safety/permit.h"
 
 #include <string.h>
@@ -354,8 +357,8 @@ static void show_mode(const controller_t *self, mode_kind_t kind, snapshot_t *sh
 /* Axes that the robot has not. */
 static void clear_unused(const controller_t *self, snapshot_t *shown)
 {
-    (void)memset(&shown->axes[self->axis_count], 0,
-                 (ROBOT_AXIS_MAX - self->axis_count) * sizeof shown->axes[0]);
+    clear_aligned_words((uint8_t *)&shown->axes[self->axis_count],
+                        (ROBOT_AXIS_MAX - self->axis_count) * sizeof shown->axes[0]);
 }
 
 void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t guards)

@@ -125,13 +125,9 @@ static int64_t change_q8(int64_t missing_q8, bool is_gaining, uint32_t elapsed_u
                       : fixed_divide_by(missing_q8 * (int64_t)fall_us, FALL_US);
 }
 
-int64_t motor_model_step_q16(motor_model_t *self, const axis_config_t *config,
-                             const card_drive_t *drive, uint32_t elapsed_us)
+int64_t motor_model_run_q16(motor_model_t *self, const axis_config_t *config,
+                            const card_drive_t *drive, uint32_t elapsed_us)
 {
-    if (drive->mode == (uint32_t)CARD_DRIVE_OFF) {
-        self->speed_ticks_per_s_q8 = 0;
-        return 0;
-    }
     const int64_t steady = steady_q8(config, drive);
     const bool goes_on = ((steady > 0) && (self->speed_ticks_per_s_q8 > 0)) ||
                          ((steady < 0) && (self->speed_ticks_per_s_q8 < 0));

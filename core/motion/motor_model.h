@@ -30,9 +30,20 @@ static inline bool motor_model_has_magnitudes(const axis_config_t *config)
     return config->maximum_duty != 0U;
 }
 
+/** motor_model_step_q16() of a drive that is not off. */
+int64_t motor_model_run_q16(motor_model_t *self, const axis_config_t *config,
+                            const card_drive_t *drive, uint32_t elapsed_us);
+
 /** `drive` was applied for `elapsed_us`. @return the way that it should have made, in ticks */
-int64_t motor_model_step_q16(motor_model_t *self, const axis_config_t *config,
-                             const card_drive_t *drive, uint32_t elapsed_us);
+static inline int64_t motor_model_step_q16(motor_model_t *self, const axis_config_t *config,
+                                           const card_drive_t *drive, uint32_t elapsed_us)
+{
+    if (drive->mode == (uint32_t)CARD_DRIVE_OFF) {
+        self->speed_ticks_per_s_q8 = 0;
+        return 0;
+    }
+    return motor_model_run_q16(self, config, drive, elapsed_us);
+}
 
 /**
  * The words of a high-frequency card fall as the speed grows, along the axis' curve.

@@ -35,7 +35,7 @@ static bool is_short(const servo_t *self, const axis_config_t *config, const car
 {
     motor_model_t model = self->model;
     const int64_t more_q16 = motor_model_step_q16(&model, config, drive, LIMIT_CYCLE_US);
-    const int64_t stop_q16 = (model.speed_ticks_per_s_q8 * 256 * STOP_US) / 1000000;
+    const int64_t stop_q16 = fixed_divide_by(model.speed_ticks_per_s_q8 * 4 * STOP_US, 15625U);
     const int64_t farthest_q16 =
         fixed_magnitude(self->unseen_q16 + more_q16 + stop_q16) * FASTEST_PERCENT;
     return farthest_q16 <= (way_ticks * 65536 * 100);

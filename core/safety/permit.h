@@ -10,6 +10,7 @@
 
 #include "card/card_frame.h"
 #include "interface/permit_reason.h"
+#include "limits/requirement_limits.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -68,7 +69,16 @@ typedef struct {
  *
  * @satisfies SWR-AXIS-006
  */
-uint32_t permit_cap_percent(bool is_every_axis_homed);
+static inline uint32_t permit_cap_percent(bool is_every_axis_homed)
+{
+    return is_every_axis_homed ? 100U : LIMIT_UNHOMED_SPEED_PERCENT;
+}
+
+/** The bit of a reason, if it stands. */
+static inline uint32_t permit_reason(bool stands, permit_reason_t name)
+{
+    return stands ? ((uint32_t)1U << (uint32_t)name) : 0U;
+}
 
 /**
  * Decides what is the same for every axis, once a cycle.
@@ -85,7 +95,21 @@ permit_common_t permit_decide_common(const permit_common_facts_t *facts);
  * @satisfies SWR-PERMIT-001
  * @satisfies SWR-CHART-034
  */
-permit_t permit_decide(const permit_common_t *common, const permit_facts_t *facts);
+static inline permit_t permit_decide(const permit_common_t *common, const permit_facts_t *facts)
+{
+    uint32_t reasons = common->reasons;
+    reasons |= facts->is_homed ? 0U : common->unhomed_reasons;
+    reasons |= permit_reason(facts->is_axis_faulty, PERMIT_REASON_AXIS_FAULT);
+    reasons |= permit_reason(!facts->is_axis_enabled, PERMIT_REASON_AXIS_DISABLED);
+    reasons |= permit_reason(facts->is_towards_switch, PERMIT_REASON_LIMIT_SWITCH);
+    reasons |= permit_reason(facts->is_beyond_soft_limit, PERMIT_REASON_SOFT_LIMIT);
+    reasons |= permit_reason(facts->is_coupled_limit, PERMIT_REASON_COUPLED_LIMIT);
+    reasons |= permit_reason(facts->is_needle_in, PERMIT_REASON_NEEDLE_IN);
+    const permit_t permit = {.is_allowed = (reasons == 0U),
+                             .reasons = reasons,
+                             .speed_cap_percent = (reasons == 0U) ? common->speed_cap_percent : 0U};
+    return permit;
+}
 
 /**
  * The drive that may go into the card's frame: `requested` if it is allowed and the axis is not
@@ -93,6 +117,11 @@ permit_t permit_decide(const permit_common_t *common, const permit_facts_t *fact
  *
  * @satisfies SWR-PERMIT-002
  */
-card_drive_t permit_apply(const permit_t *permit, bool is_too_fast, const card_drive_t *requested);
+static inline card_drive_t permit_apply(const permit_t *permit, bool is_too_fast,
+                                        const card_drive_t *requested)
+{
+    const card_drive_t off = {.mode = (uint32_t)CARD_DRIVE_OFF, .direction = 0U, .duty = 0U};
+    return (permit->is_allowed && !is_too_fast) ? *requested : off;
+}
 
 #endif

@@ -20,15 +20,9 @@ static void watch(reason_hold_t *self, uint32_t index, uint32_t reasons, uint32_
     }
 }
 
-void reason_hold_step(reason_hold_t *self, uint32_t reasons, uint32_t elapsed_us)
+void reason_hold_watch(reason_hold_t *self, uint32_t reasons, uint32_t elapsed_us)
 {
-    uint32_t recent = reasons >> PERMIT_REASON_FIRST_OF_PLACE;
     for (uint32_t i = 0U; i < REASON_HOLD_COUNT; i++) {
-        recent |= self->left_us[i];
-    }
-    /* Mostly all have been gone for long. */
-    for (uint32_t i = 0U; (recent != 0U) && (i < REASON_HOLD_COUNT); i++) {
         watch(self, i, reasons, elapsed_us);
     }
-    self->shown = reasons | self->flickering;
 }

@@ -21,12 +21,26 @@ typedef struct {
     uint32_t left_us[REASON_HOLD_COUNT];
 } reason_hold_t;
 
+/** What reason_hold_step() does about reasons that stand or have stood lately. */
+void reason_hold_watch(reason_hold_t *self, uint32_t reasons, uint32_t elapsed_us);
+
 /**
  * One cycle, `elapsed_us` after the one before, with the `reasons` of the permit. A reason that is
  * back within LIMIT_REASON_HOLD_US is shown from then on, until it has been gone for as long.
  *
  * @satisfies SWR-PERMIT-006
  */
-void reason_hold_step(reason_hold_t *self, uint32_t reasons, uint32_t elapsed_us);
+static inline void reason_hold_step(reason_hold_t *self, uint32_t reasons, uint32_t elapsed_us)
+{
+    uint32_t recent = reasons >> PERMIT_REASON_FIRST_OF_PLACE;
+    for (uint32_t i = 0U; i < REASON_HOLD_COUNT; i++) {
+        recent |= self->left_us[i];
+    }
+    /* Mostly all have been gone for long. */
+    if (recent != 0U) {
+        reason_hold_watch(self, reasons, elapsed_us);
+    }
+    self->shown = reasons | self->flickering;
+}
 
 #endif

@@ -13,6 +13,9 @@ bool speed_cap_step(speed_cap_t *self, const axis_config_t *config, uint32_t per
     const int32_t rate = config->speed_ticks_per_s * share;
     const int64_t most = (int64_t)rate * (int32_t)LIMIT_SPEED_CAP_US;
     const int64_t way = (int64_t)position_ticks - (int64_t)self->position_ticks;
+    if ((way == 0) && (self->left == most)) {
+        return false; /* It rests, and no more is kept. */
+    }
     self->position_ticks = position_ticks;
     self->left += ((int64_t)rate * (int64_t)elapsed_us) - (TICK * ((way < 0) ? -way : way));
     if (self->left > most) {
