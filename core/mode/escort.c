@@ -9,23 +9,14 @@
 #include "robot/kinematics.h"
 #include "safety/coupled_guard.h"
 
-#define PACE_MOST 2U
+#define PACE_MOST UINT32_C(2)
 /* The bit of each axis that goes twice the way. */
-#define DOUBLES UINT32_C(0xAAAAAAAA)
+#define DOUBLES 0xAAAAAAAAU
 #define PACE_MASK UINT32_C(3)
 /* In less time no axis goes the shorter of the two ways ahead. */
 #define WAIT_CYCLES 16U
 /* What rounding makes of a value that does not change, nm or bam. */
 #define SAME INT64_C(64)
-
-/* What is looked for: first one that holds for the longer way, and that nobody has to wait for. */
-typedef enum {
-    SEARCH_DONE = 0,
-    SEARCH_EVEN = 1,
-    SEARCH_FAR = 2,
-    SEARCH_NEAR = 3,
-    SEARCH_IN_VAIN = 4
-} search_t;
 
 /* The way ahead with one escort. */
 typedef struct {
@@ -86,7 +77,8 @@ static uint32_t next_paces(const robot_t *robot, uint32_t leader, uint32_t paces
 static int64_t value_with(const outlook_t *self, uint32_t limit_index, const joints_t *others,
                           int64_t leader_ticks)
 {
-    joints_t joints = *others;
+    joints_t joints;
+    joints = *others;
     joints.value[self->leader] =
         joints_of(&self->robot->axes[self->leader], fixed_saturate(leader_ticks));
     return kinematics_coupled(self->robot, limit_index, &joints);
@@ -268,9 +260,9 @@ bool escort_is_for(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint
 
 void escort_begin(escort_t *self, const robot_t *robot, axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
 {
-    *self = (escort_t){.leader = index + 1U, .search = (uint32_t)SEARCH_EVEN};
+    *self = (escort_t){.leader = index + 1U, .search = (uint32_t)ESCORT_SEARCH_EVEN};
     if (axes[index].chart.reference == AXIS_REFERENCE_LEAVE) {
-        self->search = (uint32_t)SEARCH_DONE;
+        self->search = (uint32_t)ESCORT_SEARCH_DONE;
         for (uint32_t i = 0U; i < robot->axis_count; i++) {
             self->paces |= can_come(robot, index, i) ? ((uint32_t)1U << shift_of(i)) : 0U;
         }
@@ -290,7 +282,7 @@ uint32_t escort_pace(const escort_t *self, uint32_t index)
 
 bool escort_was_missing(const escort_t *self, uint32_t index)
 {
-    return (self->leader == (index + 1U)) && (self->search == (uint32_t)SEARCH_IN_VAIN);
+    return (self->leader == (index + 1U)) && (self->search == (uint32_t)ESCORT_SEARCH_IN_VAIN);
 }
 
 bool escort_is_slow(const escort_t *self)
@@ -301,11 +293,11 @@ bool escort_is_slow(const escort_t *self)
 /* Tries one. */
 static escort_verdict_t look_for(escort_t *self, const robot_t *robot, axis_t axes[ROBOT_AXIS_MAX])
 {
-    const uint32_t most = (self->search == (uint32_t)SEARCH_EVEN) ? 1U : PACE_MOST;
-    const bool is_near = self->search == (uint32_t)SEARCH_NEAR;
+    const uint32_t most = (self->search == (uint32_t)ESCORT_SEARCH_EVEN) ? UINT32_C(1) : PACE_MOST;
+    const bool is_near = self->search == (uint32_t)ESCORT_SEARCH_NEAR;
     escort_verdict_t verdict = ESCORT_RESTS;
     if (is_good(self, robot, axes, !is_near)) {
-        self->search = (uint32_t)SEARCH_DONE;
+        self->search = (uint32_t)ESCORT_SEARCH_DONE;
         self->wait_cycles = WAIT_CYCLES;
         tie(self, robot, axes);
     } else {
@@ -329,7 +321,7 @@ static escort_verdict_t keep(escort_t *self, const robot_t *robot,
         self->wait_cycles = WAIT_CYCLES;
     } else {
         self->paces = 0U;
-        self->search = (uint32_t)SEARCH_EVEN;
+        self->search = (uint32_t)ESCORT_SEARCH_EVEN;
         verdict = ESCORT_RESTS;
     }
     return verdict;
@@ -340,7 +332,7 @@ escort_verdict_t escort_step(escort_t *self, const robot_t *robot, axis_t axes[R
     escort_verdict_t verdict = ESCORT_GOES;
     if (axes[self->leader - 1U].chart.reference != AXIS_REFERENCE_APPROACH) {
         verdict = ESCORT_GOES;
-    } else if (self->search == (uint32_t)SEARCH_DONE) {
+    } else if (self->search == (uint32_t)ESCORT_SEARCH_DONE) {
         verdict = keep(self, robot, axes);
     } else {
         verdict = look_for(self, robot, axes);

@@ -26,11 +26,21 @@ typedef enum {
     ESCORT_NONE = 2   /**< There is none with which the limits hold. */
 } escort_verdict_t;
 
+/** What is looked for: first one that holds for the longer way ahead, and that nobody has to wait
+ * for. */
+typedef enum {
+    ESCORT_SEARCH_DONE = 0,
+    ESCORT_SEARCH_EVEN = 1,
+    ESCORT_SEARCH_FAR = 2,
+    ESCORT_SEARCH_NEAR = 3,
+    ESCORT_SEARCH_IN_VAIN = 4
+} escort_search_t;
+
 /** At first all zero. */
 typedef struct {
     uint32_t leader;      /**< 1 + index of the axis that homes with an escort; 0: none does. */
     uint32_t paces;       /**< Two bits of each axis: its ticks for each of the leader's, 0 to 2. */
-    uint32_t search;      /**< Private. */
+    uint32_t search;      /**< escort_search_t. */
     uint32_t wait_cycles; /**< Until the way ahead is looked at again. */
 } escort_t;
 

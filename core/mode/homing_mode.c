@@ -159,13 +159,16 @@ static bool is_at_a_loss(const mode_frame_t *frame, escort_t *escort, mode_resul
 /* Nobody in its escort goes faster than one that homes may. */
 static card_drive_t home_axis(const mode_frame_t *frame, const escort_t *escort, uint32_t index)
 {
-    const axis_config_t *const config = &frame->robot->axes[index];
-    axis_config_t calm = *config;
+    const axis_config_t *config = &frame->robot->axes[index];
+    axis_t *const axis = &frame->axes[index];
+    axis_config_t calm;
     if ((escort->leader == (index + 1U)) && escort_is_slow(escort)) {
+        calm = *config;
         calm.home_speed_ticks_per_s /= 2;
         calm.acceleration_ticks_per_s2 /= 2;
+        config = &calm;
     }
-    return axis_home(&frame->axes[index], &calm, frame->elapsed_us);
+    return axis_home(axis, config, frame->elapsed_us);
 }
 
 /* Whoever leads has its set-point of this cycle before those that follow. */

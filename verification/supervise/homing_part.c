@@ -2,6 +2,7 @@
 #include "supervise/homing_part.h"
 
 #include "charts/axis_chart.h"
+#include "supervise/truth.h"
 
 static const axis_config_t *config_of(const rig_t *rig, uint32_t axis)
 {
@@ -44,6 +45,38 @@ static bool is_following(const rig_t *rig, uint32_t axis)
     return is_led;
 }
 
+static bool share_a_limit(const robot_t *robot, uint32_t first, uint32_t second)
+{
+    const uint32_t both = ((uint32_t)1U << first) | ((uint32_t)1U << second);
+    bool is_shared = false;
+    for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
+        is_shared = is_shared || ((truth_coupled_axes(robot, i) & both) == both);
+    }
+    return is_shared;
+}
+
+/* Of all that share a limit with `axis`, itself is the only one not homed. */
+static bool is_last(const rig_t *rig, uint32_t axis)
+{
+    bool is_only_one = !homing_part_is_homed(rig, axis);
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        is_only_one = is_only_one && ((i == axis) || homing_part_is_homed(rig, i) ||
+                                      !share_a_limit(rig->box.robot, axis, i));
+    }
+    return is_only_one;
+}
+
+static bool is_escorting(const rig_t *rig, uint32_t axis)
+{
+    bool is_with_one = false;
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        is_with_one = is_with_one ||
+                      ((i != axis) && homing_part_is_homing(rig, i) && is_last(rig, i) &&
+                       homing_part_is_homed(rig, axis) && share_a_limit(rig->box.robot, axis, i));
+    }
+    return is_with_one;
+}
+
 bool homing_part_has(const rig_t *rig, uint32_t axis)
 {
     const robot_t *const robot = rig->box.robot;
@@ -51,6 +84,6 @@ bool homing_part_has(const rig_t *rig, uint32_t axis)
     return (rig->outputs.snapshot.is_homed != 0U)
                ? has_pose
                : ((homing_part_is_homing(rig, axis) && is_due(rig, axis)) ||
-                  is_following(rig, axis) ||
+                  is_following(rig, axis) || is_escorting(rig, axis) ||
                   ((axis == robot->needle_axis) && homing_part_is_homed(rig, axis)));
 }

@@ -14,7 +14,7 @@ bool homing_part_is_homed(const rig_t *rig, uint32_t axis);
 /** `axis` is shown on its way to its switch. */
 bool homing_part_is_homing(const rig_t *rig, uint32_t axis);
 
-/** START_UP may drive `axis` now: it homes in its stage, or follows one that does; it is the needle
+/** START_UP may drive `axis` now: it homes in its stage, goes with one that does; it is the needle
  * and leaves; or all are homed and go to the pose home. */
 bool homing_part_has(const rig_t *rig, uint32_t axis);
 

@@ -38,7 +38,7 @@ const char *witness_sentence(sentence_t sentence)
         "In a short mean no axis is faster than its speed (percent)",
         "Neither jog nor homing drives across a needle that is in (mm)",
         "A needle that is not homed is not jogged inwards",
-        "Homing drives who homes in its stage and who follows it, no other",
+        "Homing drives who homes in its stage and goes with it, no other",
         "What is proposed changes no target that was accepted",
         "A retraction drives the needle outwards only",
         "Lengths of the probe are those that were told last, or none",
