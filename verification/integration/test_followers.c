@@ -388,6 +388,28 @@ void test_SWR_NEXT_021_one_without_a_switch_that_is_lost_is_to_be_placed_and_con
     TEST_ASSERT_TRUE(is_homed(REAR_LEFT));
 }
 
+/* Its encoder counts half: each try moves it unseen until it is found out, by 0.13 mm. */
+void test_SWR_NEXT_004_what_vain_tries_move_is_little_before_service_is_called(void)
+{
+    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = FRONT_LEFT};
+    start_at_home();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
+    const double hidden = true_ticks(FRONT_LEFT) - (double)rig_position(&rig, FRONT_LEFT);
+    rig_box(&rig, "encoder front_left half");
+    for (uint32_t i = 0U; i < LIMIT_SERVICE_START_UPS; i++) {
+        TEST_ASSERT_NOT_EQUAL(NEXT_STEP_SERVICE, rig.outputs.snapshot.next_step);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+        rig_press(&rig);
+        TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 5000U).kind);
+        rig_release(&rig);
+        rig_cycles(&rig, 500U);
+    }
+    expect_step(NEXT_STEP_SERVICE, FRONT_LEFT);
+    TEST_ASSERT_DOUBLE_WITHIN(1.0 * TICKS_PER_MM, hidden,
+                              true_ticks(FRONT_LEFT) - (double)rig_position(&rig, FRONT_LEFT));
+}
+
 /* Its own supervision finds it. */
 void test_SWR_AXIS_029_a_stuck_follower_stops_its_leader(void)
 {
