@@ -20,7 +20,7 @@
 #define COOL_CYCLES 4000U    /* A scan and a hot motor last so long here. */
 #define RUNAWAY_CYCLES 9000U /* What has not come to rest by then does not. */
 #define CHECK_PARTS 211U     /* In one of so many cycles the command is tried on a copy. */
-#define MOST_COMPARED 2U     /* Then he starts anew. */
+#define MOST_TRIES 2U        /* Then he starts anew. */
 #define ID 3000000U
 
 static const char *const parts[] = {"card", "encoder", "motor", "switch"};
@@ -247,16 +247,18 @@ static void act_by_command(operator_t *self, rig_t *rig, uint32_t step)
     rig->command_count++;
 }
 
-/* What is named is broken, or was mended meanwhile: then START_UP, as he was told. */
+/* What is named is broken, or was mended meanwhile: START_UP, and if that does not help, anew. */
 static void call_service(operator_t *self, rig_t *rig, uint32_t step)
 {
+    const bool is_free = !authority_is_held(&rig->controller.authority);
     if (is_named_broken(rig)) {
         self->end = OPERATOR_SERVICE;
-    } else if (step != (uint32_t)NEXT_STEP_CHECK_CARDS) {
-        const bool is_free = !authority_is_held(&rig->controller.authority);
-        act_by_command(self, rig, is_free ? (uint32_t)NEXT_STEP_AUTHORITY : step);
+    } else if (self->tries >= MOST_TRIES) {
+        self->tries = 0U;
+        start_anew(self, rig);
     } else {
-        /* He looks again. */
+        self->tries += is_free ? 0U : 1U;
+        act_by_command(self, rig, is_free ? (uint32_t)NEXT_STEP_AUTHORITY : step);
     }
 }
 
@@ -264,12 +266,17 @@ static void compare(operator_t *self, rig_t *rig, uint32_t step)
 {
     if (acts_is_shown_true(rig)) {
         hold_button(self, rig);
-    } else if ((step == (uint32_t)NEXT_STEP_COMPARE) && (self->compared < MOST_COMPARED)) {
-        self->compared++;
+    } else if (step == (uint32_t)NEXT_STEP_COMPARE) {
         call_service(self, rig, step);
     } else {
         start_anew(self, rig);
     }
+}
+
+/* He looks again, if what is named is not broken any more. */
+static void check_card(operator_t *self, const rig_t *rig)
+{
+    self->end = is_named_broken(rig) ? OPERATOR_SERVICE : self->end;
 }
 
 static void follow(operator_t *self, rig_t *rig, uint32_t step)
@@ -301,6 +308,8 @@ static void follow(operator_t *self, rig_t *rig, uint32_t step)
         start_anew(self, rig);
         break;
     case NEXT_STEP_CHECK_CARDS:
+        check_card(self, rig);
+        break;
     case NEXT_STEP_SERVICE:
         call_service(self, rig, step);
         break;
