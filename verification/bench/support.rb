@@ -5,7 +5,7 @@ require 'etc'
 require 'fileutils'
 require 'json'
 require 'open3'
-require_relative 'neighbours'
+require_relative '../../tools/neighbours'
 
 ROOT = File.expand_path('../..', __dir__)
 BENCH_OUT = File.join(ROOT, 'build/bench')

@@ -6,7 +6,7 @@
 require 'fileutils'
 require 'minitest/autorun'
 require 'tmpdir'
-require_relative 'neighbours'
+require_relative '../neighbours'
 
 class TestNeighbours < Minitest::Test
   OURS = 'test-42-'
@@ -29,28 +29,28 @@ class TestNeighbours < Minitest::Test
     Neighbours.new(ours: OURS, proc: @proc).any?
   end
 
-  def test_a_control_loop_of_another_is_a_neighbour
+  def test_SWR_TOOL_022_a_control_loop_of_another_is_a_neighbour
     run_process(7, 'boresight-contr', 'boresight-control', '--instance', 'boresight', '--real-time')
     assert_predicate self, :any?
   end
 
-  def test_a_control_loop_of_another_bench_is_a_neighbour
+  def test_SWR_TOOL_022_a_control_loop_of_another_bench_is_a_neighbour
     run_process(7, 'boresight-contr', 'boresight-control', '--instance', 'test-421-1')
     assert_predicate self, :any?
   end
 
-  def test_the_systems_of_this_bench_are_none
+  def test_SWR_TOOL_022_the_systems_of_this_bench_are_none
     run_process(7, 'boresight-contr', 'boresight-control', '--instance', 'test-42-1')
     run_process(8, 'boresight-contr', 'boresight-control', '--real-time', '--instance', 'test-42-2')
     refute_predicate self, :any?
   end
 
-  def test_a_control_loop_that_ends_is_none
+  def test_SWR_TOOL_022_a_control_loop_that_ends_is_none
     run_process(7, 'boresight-contr')
     refute_predicate self, :any?
   end
 
-  def test_other_programs_are_none
+  def test_SWR_TOOL_022_other_programs_are_none
     run_process(7, 'boresight-http', 'boresight-http', '--instance', 'boresight')
     FileUtils.mkdir_p(File.join(@proc, '8'))
     refute_predicate self, :any?

@@ -13,6 +13,7 @@ class Neighbours
     @proc = proc
   end
 
+  # @satisfies SWR-TOOL-022
   def any?
     Dir.glob(File.join(@proc, '[0-9]*')).any? { |folder| other_control?(folder) }
   end
