@@ -35,16 +35,18 @@ static const range_t forgotten_range = {offsetof(controller_t, pending),
 
 #define AXIS_BYTES (offsetof(axis_t, supervision.stall.now_us) - offsetof(axis_t, encoder))
 
-/* Sixteen words, and seven times as many, are sealed straight on: no array where they are not. */
-typedef uint8_t link_bytes_t[((sizeof(link_t) - offsetof(link_t, sent)) == 64U) ? 64 : -1];
-typedef uint8_t axis_bytes_t[(AXIS_BYTES == 448U) ? 448 : -1];
+#define LINK_BYTES (sizeof(link_t) - offsetof(link_t, sent))
+
+/* Sixteen words of a link and seven times as many of an axis are sealed straight on: no array where
+ * they are more or less. */
+typedef uint8_t axis_bytes_t[((AXIS_BYTES == 448U) && (LINK_BYTES == 64U)) ? 448 : -1];
 
 /* What of a link decides in a cycle to come: a report, and that one came, decides only in its
  * cycle. */
 static inline uint32_t seal_of_link(uint32_t seal, const link_t *link)
 {
     const uint8_t *const bytes = (const uint8_t *)link;
-    return seal_of_sixteen(seal, &bytes[sizeof(link_t) - sizeof(link_bytes_t)]);
+    return seal_of_sixteen(seal, &bytes[offsetof(link_t, sent)]);
 }
 
 static uint32_t seal_of_sensors(const controller_t *self)
