@@ -1,27 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file The server at its port: http_server_start(). */
 #include "http/asset.h"
+#include "http/http_handover.h"
 #include "http/http_lines.h"
 #include "http/http_reply.h"
 #include "http/http_routes.h"
 #include "http/http_server.h"
 #include "http/stop_port.h"
-#include "limits/requirement_limits.h"
 
-#include <arpa/inet.h>
 #include <errno.h>
-#include <netinet/in.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <sys/resource.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 /* A worker needs little; the default of 8 MB each would only be address space to fill. */
 #define WORKER_STACK_BYTES (256U * 1024U)
 
-/* A client that does not finish its request holds a worker until the timeout; stops have a port
- * of their own (stop_port.c). The library uses the same timeout for a blocked write; a stream tries
+/* A client that does not finish its request holds a worker until the timeout; stops need none
+ * (stop_port.c). The library uses the same timeout for a blocked write; a stream tries
  * again (http_stream.c). */
 #define REQUEST_TIMEOUT_MS "500"
 /* A connection on which nothing is asked for so long is closed; sooner when workers run short. */
@@ -30,50 +26,56 @@
 #define LIBRARY_HEAD_BYTES 65536U
 
 #define WORKER_NICENESS 10
-#define UNREAD_BYTES 16384
-#define DESCRIPTORS 64 /* So early few are open. */
 
-/* The library does not say why it could not listen. */
-static int try_to_listen(const char *its_address, uint32_t port)
+/* An instance that TLS leads to has its stops come by that as well. */
+static void guard_stops(const http_server_t *self, uint32_t port)
 {
-    struct sockaddr_in address = {.sin_family = AF_INET, .sin_port = htons((uint16_t)port)};
-    (void)inet_pton(AF_INET, its_address, &address.sin_addr);
-    int yes = 1;
-    int probe = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    (void)setsockopt(probe, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-    int error = 0;
-    if ((bind(probe, (const struct sockaddr *)&address, sizeof address) != 0) ||
-        (listen(probe, 1) != 0)) {
-        error = errno;
-    }
-    (void)close(probe);
-    return error;
-}
-
-/* What a client has not read waits in the kernel, by default megabytes of it: half a minute in
- * which its place in the stream is lost. The library does not hand out its listening socket, from
- * which every connection inherits the size; it is found among the descriptors. */
-static void bound_unread_bytes(void)
-{
-    const int bytes = UNREAD_BYTES;
-    for (int descriptor = 0; descriptor < DESCRIPTORS; descriptor++) {
-        int is_listening = 0;
-        socklen_t size = sizeof is_listening;
-        if ((getsockopt(descriptor, SOL_SOCKET, SO_ACCEPTCONN, &is_listening, &size) == 0) &&
-            (is_listening != 0)) {
-            (void)setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &bytes, sizeof bytes);
-        }
+    const stop_port_gate_t gates[] = {STOP_PORT_OWN, STOP_PORT_OWN_TLS};
+    for (size_t i = 0U; i < (sizeof gates / sizeof gates[0]); i++) {
+        http_guard_t *guard = &stop_port_gate(gates[i])->guard;
+        *guard = self->guard;
+        guard->port = port;
+        guard->front = self->front;
+        guard->front_port = (self->front != NULL) ? self->front->stop : 0U;
     }
 }
 
 /* Without it, stops pass by the console's port alone. */
-static void open_stop_port(http_server_t *self)
+static void open_stop_port(const http_server_t *self)
 {
-    const uint32_t port = stop_port_start(self->exchange, &self->guard, self->front);
+    const uint32_t port = stop_port_open(self->exchange, self->guard.address);
+    guard_stops(self, port);
     if (port != 0U) {
         http_reply_allow_stops(self->guard.address, port, self->front);
         asset_tell_stop_ports(port, (self->front != NULL) ? self->front->stop : 0U);
     }
+}
+
+static int open_console(stop_port_gate_t which, const http_guard_t *guard)
+{
+    gate_t *gate = stop_port_gate(which);
+    gate->is_console = true;
+    gate->guard = *guard;
+    return gate_open(gate, guard->address, guard->port);
+}
+
+static http_server_result_t open_gates(const http_server_t *self)
+{
+    const int error = open_console(STOP_PORT_CONSOLE, &self->guard);
+    if (error != 0) {
+        return (error == EADDRINUSE) ? HTTP_SERVER_PORT_IN_USE : HTTP_SERVER_BAD_ADDRESS;
+    }
+    if (self->front != NULL) {
+        if (open_console(STOP_PORT_CONSOLE_TLS, &self->front_guard) != 0) {
+            return HTTP_SERVER_FRONT_IN_USE;
+        }
+        if (gate_open(stop_port_gate(STOP_PORT_OWN_TLS), "127.0.0.1", self->front->stop_from) !=
+            0) {
+            return HTTP_SERVER_FRONT_STOP_IN_USE;
+        }
+    }
+    open_stop_port(self);
+    return HTTP_SERVER_STARTED;
 }
 
 /* This thread and those that it makes, which the thread of the stops is not among: where the
@@ -131,25 +133,23 @@ static int keep_quiet(const struct mg_connection *connection, const char *messag
     return 1;
 }
 
-static struct mg_context *start_library(http_server_t *self, const char *address)
+static struct mg_context *start_library(http_server_t *self)
 {
-    static const struct mg_callbacks callbacks = {.begin_request = begin_request,
+    static const struct mg_callbacks callbacks = {.init_context = http_handover_begin,
+                                                  .begin_request = begin_request,
                                                   .end_request = end_request,
                                                   .init_connection = begin_connection,
                                                   .connection_close = end_connection,
                                                   .http_error = refuse,
                                                   .log_message = keep_quiet};
     char workers[16];
-    char waiting[16];
     char head_bytes[16];
     (void)snprintf(workers, sizeof workers, "%u", HTTP_LINES_WORKERS);
-    (void)snprintf(waiting, sizeof waiting, "%u", LIMIT_WAITING_CLIENTS);
     (void)snprintf(head_bytes, sizeof head_bytes, "%u", LIBRARY_HEAD_BYTES);
     /* clang-format off */
     const char *options[] = {
-        "listening_ports", address,
+        "listening_ports", HTTP_HANDOVER_ADDRESS,
         "num_threads", workers,
-        "listen_backlog", waiting, /* Whom the kernel has no room for comes again seconds later. */
         "request_timeout_ms", REQUEST_TIMEOUT_MS,
         "enable_keep_alive", "yes",
         "keep_alive_timeout_ms", IDLE_MS,
@@ -170,36 +170,18 @@ static struct mg_context *start_library(http_server_t *self, const char *address
 
 http_server_result_t http_server_start(http_server_t *self)
 {
-    int error = try_to_listen(self->guard.address, self->guard.port);
-    if (error == EADDRINUSE) {
-        return HTTP_SERVER_PORT_IN_USE;
-    }
-    if (error != 0) {
-        return HTTP_SERVER_BAD_ADDRESS;
-    }
-    if ((self->front != NULL) && (try_to_listen("127.0.0.1", self->front->console_from) != 0)) {
-        return HTTP_SERVER_FRONT_IN_USE;
-    }
-    if ((self->front != NULL) && (try_to_listen("127.0.0.1", self->front->stop_from) != 0)) {
-        return HTTP_SERVER_FRONT_STOP_IN_USE;
+    const http_server_result_t result = open_gates(self);
+    if (result != HTTP_SERVER_STARTED) {
+        return result;
     }
     pthread_attr_t attributes;
     (void)pthread_attr_init(&attributes);
     (void)pthread_attr_setstacksize(&attributes, WORKER_STACK_BYTES);
     (void)pthread_setattr_default_np(&attributes);
-    char address[HTTP_GUARD_ADDRESS_SIZE + 40U];
-    const int size =
-        snprintf(address, sizeof address, "%s:%u", self->guard.address, (unsigned)self->guard.port);
-    if (self->front != NULL) {
-        (void)snprintf(&address[size], sizeof address - (size_t)size, ",127.0.0.1:%u",
-                       (unsigned)self->front->console_from);
-    }
     (void)mg_init_library(MG_FEATURES_DEFAULT);
-    open_stop_port(self);
-    stand_back();
-    if (start_library(self, address) == NULL) {
+    if (!http_handover_open() || !stop_port_begin(self->exchange)) {
         return HTTP_SERVER_FAILED;
     }
-    bound_unread_bytes();
-    return HTTP_SERVER_STARTED;
+    stand_back();
+    return (start_library(self) != NULL) ? HTTP_SERVER_STARTED : HTTP_SERVER_FAILED;
 }

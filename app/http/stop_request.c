@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/stop_request.h"
 
+#include "limits/requirement_limits.h"
 #include "request/request_body.h"
 
 #include <stdio.h>
@@ -10,19 +11,19 @@
 
 #define BODY_MOST 256U
 
-/* The headers that count. */
+/* The headers that count, and others that would decide elsewhere. */
 typedef enum {
     FIELD_HOST = 0,
     FIELD_ORIGIN = 1,
     FIELD_FETCH_SITE = 2,
     FIELD_LENGTH = 3,
-    FIELD_TRANSFER = 4
+    FIELD_TRANSFER = 4,
+    FIELD_COUNT = 9
 } field_t;
 
-#define FIELD_COUNT 5U
-
-static const char *const field_names[FIELD_COUNT] = {"Host", "Origin", "Sec-Fetch-Site",
-                                                     "Content-Length", "Transfer-Encoding"};
+static const char *const field_names[FIELD_COUNT] = {
+    "Host",         "Origin", "Sec-Fetch-Site",    "Content-Length",  "Transfer-Encoding",
+    "Content-Type", "Cookie", "X-Boresight-Token", "X-Boresight-Page"};
 
 static const stop_request_t more_needed;
 
@@ -77,13 +78,13 @@ static bool take_field(char *line, const char *fields[FIELD_COUNT])
     return true;
 }
 
-/* Cuts the head into lines. False when one of them is no header. */
+/* Cuts the head into lines. False when one of them is no header, or they are too many. */
 static bool take_fields(char *line, const char *fields[FIELD_COUNT])
 {
-    while (*line != '\0') {
+    for (uint32_t count = 1U; *line != '\0'; count++) {
         char *end = strstr(line, "\r\n");
         *end = '\0';
-        if (!take_field(line, fields)) {
+        if (!take_field(line, fields) || (count > LIMIT_HEAD_FIELDS)) {
             return false;
         }
         line = end + 2;

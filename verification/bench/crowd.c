@@ -4,14 +4,15 @@
  * A crowd at the HTTP server, served by one thread: everyone does one thing, and begins again when
  * it is done or refused.
  *
- *     bench-crowd PORT CONSOLES LAZY KEEPERS COMERS HALVES GUESSERS
+ *     bench-crowd PORT CONSOLES LAZY KEEPERS COMERS HALVES GUESSERS STOPPERS
  *
  * How many there are of each: consoles read the stream of events and look for gaps in it, and come
  * before all others; the lazy ask for it and read nothing; keepers ask for the state on a
- * connection that stays, comers each time on a new one; halves send half a request; guessers try
- * passwords. "begun" is printed when each has come, and at the end of the standard input one line
- * of JSON: of each kind how many were answered, refused and dropped, and of the consoles the events
- * heard and missed.
+ * connection that stays, comers each time on a new one; halves send half a request, every second
+ * one for STOP; guessers try passwords; stoppers ask for STOP, each time on a new connection and
+ * every second time with the body apart. "begun" is printed when each has come, and at the end of
+ * the standard input one line of JSON: of each kind how many were answered, refused and dropped,
+ * and of the consoles the events heard and missed.
  */
 #include <arpa/inet.h>
 #include <errno.h>
@@ -39,13 +40,15 @@ typedef enum {
     KIND_KEEPER = 2,
     KIND_COMER = 3,
     KIND_HALF = 4,
-    KIND_GUESSER = 5
+    KIND_GUESSER = 5,
+    KIND_STOPPER = 6
 } kind_t;
 
-#define KINDS 6U
+#define KINDS 7U
 
-static const char *const kind_names[KINDS] = {"consoles", "lazy",   "keepers",
-                                              "comers",   "halves", "guessers"};
+static const char *const kind_names[KINDS] = {"consoles", "lazy",     "keepers", "comers",
+                                              "halves",   "guessers", "stoppers"};
+static const char stop_body[] = "{}";
 
 typedef struct {
     kind_t kind;
@@ -53,6 +56,7 @@ typedef struct {
     uint64_t again_ms;
     bool has_come; /* At least once. */
     bool has_asked;
+    bool owes_body;   /* Of a stop: its head alone has been sent. */
     bool is_answered; /* The head has come; it tells `status` and, of the body, `left`. */
     unsigned status;
     size_t left;
@@ -148,7 +152,14 @@ static int write_request(const client_t *self, char *text, size_t size)
                           host);
         break;
     case KIND_HALF:
-        length = snprintf(text, size, "POST /api/v1/stop HTTP/1.1\r\nHost: ");
+        length = snprintf(text, size, "%s HTTP/1.1\r\nHost: ",
+                          ((self - clients) % 2) != 0 ? "GET /api/v1/status" : "POST /api/v1/stop");
+        break;
+    case KIND_STOPPER:
+        length = snprintf(text, size,
+                          "POST /api/v1/stop HTTP/1.1\r\n%sContent-Length: 2\r\n"
+                          "Connection: close\r\n\r\n%s",
+                          host, self->owes_body ? "" : stop_body);
         break;
     case KIND_GUESSER:
     default:
@@ -161,6 +172,7 @@ static int write_request(const client_t *self, char *text, size_t size)
 static void ask(client_t *self)
 {
     char text[512];
+    self->owes_body = (self->kind == KIND_STOPPER) && ((seen.answered[KIND_STOPPER] % 2U) != 0U);
     const int length = write_request(self, text, sizeof text);
 
     self->has_asked = true;
@@ -274,10 +286,18 @@ static void hear(client_t *self)
     }
 }
 
+static void send_body(client_t *self)
+{
+    self->owes_body = false;
+    (void)send(self->socket, stop_body, sizeof stop_body - 1U, MSG_NOSIGNAL);
+}
+
 static void attend(client_t *self, short events)
 {
     if (!self->has_asked) {
         ask(self);
+    } else if (self->owes_body) {
+        send_body(self);
     } else if ((self->kind == KIND_LAZY) && (events != 0)) {
         seen.dropped[KIND_LAZY]++;
         leave(self, PAUSE_MS);
@@ -289,7 +309,7 @@ static void attend(client_t *self, short events)
 /* The lazy are told only when the server closes. */
 static short awaited(const client_t *self)
 {
-    if (!self->has_asked) {
+    if (!self->has_asked || self->owes_body) {
         return POLLOUT;
     }
     return (self->kind == KIND_LAZY) ? POLLRDHUP : POLLIN;
@@ -332,7 +352,8 @@ static void tell(void)
 int main(int argument_count, char **arguments)
 {
     if (argument_count != (int)(KINDS + 2U)) {
-        (void)fputs("usage: bench-crowd PORT CONSOLES LAZY KEEPERS COMERS HALVES GUESSERS\n",
+        (void)fputs("usage: bench-crowd PORT CONSOLES LAZY KEEPERS COMERS HALVES GUESSERS "
+                    "STOPPERS\n",
                     stderr);
         return 1;
     }

@@ -9,7 +9,18 @@ require_relative '../system/support/boresight'
 # Clients that crowd the HTTP server of a running system (crowd.c).
 module Crowd
   PROGRAM = File.expand_path('../../build/gcc/bin/bench-crowd', __dir__)
-  KINDS = %i[consoles lazy keepers comers halves guessers].freeze
+  KINDS = %i[consoles lazy keepers comers halves guessers stoppers].freeze
+
+  TURN_SECONDS = 1 # Of a crowd, before its stops are counted.
+
+  # Returns what became of the stops once at least `count` of them were answered.
+  def self.until_answered(port, count, **counts)
+    total = Hash.new(0)
+    while total['answered'] < count
+      around(port, **counts) { sleep TURN_SECONDS }['stoppers'].each { |fate, number| total[fate] += number }
+    end
+    total
+  end
 
   # Yields once all have come; returns what they saw until the block's end. `counts`: how many of each kind.
   def self.around(port, **counts)

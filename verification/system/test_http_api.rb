@@ -251,6 +251,8 @@ class TestHttpApi < Minitest::Test
     { 61 => 200, 62 => 431, 70 => 431, 500 => 431 }.each do |count, status|
       assert_match(/\AHTTP\S* #{status} /, raw("#{head}#{'X: 1' "\r\n" * count}\r\n").first, count.to_s)
     end
+    stop = "POST /api/v1/stop HTTP/1.1\r\nHost: #{host}\r\nContent-Length: 0\r\n#{'X: 1' "\r\n" * 70}\r\n"
+    assert_match(/\AHTTP\S* 431 /, raw(stop).first)
     rest = 8192 - head.bytesize - "X: \r\n".bytesize
     { rest - 50 => 200, rest + 10 => 431, 60_000 => 431, 200_000 => 431 }.each do |size, status|
       assert_match(/\AHTTP\S* #{status} /, raw("#{head}X: #{'a' * size}\r\n\r\n").first, size.to_s)

@@ -54,6 +54,7 @@ class TestHttpLoad < SystemTest
              'guessed passwords' => { consoles: 2, guessers: 8 },
              'all of them' => { consoles: 2, lazy: 40, keepers: 8, comers: 8, halves: 100, guessers: 8 } }.freeze
   WORKERS = 64 # HTTP_LINES_WORKERS
+  PLACES = 512 # STOP_PORT_CLIENTS
   SERVED = { keepers: 'answered', comers: 'answered', halves: 'refused', guessers: 'refused', lazy: 'dropped' }.freeze
 
   def self.runs
@@ -85,9 +86,9 @@ class TestHttpLoad < SystemTest
   def test_SWR_LOAD_003_stops_are_answered_while_half_requests_come_again_and_again_to_their_port
     stop_port = boresight.stop_port
     codes = nil
-    seen = Crowd.around(stop_port, halves: 300) { codes = Array.new(20) { boresight.post_stop(stop_port).code } }
+    seen = Crowd.around(stop_port, halves: 600) { codes = Array.new(20) { boresight.post_stop(stop_port).code } }
     assert_equal({ '200' => 20 }, codes.tally)
-    assert_operator seen.dig('halves', 'dropped'), :>, 300
+    assert_operator seen.dig('halves', 'refused'), :>, 300
   end
 
   def test_SWR_LOAD_004_the_servers_memory_is_bounded
@@ -126,32 +127,76 @@ class TestHttpLoad < SystemTest
     assert_equal '200', boresight.post_stop.code
   end
 
-  STOP_HEAD = "POST /api/v1/stop HTTP/1.1\r\nContent-Length: 2\r\nHost: "
+  HALF = "GET /api/v1/status HTTP/1.1\r\nHost: "
 
-  # They come while nobody serves them, the stop last; a quarter of them holds every worker until its time is over. Who is
-  # dismissed is told so; a pause of the machine may let the time of some run out.
+  # They come while nobody serves them, a whole request last; a quarter of them holds every worker until its time is over.
+  # Who is dismissed is told so; a pause of the machine may let the time of some run out.
   def test_SWR_LOAD_008_half_requests_give_way_the_oldest_first
-    half, stop = boresight.while_stopped('http') do
-      [Array.new(WORKERS * 4) { send_to_console(STOP_HEAD) },
-       send_to_console("#{STOP_HEAD}127.0.0.1:#{boresight.http_port}\r\nConnection: close\r\n\r\n{}")]
+    half, whole = boresight.while_stopped('http') do
+      [Array.new(WORKERS * 4) { send_to_console(HALF) },
+       send_to_console("#{HALF}127.0.0.1:#{boresight.http_port}\r\nConnection: close\r\n\r\n")]
     end
-    assert_match(/\AHTTP\S* 200 /, stop.read)
+    assert_match(/\AHTTP\S* 200 /, whole.read)
     assert_operator half.first(WORKERS * 3).count { |socket| gave_way?(socket) }, :>, WORKERS * 2
   ensure
-    [*half, stop].each(&:close)
+    [*half, whole].each(&:close)
   end
 
   def test_SWR_LOAD_008_who_holds_back_the_body_gives_way_too
-    half = boresight.while_stopped('http') do
-      Array.new(WORKERS * 4) { send_to_console("#{STOP_HEAD}127.0.0.1:#{boresight.http_port}\r\n\r\n{") }
-    end
+    head = "POST /api/v1/session HTTP/1.1\r\nHost: 127.0.0.1:#{boresight.http_port}\r\n" \
+           "Content-Type: application/json\r\nContent-Length: 2\r\n\r\n{"
+    half = boresight.while_stopped('http') { Array.new(WORKERS * 4) { send_to_console(head) } }
     assert_operator half.first(WORKERS * 3).count { |socket| gave_way?(socket) }, :>, WORKERS * 2
   ensure
     half&.each(&:close)
   end
 
+  STOP_HEAD = "POST /api/v1/stop HTTP/1.1\r\nContent-Length: 2\r\nHost: "
+
+  # The others come after it and are all dismissed before it asks.
+  def test_SWR_LOAD_010_a_client_that_pauses_before_it_asks_is_answered
+    paused = Array.new(4) { send_to_console('') }
+    half = Array.new(WORKERS * 4) { send_to_console(HALF) }
+    half.each { |socket| gave_way?(socket) }
+    answers = paused.map do |socket|
+      socket.write("#{STOP_HEAD}127.0.0.1:#{boresight.http_port}\r\n\r\n{}")
+      socket.read
+    end
+    answers.each { |answer| assert_match(/\AHTTP\S* 200 /, answer) }
+  ensure
+    [*paused, *half].each(&:close)
+  end
+
+  # Many at once, also with the body apart, beside whatever else comes.
+  def test_SWR_LOAD_010_of_ten_thousand_stops_in_a_crowd_none_is_without_an_answer
+    [boresight.http_port, boresight.stop_port].each do |port|
+      stops = {}
+      Crowd.around(boresight.http_port, consoles: 2, lazy: 40, keepers: 8, comers: 8, halves: 300) do
+        stops = Crowd.until_answered(port, 5_000, halves: 100, stoppers: 8)
+      end
+      assert_equal [true, 0, 0], [stops['answered'] >= 5_000, *stops.values_at('refused', 'dropped')], stops.to_s
+      puts "SWR-LOAD-010: #{stops['answered']} stops, each answered"
+    end
+  end
+
+  # More than there are places for.
+  def test_SWR_LOAD_010_half_stops_give_way_the_oldest_first
+    [boresight.http_port, boresight.stop_port].each do |port|
+      half = Array.new(PLACES + 4) { send_to(port, 'POST /api/v1/stop') }
+      assert gave_way?(half.first)
+      half.last.write(" HTTP/1.1\r\nContent-Length: 0\r\nHost: 127.0.0.1:#{port}\r\n\r\n")
+      assert_match(/\AHTTP\S* 200 /, half.last.read)
+    ensure
+      half.each(&:close)
+    end
+  end
+
   def send_to_console(bytes)
-    TCPSocket.new('127.0.0.1', boresight.http_port).tap { |socket| socket.write(bytes) }
+    send_to(boresight.http_port, bytes)
+  end
+
+  def send_to(port, bytes)
+    TCPSocket.new('127.0.0.1', port).tap { |socket| socket.write(bytes) }
   end
 
   def gave_way?(socket)

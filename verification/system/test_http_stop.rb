@@ -11,7 +11,7 @@ class TestHttpStop < Minitest::Test
 
   THREADS = 20
   EACH = 50
-  SLOW = 400
+  SLOW = 600
   LAZY_STATES = 300 # lazy_states
   FLOOD = 20_000_000 # bytes
 

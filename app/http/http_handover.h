@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Connections on their way to the library. It knows clients only by accepting them itself, and each
+ * then waits for a worker. So what it listens at is taken from it, and it gets from here, in turn,
+ * the connections that ask for something else than a stop.
+ */
+#ifndef BORESIGHT_HTTP_HANDOVER_H
+#define BORESIGHT_HTTP_HANDOVER_H
+
+#include <civetweb.h>
+#include <stdbool.h>
+
+/** What the library is told to listen at; nobody can reach it there. */
+#define HTTP_HANDOVER_ADDRESS "127.0.0.1:0"
+
+/** Before all others. False: the system has no descriptors left. */
+bool http_handover_open(void);
+
+/** The library's callback before its threads begin: takes from it what it listens at. */
+void http_handover_begin(const struct mg_context *context);
+
+/** Few enough wait for the library that more may come. */
+bool http_handover_has_room(void);
+
+/** Gives a connection to the library, which closes it. */
+void http_handover_give(int socket);
+
+#endif
