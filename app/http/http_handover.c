@@ -1,16 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_handover.h"
 
+#include "limits/requirement_limits.h"
+
 #include <fcntl.h>
 #include <netinet/in.h>
 #include <sys/ioctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
-#define DESCRIPTORS 64      /* So early few are open. */
-#define WAITING_CLIENTS 320 /* The descriptors of all clients stay below 1,024. */
+#define EARLY_DESCRIPTORS 64 /* So early few are open. */
+#define OTHERS 704U /* Descriptors of those who do not wait for the library, and of files. */
 
-static int way[2]; /* A pipe of descriptors. */
+static int way[2];    /* A pipe of descriptors. */
+static rlim_t places; /* In it. */
 
 /* What the library finds under the name of accept(): this program's own comes before the C
  * library's. */
@@ -29,8 +33,22 @@ int hand_over(int listener, struct sockaddr *address, socklen_t *size)
     return socket;
 }
 
+/* Who finds no place waits in the kernel, stops behind all others. */
+static void make_places(void)
+{
+    struct rlimit descriptors = {.rlim_cur = 0U};
+    (void)getrlimit(RLIMIT_NOFILE, &descriptors);
+    descriptors.rlim_cur = (descriptors.rlim_max < HTTP_HANDOVER_DESCRIPTORS)
+                               ? descriptors.rlim_max
+                               : HTTP_HANDOVER_DESCRIPTORS;
+    (void)setrlimit(RLIMIT_NOFILE, &descriptors);
+    places = (descriptors.rlim_cur > OTHERS) ? (descriptors.rlim_cur - OTHERS) : 1U;
+    places = (places < LIMIT_WAITING_CLIENTS) ? places : LIMIT_WAITING_CLIENTS;
+}
+
 bool http_handover_open(void)
 {
+    make_places();
     return pipe2(way, O_CLOEXEC | O_NONBLOCK) == 0;
 }
 
@@ -47,7 +65,7 @@ void http_handover_begin(const struct mg_context *context)
 {
     struct mg_server_port listened = {.port = 0};
     (void)mg_get_server_ports(context, 1, &listened);
-    for (int descriptor = 0; descriptor < DESCRIPTORS; descriptor++) {
+    for (int descriptor = 0; descriptor < EARLY_DESCRIPTORS; descriptor++) {
         if (is_at(descriptor, listened.port)) {
             (void)dup3(way[0], descriptor, O_CLOEXEC);
         }
@@ -58,7 +76,7 @@ bool http_handover_has_room(void)
 {
     int bytes = 0;
     (void)ioctl(way[0], FIONREAD, &bytes);
-    return bytes < (WAITING_CLIENTS * (int)sizeof(int));
+    return ((rlim_t)bytes / sizeof(int)) < places;
 }
 
 void http_handover_give(int socket)

@@ -14,13 +14,20 @@
 /** What the library is told to listen at; nobody can reach it there. */
 #define HTTP_HANDOVER_ADDRESS "127.0.0.1:0"
 
+/** All descriptors are below; fewer where the system grants fewer. */
+#define HTTP_HANDOVER_DESCRIPTORS 2048U
+
 /** Before all others. False: the system has no descriptors left. */
 bool http_handover_open(void);
 
 /** The library's callback before its threads begin: takes from it what it listens at. */
 void http_handover_begin(const struct mg_context *context);
 
-/** Few enough wait for the library that more may come. */
+/**
+ * Few enough wait for the library that more may come.
+ *
+ * @satisfies SWR-LOAD-006
+ */
 bool http_handover_has_room(void);
 
 /** Gives a connection to the library, which closes it. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_lines.h"
 
+#include "http/http_handover.h"
 #include "limits/requirement_limits.h"
 
 #include <arpa/inet.h>
@@ -11,7 +12,6 @@
 #include <stdint.h>
 #include <sys/socket.h>
 
-#define DESCRIPTORS 1024
 #define FEW                                                                                        \
     (HTTP_LINES_WORKERS - LIMIT_SPARE_WORKERS) /* Connections from which workers run short. */
 
@@ -51,7 +51,7 @@ static int find_socket(const struct mg_request_info *ends)
 {
     struct in_addr client = {.s_addr = 0U};
     (void)inet_pton(AF_INET, ends->remote_addr, &client);
-    for (int descriptor = 0; descriptor < DESCRIPTORS; descriptor++) {
+    for (int descriptor = 0; descriptor < (int)HTTP_HANDOVER_DESCRIPTORS; descriptor++) {
         struct sockaddr_in here = {.sin_port = 0U};
         struct sockaddr_in there = {.sin_port = 0U};
         socklen_t size = sizeof there;
