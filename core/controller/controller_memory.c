@@ -102,15 +102,20 @@ static uint32_t seal_of_rest(const controller_t *self)
                    self->axis_count * sizeof self->records[0]);
 }
 
+static inline uint32_t seal_of_bytes(const axis_bytes_t bytes)
+{
+    uint32_t seal = seal_of_sixteen(seal_of_sixteen(SEAL_START, bytes), &bytes[64]);
+    seal = seal_of_sixteen(seal_of_sixteen(seal, &bytes[128]), &bytes[192]);
+    seal = seal_of_sixteen(seal_of_sixteen(seal, &bytes[256]), &bytes[320]);
+    return seal_of_sixteen(seal, &bytes[384]);
+}
+
 /* Charts without timers carry all of themselves twice; when and how one came to its state decides
  * nothing. */
 static inline uint32_t seal_of_axis(const axis_t *axis)
 {
-    const uint8_t *const bytes = &((const uint8_t *)axis)[offsetof(axis_t, encoder)];
-    uint32_t seal = seal_of_sixteen(seal_of_sixteen(SEAL_START, bytes), &bytes[64]);
-    seal = seal_of_sixteen(seal_of_sixteen(seal, &bytes[128]), &bytes[192]);
-    seal = seal_of_sixteen(seal_of_sixteen(seal, &bytes[256]), &bytes[320]);
-    return seal_of_sixteen(seal, &bytes[sizeof(axis_bytes_t) - 64U]);
+    const uint8_t *const bytes = (const uint8_t *)axis;
+    return seal_of_bytes(&bytes[offsetof(axis_t, encoder)]);
 }
 
 static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
