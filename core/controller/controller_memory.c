@@ -35,7 +35,7 @@ static const range_t forgotten_range = {offsetof(controller_t, pending),
 
 #define AXIS_BYTES (offsetof(axis_t, supervision.stall.now_us) - offsetof(axis_t, encoder))
 
-#define LINK_BYTES (sizeof(link_t) - offsetof(link_t, sent))
+#define LINK_BYTES (offsetof(controller_t, links[1]) - offsetof(controller_t, links[0].sent))
 
 /* Sixteen words of a link and seven times as many of an axis are sealed straight on: no array where
  * they are more or less. */
