@@ -42,8 +42,8 @@ build/gcc/bin/closed-loop-scene: $(call object,$(CLOSED_LOOP_SOURCES) verificati
 	@echo "built $@"
 
 # The server of the console before that robot. What waits, looks for a clock, a file or chance finds it in site/served.
-SERVED_ABSENT := $(addprefix app/http/,http_archive.c http_conversation.c http_download.c http_lines.c http_listen.c http_main.c \
-    http_positions.c asset.c stop_port.c)
+SERVED_ABSENT := $(addprefix app/http/,gate.c http_archive.c http_conversation.c http_download.c http_handover.c http_lines.c http_listen.c http_main.c \
+    http_positions.c asset.c stop_client.c stop_port.c)
 SERVED_SOURCES := $(wildcard site/served/*.c) site/closed_loop.c site/watch.c $(addprefix app/replay/,$(WATCHING)) $(EVENT_TEXT) $(GEN)/interface/app/fields.c $(BOX_SOURCES) app/control/lamps.c $(FIND_ROBOT) \
     $(filter-out $(SERVED_ABSENT),$(wildcard app/http/*.c)) \
     $(wildcard app/request/*.c app/sweep/*.c app/trajectory/*.c) $(addprefix app/session/,account.c session_desk.c session_table.c login_delay.c) \
