@@ -30,6 +30,7 @@ static const char *const faults[] = {
     "encoder %s half",   "motor %s stuck",    "motor %s half",    "motor %s twice",
     "motor %s runs",     "motor %s hot",      "switch %s stuck",  "switch %s open",
     "switch %s chatter", "switch %s reversed"};
+#define NEXT_FAULT 5U /* From one axis to the next, so that few scenes have many of them. */
 #define FAULTS (sizeof faults / sizeof faults[0])
 
 static const char *axis_name(const rig_t *rig, uint32_t axis)
@@ -68,8 +69,9 @@ void operator_break(rig_t *rig, uint32_t seed)
 {
     const uint32_t count = rig->box.robot->axis_count;
     char order[ORDER_SIZE];
-    (void)snprintf(order, sizeof order, faults[(seed / count) % FAULTS],
-                   axis_name(rig, seed % count));
+    const uint32_t axis = seed % count;
+    (void)snprintf(order, sizeof order, faults[((seed / count) + (NEXT_FAULT * axis)) % FAULTS],
+                   axis_name(rig, axis));
     rig_box(rig, order);
 }
 
