@@ -184,7 +184,7 @@ static bool read_command(const exchange_t *self, uint32_t source, uint32_t numbe
     return place->check == exchange_check(number, command, sizeof *command);
 }
 
-/* What was damaged is dropped: false. */
+/* False: the command was damaged, and is dropped. */
 static bool take_command(exchange_t *self, uint32_t source, command_t *command)
 {
     uint32_t *tail = &self->segment->control.taken[source].tail;
@@ -394,7 +394,7 @@ bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *a
     bool is_one;
 
     if ((put - *taken) > EXCHANGE_ANSWERS) {
-        *taken = put; /* Control was told by a damaged tail that there was room. */
+        *taken = put; /* A damaged tail has shown control more room than there was. */
     }
     is_one = put != *taken;
     if (is_one) {

@@ -4,7 +4,7 @@
  * The lane of cycles from control to the recorder. Its capacity is chosen by the creator of the
  * segment. Indices run from 0 to below twice the capacity, so that they wrap for any capacity and
  * most damage is no index. Each side keeps its own index in its own memory: the one in the segment
- * only tells the other side, and is set right when a neighbour has written it.
+ * only shows it to the other side, and is set right when a neighbour has changed it.
  */
 #ifndef BORESIGHT_EXCHANGE_CYCLES_H
 #define BORESIGHT_EXCHANGE_CYCLES_H
@@ -43,7 +43,7 @@ uint32_t exchange_cycles_in(uint32_t mb);
 /** Entries of the lane. */
 uint32_t exchange_cycle_capacity(const exchange_t *self);
 
-/** For control: entries that are free. Its own index is told anew. */
+/** For control: entries that are free. It writes its own index into the segment again. */
 uint32_t exchange_cycle_room(exchange_t *self);
 
 /**

@@ -112,7 +112,7 @@ typedef struct {
     } beats[EXCHANGE_PROCESS_COUNT];
     uint64_t stops_requested SEGMENT_ON_LINE; /**< SEGMENT_STOP each, an EMERGENCY 1 more. */
     uint64_t stop_port SEGMENT_ON_LINE;       /**< 0: none was noted. */
-    uint64_t replaced[EXCHANGE_PROCESS_COUNT] SEGMENT_ON_LINE; /**< How often, not told yet. */
+    uint64_t replaced[EXCHANGE_PROCESS_COUNT] SEGMENT_ON_LINE; /**< How often, not logged yet. */
     segment_commands_t lanes[COMMAND_SOURCE_COUNT];
     struct {
         uint32_t tail SEGMENT_ON_LINE; /**< Answers taken. */

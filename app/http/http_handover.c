@@ -10,14 +10,14 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#define EARLY_DESCRIPTORS 64 /* So early few are open. */
-#define OTHERS 704U /* Descriptors of those who do not wait for the library, and of files. */
+#define EARLY_DESCRIPTORS 64 /* Few are open when the server starts. */
+#define OTHERS 704U /* Descriptors for files and for clients that do not wait for the library. */
 
 static int way[2];    /* A pipe of descriptors. */
 static rlim_t places; /* In it. */
 
-/* What the library finds under the name of accept(): this program's own comes before the C
- * library's. */
+/* The library's accept(): the linker takes the function of this program before that of the C
+ * library. */
 int hand_over(int listener, struct sockaddr *address, socklen_t *size) __asm__("accept");
 
 int hand_over(int listener, struct sockaddr *address, socklen_t *size)
@@ -33,7 +33,7 @@ int hand_over(int listener, struct sockaddr *address, socklen_t *size)
     return socket;
 }
 
-/* Who finds no place waits in the kernel, stops behind all others. */
+/* A client that finds no place waits in the kernel, also one with a stop. */
 static void make_places(void)
 {
     struct rlimit descriptors = {.rlim_cur = 0U};
