@@ -418,10 +418,9 @@ bool axis_is_towards_switch(const axis_t *self, const axis_config_t *config,
            (motor_model_is_upwards(config, drive) == is_upper);
 }
 
-bool axis_is_beyond_limit(const axis_t *self, const axis_config_t *config,
-                          const card_drive_t *drive)
+bool axis_is_driven_out(const axis_t *self, const axis_config_t *config, const card_drive_t *drive)
 {
-    if ((drive->mode == (uint32_t)CARD_DRIVE_OFF) || !axis_is_homed(self)) {
+    if (drive->mode == (uint32_t)CARD_DRIVE_OFF) {
         return false;
     }
     return motor_model_is_upwards(config, drive)

@@ -225,8 +225,14 @@ bool axis_is_at(const axis_t *self, const axis_config_t *config, int32_t target_
 bool axis_is_towards_switch(const axis_t *self, const axis_config_t *config,
                             const card_drive_t *drive);
 
-/** The axis is homed, at or beyond a soft limit, and `drive` would take it further. */
-bool axis_is_beyond_limit(const axis_t *self, const axis_config_t *config,
-                          const card_drive_t *drive);
+/** By its counts the axis is at or beyond a soft limit, and `drive` would take it further. */
+bool axis_is_driven_out(const axis_t *self, const axis_config_t *config, const card_drive_t *drive);
+
+/** The axis is homed, and driven out. */
+static inline bool axis_is_beyond_limit(const axis_t *self, const axis_config_t *config,
+                                        const card_drive_t *drive)
+{
+    return axis_is_homed(self) && axis_is_driven_out(self, config, drive);
+}
 
 #endif

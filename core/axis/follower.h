@@ -51,9 +51,11 @@ card_drive_t follower_step(axis_t *self, const axis_config_t *config, const axis
 
 /**
  * @return true when it cannot follow: it is LIMIT_FOLLOWER_WAY_NM or LIMIT_FOLLOWER_WAY_BAM from
- * where its leader has it, or `request` is towards its active switch or beyond a soft limit
+ * where its leader has it, or `request` is towards its active switch or beyond a soft limit, by a
+ * position in doubt as well
  *
  * @satisfies SWR-AXIS-029
+ * @satisfies SWR-AXIS-053
  */
 bool follower_is_stuck(const axis_t *self, const axis_config_t *config, const axis_t *leader,
                        uint32_t pace, const card_drive_t *request);

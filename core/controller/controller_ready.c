@@ -3,6 +3,7 @@
 
 #include "controller/controller_facts.h"
 
+#include "axis/follower.h"
 #include "safety/coupled_guard.h"
 
 /* The card of an axis that is not used, and would not be after START_UP either. */
@@ -82,8 +83,16 @@ static named_step_t find_heat(const controller_t *self, const robot_t *robot)
     return found;
 }
 
+/* In doubt, and not alone: START_UP would home its whole block, for which there may be no room. */
+static bool is_one_of_several(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                              uint32_t index)
+{
+    return follower_is_in_block(robot, index) && !coupled_guard_is_last(robot, axes, index);
+}
+
 /* What START_UP alone does not help: an axis whose switch and counts contradict each other, and one
- * that must not be homed. One in doubt that has left the target need not be homed. */
+ * that must not be homed. One in doubt that has left the target need not be homed, and of several
+ * in a block none. */
 static named_step_t find_vain_homing(const controller_t *self, const robot_t *robot, uint32_t index)
 {
     const axis_t *const axis = &self->axes[index];
@@ -99,6 +108,8 @@ static named_step_t find_vain_homing(const controller_t *self, const robot_t *ro
                         EVENT_HOMING_BARRED);
     } else if (is_in_doubt && (self->plan.has_target != 0U)) {
         found = of_axis(NEXT_STEP_CONFIRM, index, EVENT_AXIS_DRIFTED);
+    } else if (is_in_doubt && is_one_of_several(robot, self->axes, index)) {
+        found = of_axis(NEXT_STEP_CONFIRM, index, EVENT_AXIS_UNVERIFIED);
     } else {
         /* START_UP homes it. */
     }

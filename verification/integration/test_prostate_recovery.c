@@ -139,6 +139,46 @@ static void play(uint32_t axis, uint32_t count)
     }
 }
 
+/* Both cards are out of sight for 30 ms: the positions are right, and in doubt. Homing them as a
+ * block would take rear_right beyond its end. */
+static void doubt_two(void)
+{
+    static const int32_t pose[ROBOT_AXIS_MAX] = {300000, -250000, 300000, -104000, 200};
+    start_at(pose);
+    rig_box(&rig, "card front_left silent");
+    rig_box(&rig, "card rear_right silent");
+    rig_cycles(&rig, 30U);
+    rig_box(&rig, "card front_left normal");
+    rig_box(&rig, "card rear_right normal");
+    rig_cycles(&rig, 100U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
+                             rig.controller.axes[PROSTATE_AXIS_REAR_RIGHT].chart.reference);
+}
+
+void test_SWR_AXIS_053_a_follower_in_doubt_is_not_driven_beyond_its_end(void)
+{
+    doubt_two();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    for (uint32_t i = 0U; (i < 10000U) && (rig_count(&rig, EVENT_ORDER_DISCARDED) == 0U); i++) {
+        rig_cycle(&rig);
+        TEST_ASSERT_TRUE_MESSAGE(((i % LOOK_CYCLES) != 0U) || is_inside(), "beyond a limit");
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_FOLLOWER_STUCK));
+    rig_release(&rig);
+}
+
+void test_SWR_NEXT_003_several_of_a_block_that_are_in_doubt_are_confirmed(void)
+{
+    doubt_two();
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_CONFIRM, rig.outputs.snapshot.next_step);
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, HOLD_CYCLES + 1U);
+    rig_box(&rig, "button release");
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+}
+
 /* Of how many poses; POSES=200 SEED=7 plays others. */
 static uint32_t asked(const char *name, uint32_t otherwise)
 {

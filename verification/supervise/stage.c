@@ -523,6 +523,8 @@ static void do_next_step(stage_t *self, rig_t *rig)
     case NEXT_STEP_STOP:
         send_phase(self, rig, WORKPHASE_STOP);
         break;
+    case NEXT_STEP_WAIT:
+        break;
     case NEXT_STEP_AUTHORITY:
     case NEXT_STEP_GRANT:
         rig_box(rig, "pedal release");
