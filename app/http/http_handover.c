@@ -5,12 +5,12 @@
 
 #include <fcntl.h>
 #include <netinet/in.h>
+#include <stdio.h>
 #include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
-#define EARLY_DESCRIPTORS 64 /* Few are open when the server starts. */
 #define OTHERS 704U /* Descriptors for files and for clients that do not wait for the library. */
 
 static int way[2];    /* A pipe of descriptors. */
@@ -34,7 +34,7 @@ int hand_over(int listener, struct sockaddr *address, socklen_t *size)
 }
 
 /* A client that finds no place waits in the kernel, also one with a stop. */
-static void make_places(void)
+static bool make_places(void)
 {
     struct rlimit descriptors = {.rlim_cur = 0U};
     (void)getrlimit(RLIMIT_NOFILE, &descriptors);
@@ -42,14 +42,21 @@ static void make_places(void)
                                ? descriptors.rlim_max
                                : HTTP_HANDOVER_DESCRIPTORS;
     (void)setrlimit(RLIMIT_NOFILE, &descriptors);
-    places = (descriptors.rlim_cur > OTHERS) ? (descriptors.rlim_cur - OTHERS) : 1U;
+    if (descriptors.rlim_cur < HTTP_HANDOVER_LEAST) {
+        (void)fprintf(stderr,
+                      "http: this user may open %u files; the server needs %u. Raise the limit "
+                      "(ulimit -n), then start again.\n",
+                      (unsigned)descriptors.rlim_cur, HTTP_HANDOVER_LEAST);
+        return false;
+    }
+    places = descriptors.rlim_cur - OTHERS;
     places = (places < LIMIT_WAITING_CLIENTS) ? places : LIMIT_WAITING_CLIENTS;
+    return true;
 }
 
 bool http_handover_open(void)
 {
-    make_places();
-    return pipe2(way, O_CLOEXEC | O_NONBLOCK) == 0;
+    return make_places() && (pipe2(way, O_CLOEXEC | O_NONBLOCK) == 0);
 }
 
 static bool is_at(int descriptor, int port)
@@ -65,7 +72,7 @@ void http_handover_begin(const struct mg_context *context)
 {
     struct mg_server_port listened = {.port = 0};
     (void)mg_get_server_ports(context, 1, &listened);
-    for (int descriptor = 0; descriptor < EARLY_DESCRIPTORS; descriptor++) {
+    for (int descriptor = 0; descriptor < (int)HTTP_HANDOVER_DESCRIPTORS; descriptor++) {
         if (is_at(descriptor, listened.port)) {
             (void)dup3(way[0], descriptor, O_CLOEXEC);
         }

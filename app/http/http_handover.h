@@ -17,7 +17,10 @@
 /** All descriptors are below; fewer where the system grants fewer. */
 #define HTTP_HANDOVER_DESCRIPTORS 2048U
 
-/** Before all others. False: the system has no descriptors left. */
+/** The server refuses to start with fewer. */
+#define HTTP_HANDOVER_LEAST 1024U
+
+/** Before all others. False: the system grants too few descriptors, which is said. */
 bool http_handover_open(void);
 
 /** The library's callback before its threads begin: takes from it what it listens at. */

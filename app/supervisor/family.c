@@ -2,12 +2,14 @@
 #include "supervisor/family.h"
 
 #include "common/clock.h"
+#include "common/rest.h"
 #include "limits/requirement_limits.h"
 #include "supervisor/board_text.h"
 
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -17,7 +19,8 @@
 #define LOOK_US 200000U
 #define STOP_STEP_NS 2000000L
 
-/* Together less than LIMIT_STOP_TIME_US, in the time of the board; the recorder has its own time. */
+/* Together less than LIMIT_STOP_TIME_US, in the time of the board; the recorder has its own time.
+ */
 #define STOP_CLIENTS_US UINT64_C(300000)
 #define STOP_CONTROL_US UINT64_C(900000) /* It may just be waiting for the box. */
 #define STOP_RECORDER_LOOKS 250U         /* Without a sign of life. */
@@ -323,6 +326,13 @@ static void stop_recorder(family_t *self, const exchange_t *exchange)
     make_end(self, recorder, 1U);
 }
 
+/* After a crash its last cycle may be in no recording. */
+static bool has_ended_in_order(const child_t *control)
+{
+    return WIFEXITED(control->status) && ((WEXITSTATUS(control->status) == EXIT_SUCCESS) ||
+                                          (WEXITSTATUS(control->status) == REST_EXIT));
+}
+
 void family_stop(family_t *self, exchange_t *exchange)
 {
     static const member_t clients[] = {MEMBER_IGTL, MEMBER_HTTP};
@@ -334,7 +344,9 @@ void family_stop(family_t *self, exchange_t *exchange)
     }
     stop(self, clients, 2U, STOP_CLIENTS_US);
     stop(self, control, 1U, STOP_CONTROL_US * self->slowness);
-    exchange_note_control_ended(exchange);
+    if (has_ended_in_order(&self->members[MEMBER_CONTROL])) {
+        exchange_note_control_ended(exchange);
+    }
     stop_recorder(self, exchange);
     stop(self, companions, BOARD_COMPANIONS, STOP_COMPANIONS_US * self->slowness);
 }

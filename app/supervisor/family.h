@@ -78,7 +78,8 @@ bool family_end_hanging(family_t *self, exchange_t *exchange, member_t member);
 
 /**
  * Stops igtl and http, then control, then the recorder, then what came with the board; who does not
- * obey in his time is killed. The recorder is told by `exchange` that control has ended.
+ * obey in his time is killed. The recorder finds in `exchange` whether control has
+ * ended in order.
  *
  * @satisfies SWR-SUP-001
  * @satisfies SWR-SUP-013

@@ -85,6 +85,16 @@ class TestRecorder < SystemTest
     assert_equal 0, code, text
   end
 
+  def test_SWR_REC_031_a_run_whose_control_was_killed_has_no_end
+    boresight.wait_until('1000 cycles have run') { boresight.status['cycle'] >= 1000 }
+    boresight.kill('control', 'KILL')
+    boresight.wait_for_end
+    text, code = replay(boresight.recordings)
+    assert_match(/^The end of the run is missing/, text)
+    refute_match(/every output equal/, text)
+    assert_equal 3, code, text
+  end
+
   # It is held while cycles come, and told to end before it has written them.
   def test_SWR_SUP_013_a_recorder_that_is_behind_writes_the_whole_run_before_it_ends
     record(1000) do
