@@ -5,7 +5,6 @@
 
 #include <fcntl.h>
 #include <netinet/in.h>
-#include <stdio.h>
 #include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -43,10 +42,6 @@ static bool make_places(void)
                                : HTTP_HANDOVER_DESCRIPTORS;
     (void)setrlimit(RLIMIT_NOFILE, &descriptors);
     if (descriptors.rlim_cur < HTTP_HANDOVER_LEAST) {
-        (void)fprintf(stderr,
-                      "http: this user may open %u files; the server needs %u. Raise the limit "
-                      "(ulimit -n), then start again.\n",
-                      (unsigned)descriptors.rlim_cur, HTTP_HANDOVER_LEAST);
         return false;
     }
     places = descriptors.rlim_cur - OTHERS;

@@ -20,7 +20,7 @@
 /** The server refuses to start with fewer. */
 #define HTTP_HANDOVER_LEAST 1024U
 
-/** Before all others. False: the system grants too few descriptors, which is said. */
+/** Before all others. False: the system grants too few descriptors. */
 bool http_handover_open(void);
 
 /** The library's callback before its threads begin: takes from it what it listens at. */

@@ -179,7 +179,10 @@ http_server_result_t http_server_start(http_server_t *self)
     (void)pthread_attr_setstacksize(&attributes, WORKER_STACK_BYTES);
     (void)pthread_setattr_default_np(&attributes);
     (void)mg_init_library(MG_FEATURES_DEFAULT);
-    if (!http_handover_open() || !stop_port_begin(self->exchange)) {
+    if (!http_handover_open()) {
+        return HTTP_SERVER_TOO_FEW_FILES;
+    }
+    if (!stop_port_begin(self->exchange)) {
         return HTTP_SERVER_FAILED;
     }
     stand_back();

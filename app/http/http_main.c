@@ -8,6 +8,7 @@
 #include "common/command_line.h"
 #include "exchange/exchange.h"
 #include "http/http_guard.h"
+#include "http/http_handover.h"
 #include "http/http_server.h"
 
 #include <arpa/inet.h>
@@ -115,6 +116,12 @@ static int complain(http_server_result_t result, const http_guard_t *guard)
         return complain_of_front(front.console_from, "console-from");
     case HTTP_SERVER_FRONT_STOP_IN_USE:
         return complain_of_front(front.stop_from, "stop-from");
+    case HTTP_SERVER_TOO_FEW_FILES:
+        (void)fprintf(stderr,
+                      "boresight-http: this user may have too few files open; let it have %u or "
+                      "more (ulimit -n), then start again.\n",
+                      HTTP_HANDOVER_LEAST);
+        return EXIT_CANNOT_START;
     case HTTP_SERVER_STARTED:
     case HTTP_SERVER_FAILED:
     default:

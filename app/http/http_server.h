@@ -54,8 +54,9 @@ typedef enum {
     HTTP_SERVER_PORT_IN_USE = 1,
     HTTP_SERVER_BAD_ADDRESS = 2, /**< This machine does not have the address. */
     HTTP_SERVER_FAILED = 3,
-    HTTP_SERVER_FRONT_IN_USE = 4,     /**< The console's port that TLS shall feed. */
-    HTTP_SERVER_FRONT_STOP_IN_USE = 5 /**< The same of the stop's. */
+    HTTP_SERVER_FRONT_IN_USE = 4,      /**< The console's port that TLS shall feed. */
+    HTTP_SERVER_FRONT_STOP_IN_USE = 5, /**< The same of the stop's. */
+    HTTP_SERVER_TOO_FEW_FILES = 6      /**< That this user may have open. */
 } http_server_result_t;
 
 /** What the server is started with. All of it outlives the server. */

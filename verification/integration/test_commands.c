@@ -108,7 +108,7 @@ void test_SWR_PHASE_006_targeting_needs_a_registration_and_moving_a_target(void)
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_MOVE, rig.outputs.snapshot.next_step);
     axis_lose_reference(&rig.controller.axes[NEURO_AXIS_YAW]);
     controller_seal(&rig.controller);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED,
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET,
                              rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
 }

@@ -81,6 +81,7 @@ void test_SWR_AXIS_045_the_bound_is_that_of_the_row(void)
             drift_to(i, sign * bound);
             if (rig.outputs.snapshot.axes[i].reference == (uint32_t)AXIS_REFERENCE_UNVERIFIED) {
                 expect_in_doubt(i, 1U);
+                rig_cycles(&rig, 500U); /* It comes to rest. */
                 TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_CONFIRM, rig.outputs.snapshot.next_step);
             } else {
                 TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
