@@ -29,7 +29,7 @@ typedef struct {
     joints_t to;
     int64_t far_ticks;  /* Where the leader may be before it: farthest from its switch, */
     int64_t near_ticks; /* and nearest to it. */
-} outlook_t;
+} escort_outlook_t;
 
 static uint32_t shift_of(uint32_t index)
 {
@@ -74,8 +74,8 @@ static uint32_t next_paces(const robot_t *robot, uint32_t leader, uint32_t paces
     return next;
 }
 
-static int64_t value_with(const outlook_t *self, uint32_t limit_index, const joints_t *others,
-                          int64_t leader_ticks)
+static int64_t value_with(const escort_outlook_t *self, uint32_t limit_index,
+                          const joints_t *others, int64_t leader_ticks)
 {
     joints_t joints;
     joints = *others;
@@ -110,7 +110,7 @@ static int64_t share_of(int64_t ticks, int64_t part, int64_t whole)
     return share;
 }
 
-static bool is_distance(const outlook_t *self, const coupled_limit_t *limit)
+static bool is_distance(const escort_outlook_t *self, const coupled_limit_t *limit)
 {
     uint32_t others = limit->axes & ~((uint32_t)1U << self->leader);
     others &= others - 1U;
@@ -118,7 +118,7 @@ static bool is_distance(const outlook_t *self, const coupled_limit_t *limit)
 }
 
 /* The value of a limit of two axes is a distance, and holds: the axis is where that lets it be. */
-static void narrow(outlook_t *self)
+static void narrow(escort_outlook_t *self)
 {
     for (uint32_t i = 0U; i < self->robot->coupled_limit_count; i++) {
         const coupled_limit_t *const limit = &self->robot->coupled_limits[i];
@@ -135,7 +135,7 @@ static void narrow(outlook_t *self)
 
 /* Where the leader may be: somewhere in its travel, and as far from its other end as it has come.
  * Nowhere left, it is where it is nearest to its switch. */
-static void find_places(outlook_t *self)
+static void find_places(escort_outlook_t *self)
 {
     const axis_config_t *const config = &self->robot->axes[self->leader];
     const axis_t *const axis = &self->axes[self->leader];
@@ -148,7 +148,7 @@ static void find_places(outlook_t *self)
     }
 }
 
-static void look_ahead(outlook_t *self)
+static void look_ahead(escort_outlook_t *self)
 {
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         const axis_config_t *const config = &self->robot->axes[i];
@@ -162,7 +162,7 @@ static void look_ahead(outlook_t *self)
 }
 
 /* No soft limit stands in the way of the escort. */
-static bool has_room(const outlook_t *self)
+static bool has_room(const escort_outlook_t *self)
 {
     bool has_all = true;
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
@@ -187,7 +187,7 @@ static bool is_left(const coupled_limit_t *limit, int64_t from, int64_t to, int6
 
 /* Wherever the leader is, the value is between those with it at both of its places; if it grows
  * with one of them only, with the other as well for all that is known. */
-static bool holds(const outlook_t *self, uint32_t limit_index)
+static bool holds(const escort_outlook_t *self, uint32_t limit_index)
 {
     const coupled_limit_t *const limit = &self->robot->coupled_limits[limit_index];
     const int64_t places[2] = {self->far_ticks, self->near_ticks};
@@ -213,15 +213,15 @@ static int64_t ticks_towards_switch(const axis_config_t *config, bool is_far)
     return is_upper(config) ? ticks : -ticks;
 }
 
-static outlook_t outlook_of(const escort_t *self, const robot_t *robot,
-                            const axis_t axes[ROBOT_AXIS_MAX], bool is_far)
+static escort_outlook_t outlook_of(const escort_t *self, const robot_t *robot,
+                                   const axis_t axes[ROBOT_AXIS_MAX], bool is_far)
 {
     const uint32_t leader = self->leader - 1U;
-    outlook_t outlook = {.robot = robot,
-                         .axes = axes,
-                         .leader = leader,
-                         .paces = self->paces,
-                         .way_ticks = ticks_towards_switch(&robot->axes[leader], is_far)};
+    escort_outlook_t outlook = {.robot = robot,
+                                .axes = axes,
+                                .leader = leader,
+                                .paces = self->paces,
+                                .way_ticks = ticks_towards_switch(&robot->axes[leader], is_far)};
     look_ahead(&outlook);
     return outlook;
 }
@@ -229,7 +229,7 @@ static outlook_t outlook_of(const escort_t *self, const robot_t *robot,
 static bool is_good(const escort_t *self, const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                     bool is_far)
 {
-    const outlook_t outlook = outlook_of(self, robot, axes, is_far);
+    const escort_outlook_t outlook = outlook_of(self, robot, axes, is_far);
     bool is_every_one = has_room(&outlook);
     for (uint32_t i = 0U; is_every_one && (i < robot->coupled_limit_count); i++) {
         is_every_one = holds(&outlook, i);
@@ -343,7 +343,7 @@ escort_verdict_t escort_step(escort_t *self, const robot_t *robot, axis_t axes[R
 int32_t escort_way_by_hand_ticks(const escort_t *self, const robot_t *robot,
                                  const axis_t axes[ROBOT_AXIS_MAX])
 {
-    const outlook_t outlook = outlook_of(self, robot, axes, false);
+    const escort_outlook_t outlook = outlook_of(self, robot, axes, false);
     const int64_t middle = ((outlook.far_ticks + outlook.near_ticks) / 2) -
                            (int64_t)axes[outlook.leader].encoder.position_ticks;
     return fixed_saturate(middle);
