@@ -24,7 +24,7 @@ class Neighbours
   def other_control?(folder)
     return false unless File.read(File.join(folder, 'comm')).chomp == CONTROL
 
-    words = File.read(File.join(folder, 'cmdline')).split("\0")
+    words = File.binread(File.join(folder, 'cmdline')).split("\0")
     words.any? && !instance(words).start_with?(@ours)
   rescue SystemCallError
     false

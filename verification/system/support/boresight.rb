@@ -213,7 +213,7 @@ class Boresight
       next if state == 'Z' || parent.to_i != supervisor_pid
 
       pid = path[/\d+/].to_i
-      name = File.basename(File.read("/proc/#{pid}/cmdline").split("\0").first.to_s)
+      name = File.basename(File.binread("/proc/#{pid}/cmdline").split("\0").first.to_s)
       found[name.delete_prefix('boresight-')] = pid
     rescue SystemCallError
       next

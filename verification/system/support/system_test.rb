@@ -55,7 +55,7 @@ class SystemTest < Minitest::Test
 
   def processes_of(instance)
     Dir.glob('/proc/[0-9]*/cmdline').select do |path|
-      words = File.read(path).split("\0")
+      words = File.binread(path).split("\0")
       words.first.to_s.include?('boresight') && words.any? { |word| word.include?(instance) }
     rescue SystemCallError
       false
