@@ -11,7 +11,8 @@
 #include <civetweb.h>
 #include <stdbool.h>
 
-/** What the library is told to listen at; nobody can reach it there. */
+/** The address that the library is given. No client reaches it: its socket is replaced before it
+ * serves. */
 #define HTTP_HANDOVER_ADDRESS "127.0.0.1:0"
 
 /** All descriptors are below; fewer where the system grants fewer. */

@@ -15,7 +15,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What was told of the damage of a command lane. */
+/** The last note about a damaged command lane. */
 typedef struct {
     uint32_t count;
     uint32_t note;    /**< Its number; 0: it is known to have been kept. */
