@@ -42,19 +42,17 @@ typedef struct {
     permit_common_t common;
     coupled_view_t axes;
     uint32_t at_coupled_limit; /* coupled_guard_blocks(); nothing without a table. */
-    mode_kind_t kind;
+    uint32_t driven;           /* The axes that ask for a drive. */
+    uint32_t heeding_needle;   /* mode_heeding_needle() while armed. */
 } view_t;
 
-static bool is_needle_in(const controller_t *self, const robot_t *robot, uint32_t index,
-                         const view_t *view)
+static uint32_t driven_axes(const controller_t *self, const card_drive_t requests[ROBOT_AXIS_MAX])
 {
-    const axis_config_t *const config = &robot->axes[index];
-    const card_drive_t *const request = &view->axes.requests[index];
-    const bool is_on = request->mode != (uint32_t)CARD_DRIVE_OFF;
-    return view->facts.is_armed &&
-           mode_heeds_needle(&self->mode, view->kind, config, index, is_on) &&
-           needle_forbids_jog(robot, self->axes, index,
-                              is_on && motor_model_is_upwards(config, request));
+    uint32_t driven = 0U;
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        driven |= (uint32_t)(requests[i].mode != (uint32_t)CARD_DRIVE_OFF) << i;
+    }
+    return driven;
 }
 
 /* The permit of one axis for its request. */
@@ -64,15 +62,18 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
     const axis_t *const axis = &self->axes[index];
     const card_drive_t *const request = &view->axes.requests[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
-    const bool is_on = request->mode != (uint32_t)CARD_DRIVE_OFF;
+    const uint32_t bit = (uint32_t)1U << index;
+    const bool is_on = (view->driven & bit) != 0U;
     const permit_facts_t facts = {
         .is_axis_faulty = axis_is_faulty(axis),
         .is_axis_enabled = axis_is_enabled(axis),
         .is_homed = axis_is_homed(axis),
         .is_towards_switch = is_on && axis_is_towards_switch(axis, config, request),
         .is_beyond_soft_limit = is_on && axis_is_beyond_limit(axis, config, request),
-        .is_coupled_limit = (view->at_coupled_limit & ((uint32_t)1U << index)) != 0U,
-        .is_needle_in = is_needle_in(self, cycle->robot, index, view),
+        .is_coupled_limit = (view->at_coupled_limit & bit) != 0U,
+        .is_needle_in = ((view->heeding_needle & bit) != 0U) &&
+                        needle_forbids_jog(cycle->robot, self->axes, index,
+                                           is_on && motor_model_is_upwards(config, request)),
     };
     return permit_decide(&view->common, &facts);
 }
@@ -219,10 +220,13 @@ void controller_drive(controller_t *self, const cycle_t *cycle, uint32_t guards,
     view_t view = {.facts = facts,
                    .common = permit_decide_common(&facts),
                    .axes = {.axes = self->axes, .sent = sent, .requests = requests},
-                   .kind = kind};
+                   .driven = driven_axes(self, requests)};
     const uint32_t state = system_state(self, cycle);
     uint32_t modes = 0U;
     gather_sent(self, sent);
+    if (facts.is_armed) {
+        view.heeding_needle = mode_heeding_needle(&self->mode, kind, cycle->robot, view.driven);
+    }
     if (!facts.is_memory_damaged) {
         view.at_coupled_limit = coupled_guard_blocks(cycle->robot, &view.axes);
     }

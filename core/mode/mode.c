@@ -261,18 +261,27 @@ bool mode_may_be_unhomed(mode_kind_t kind)
     return mode_rows[kind].may_be_unhomed;
 }
 
-bool mode_heeds_needle(const mode_state_t *self, mode_kind_t kind, const axis_config_t *config,
-                       uint32_t index, bool is_requested)
+static uint32_t across_needle(const robot_t *robot, uint32_t axes)
+{
+    uint32_t across = 0U;
+    for (uint32_t i = 0U; (axes >> i) != 0U; i++) {
+        const bool is_across = robot->axes[i].needle_motion == (uint32_t)NEEDLE_ACROSS;
+        across |= is_across ? (axes & LEG_AXIS(i)) : 0U;
+    }
+    return across;
+}
+
+uint32_t mode_heeding_needle(const mode_state_t *self, mode_kind_t kind, const robot_t *robot,
+                             uint32_t driven)
 {
     const uint32_t needle = mode_rows[kind].needle;
-    const bool is_across = config->needle_motion == (uint32_t)NEEDLE_ACROSS;
-    bool must_heed = false;
+    uint32_t heeding = 0U;
     if (needle == (uint32_t)MODE_NEEDLE_ACROSS) {
-        must_heed = is_requested && is_across;
+        heeding = across_needle(robot, driven);
     } else if (needle == (uint32_t)MODE_NEEDLE_COMMANDED) {
-        must_heed = mode_needs(self, index);
+        heeding = self->request.axes;
     } else {
         /* Nothing to heed. */
     }
-    return must_heed;
+    return heeding;
 }

@@ -136,13 +136,14 @@ void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_co
 bool mode_may_be_unhomed(mode_kind_t kind);
 
 /**
- * Axis `index` must heed needle_forbids_jog() in this mode; `is_requested`: it asks for a drive.
+ * The axes (bits) that must heed needle_forbids_jog() in this mode; `driven`: those that ask for a
+ * drive.
  *
  * @satisfies SWR-JOG-001
  * @satisfies SWR-JOG-003
  * @satisfies SWR-JOG-016
  */
-bool mode_heeds_needle(const mode_state_t *self, mode_kind_t kind, const axis_config_t *config,
-                       uint32_t index, bool is_requested);
+uint32_t mode_heeding_needle(const mode_state_t *self, mode_kind_t kind, const robot_t *robot,
+                             uint32_t driven);
 
 #endif

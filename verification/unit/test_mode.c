@@ -162,7 +162,8 @@ void test_SWR_AXIS_006_a_move_needs_its_axes_homed(void)
 
 static bool heeds(mode_kind_t kind, uint32_t axis, bool is_driven)
 {
-    return mode_heeds_needle(&mode, kind, &robot.axes[axis], axis, is_driven);
+    const uint32_t driven = is_driven ? LEG_AXIS(axis) : 0U;
+    return (mode_heeding_needle(&mode, kind, &robot, driven) & LEG_AXIS(axis)) != 0U;
 }
 
 void test_SWR_JOG_001_the_jogged_axis_heeds_the_needle(void)
