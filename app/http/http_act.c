@@ -134,7 +134,8 @@ int http_act_refuse_member(const http_call_t *call, const char *pointer)
 
 int http_act_refuse_choice(const http_call_t *call, bool has_both, const char *pointer)
 {
-    request_result_t fault = {.fault = has_both ? REQUEST_UNKNOWN : REQUEST_MISSING};
+    request_result_t fault;
+    request_fault_set(&fault, has_both ? REQUEST_UNKNOWN : REQUEST_MISSING, NULL);
     (void)snprintf(fault.place, sizeof fault.place, "%s", pointer);
     const http_problem_t problem = http_problem_of_body(&fault);
     return http_reply_problem(call->connection, &problem, NULL);

@@ -46,7 +46,7 @@ http_problem_t http_problem_of_body(const request_result_t *result)
         /* It is not even of the right kind. */
     }
     http_problem_t told = http_problem_of(problem);
-    told.detail = request_fault_text(result->fault);
+    told.detail = result->text;
     told.pointer = result->place;
     return told;
 }
@@ -54,7 +54,7 @@ http_problem_t http_problem_of_body(const request_result_t *result)
 http_problem_t http_problem_of_query(const request_result_t *result)
 {
     http_problem_t told = http_problem_of(PROBLEM_BAD_QUERY);
-    told.detail = request_fault_text(result->fault);
+    told.detail = result->text;
     told.parameter = result->place;
     return told;
 }

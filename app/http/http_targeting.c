@@ -11,9 +11,10 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #define NUMBERS 16U
-#define POINTER_SIZE 24U
+#define POINTER_SIZE 32U
 #define NM_PER_MM 1000000.0
 
 /* What is aimed at; NULL: it is not said. */
@@ -43,22 +44,48 @@ int http_targeting_register(http_server_t *server, const http_call_t *call)
     return (refusal != 0) ? refusal : http_act_command(server, call, &command);
 }
 
+/* Its place in the robot's probe; beyond all places if the robot has no length of this name. */
+static uint32_t place_of(const robot_t *robot, const char *name)
+{
+    uint32_t place = 0U;
+    while ((place < robot->probe_length_count) && (strcmp(robot->probe_names[place], name) != 0)) {
+        place++;
+    }
+    return place;
+}
+
+/* The member of `length` at fault; NULL if none is. `taken`: the places that were named before. */
+static const char *take_length(const robot_t *robot, const request_named_length_t *length,
+                               uint32_t *taken, command_t *command)
+{
+    const uint32_t place = place_of(robot, length->name);
+    const int32_t length_nm = (int32_t)lround(length->length_mm * NM_PER_MM);
+    if ((place >= robot->probe_length_count) || (((*taken >> place) & 1U) != 0U)) {
+        return "name";
+    }
+    *taken |= (uint32_t)1U << place;
+    command->ticks[place] = length_nm;
+    return ((length_nm < robot->probe_minimum.length_nm[place]) ||
+            (length_nm > robot->probe_maximum.length_nm[place]))
+               ? "length_mm"
+               : NULL;
+}
+
 /* Which length is wrong is known here; whether it may be changed now, control knows. */
 int http_targeting_set_probe(http_server_t *server, const http_call_t *call)
 {
     const robot_t *robot = exchange_robot(server->exchange);
     const request_probe_t *body = &call->body.probe;
     char pointer[POINTER_SIZE];
+    uint32_t taken = 0U;
     command_t command = {
-        .id = body->id, .kind = (uint32_t)COMMAND_PROBE, .argument = body->lengths_mm_count};
-    for (uint32_t i = 0U; i < body->lengths_mm_count; i++) {
-        const int32_t length_nm = (int32_t)lround(body->lengths_mm[i] * NM_PER_MM);
-        if ((length_nm < robot->probe_minimum.length_nm[i]) ||
-            (length_nm > robot->probe_maximum.length_nm[i])) {
-            (void)snprintf(pointer, sizeof pointer, "/lengths_mm/%u", (unsigned)i);
+        .id = body->id, .kind = (uint32_t)COMMAND_PROBE, .argument = body->lengths_count};
+    for (uint32_t i = 0U; i < body->lengths_count; i++) {
+        const char *member = take_length(robot, &body->lengths[i], &taken, &command);
+        if (member != NULL) {
+            (void)snprintf(pointer, sizeof pointer, "/lengths/%u/%s", (unsigned)i, member);
             return http_act_refuse_member(call, pointer);
         }
-        command.ticks[i] = length_nm;
     }
     return http_act_command(server, call, &command);
 }

@@ -10,7 +10,12 @@
 /** @satisfies SWR-HTTP-031 */
 int http_targeting_register(http_server_t *server, const http_call_t *call);
 
-/** @satisfies SWR-PROBE-008 */
+/**
+ * Lengths count by their names.
+ *
+ * @satisfies SWR-PROBE-008
+ * @satisfies SWR-PROBE-010
+ */
 int http_targeting_set_probe(http_server_t *server, const http_call_t *call);
 
 /** @satisfies SWR-HTTP-031 */

@@ -9,7 +9,6 @@
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
-#include "robot/probe.h"
 #include "robot/robot_cards.h"
 #include "robot/robot_damage.h"
 
@@ -251,24 +250,6 @@ static cJSON *new_robot_axis(const axis_config_t *axis)
     return json_robot_axis(&told);
 }
 
-static cJSON *new_lengths(const telemetry_view_t *view)
-{
-    const robot_t *robot = view->robot;
-    const int32_t *probe_nm = view->snapshot.probe_nm;
-    cJSON *lengths = cJSON_CreateArray();
-    for (uint32_t i = 0U; i < ROBOT_TOLD_LENGTHS; i++) {
-        const told_length_t *length = &robot->told_lengths[i];
-        const json_robot_length_t told = {
-            .name = length->name,
-            .length_mm = telemetry_units_length(probe_told_nm(length, probe_nm))};
-        const bool is_known = (length->probe == 0U) || (view->snapshot.has_probe != 0U);
-        if ((length->name[0] != '\0') && is_known) {
-            (void)cJSON_AddItemToArray(lengths, json_robot_length(&told));
-        }
-    }
-    return lengths;
-}
-
 static cJSON *new_poses(const robot_t *robot)
 {
     cJSON *poses = cJSON_CreateArray();
@@ -293,7 +274,6 @@ cJSON *telemetry_json_robot(const telemetry_view_t *view)
                                .checksum = checksum,
                                .slots = CARD_SLOT_COUNT,
                                .axes = axes,
-                               .lengths = new_lengths(view),
                                .poses = new_poses(robot)};
     return json_robot(&told);
 }

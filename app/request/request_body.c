@@ -274,7 +274,10 @@ request_result_t request_read_body(const request_message_t *message, const char 
         fail(&reader, REQUEST_NOT_JSON);
     }
     if (reader.fault != REQUEST_OK) {
-        result.fault = reader.fault;
+        const uint32_t innermost = (reader.depth > 0U) ? (reader.depth - 1U) : 0U;
+        const request_message_t *at =
+            (reader.depth > 0U) ? reader.levels[innermost].message : message;
+        request_fault_set(&result, reader.fault, at);
         write_place(&reader, result.place);
     }
     return result;

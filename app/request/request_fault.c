@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "request/request_fault.h"
 
+#include <stdio.h>
+#include <string.h>
+
 const char *request_fault_text(request_fault_t fault)
 {
     switch (fault) {
@@ -25,5 +28,28 @@ const char *request_fault_text(request_fault_t fault)
     case REQUEST_COUNT:
     default:
         return "There are too few or too many of these.";
+    }
+}
+
+/* Appends as much as there is room for. */
+static void add(char text[REQUEST_TEXT_SIZE], const char *more)
+{
+    const size_t length = strlen(text);
+    (void)snprintf(&text[length], REQUEST_TEXT_SIZE - length, "%s", more);
+}
+
+void request_fault_set(request_result_t *result, request_fault_t fault,
+                       const request_message_t *message)
+{
+    result->fault = fault;
+    result->text[0] = '\0';
+    add(result->text, request_fault_text(fault));
+    if ((fault == REQUEST_UNKNOWN) && (message != NULL) && (message->count > 0U)) {
+        add(result->text, " Expected are ");
+        for (uint32_t i = 0U; i < message->count; i++) {
+            add(result->text, (i > 0U) ? ", " : "");
+            add(result->text, message->fields[i].name);
+        }
+        add(result->text, ".");
     }
 }

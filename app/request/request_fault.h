@@ -3,8 +3,11 @@
 #ifndef BORESIGHT_REQUEST_FAULT_H
 #define BORESIGHT_REQUEST_FAULT_H
 
+#include "request/request_fields.h"
+
 #define REQUEST_NAME_SIZE 48U   /**< A name's room, its end included. */
 #define REQUEST_PLACE_SIZE 256U /**< A place's room, its end included. */
+#define REQUEST_TEXT_SIZE 512U  /**< A text's room, its end included. */
 
 typedef enum {
     REQUEST_OK = 0,
@@ -25,7 +28,17 @@ typedef struct {
     /** Of the fault: in a body a JSON pointer (RFC 6901), "" being all of it; in a query the name
      * of the parameter. Ends early if it is too long. UTF-8. */
     char place[REQUEST_PLACE_SIZE];
+    char text[REQUEST_TEXT_SIZE]; /**< Of the fault, one or two sentences. */
 } request_result_t;
+
+/**
+ * `result` is of `fault`. For a name that is not expected it says which are, those of `message`
+ * (NULL: it does not say).
+ *
+ * @satisfies SWR-HTTP-058
+ */
+void request_fault_set(request_result_t *result, request_fault_t fault,
+                       const request_message_t *message);
 
 /** A sentence. Lives for ever. */
 const char *request_fault_text(request_fault_t fault);

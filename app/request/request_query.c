@@ -112,5 +112,6 @@ request_result_t request_read_query(const request_message_t *message, const char
         result.fault = REQUEST_MISSING;
         (void)snprintf(result.place, sizeof result.place, "%s", missing->name);
     }
+    request_fault_set(&result, result.fault, message);
     return result;
 }

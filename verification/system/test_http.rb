@@ -58,8 +58,6 @@ class TestHttp < Minitest::Test
     file = YAML.safe_load_file(File.expand_path('../../core/robot/neuro/robot.yml', __dir__))
     robot = fetch_json('/api/v1/robot')
     assert_match(/\A[0-9a-f]{8}\z/, robot.fetch('checksum'))
-    assert_equal(file['told']['lengths'].map { |one| [one['name'], file.dig('probe', one['length'], 'value')] },
-                 robot.fetch('lengths').map { |one| one.values_at('name', 'length_mm') })
     assert_equal([file['name'], file['axes'].map { |axis| [axis['name'], axis['slot']] }],
                  [robot['name'], robot['axes'].map { |axis| axis.values_at('name', 'slot') }])
     limits = fetch_json('/api/v1/motors').fetch('axes').map { |axis| axis.values_at('name', 'unit', 'minimum', 'maximum') }

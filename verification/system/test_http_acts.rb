@@ -277,22 +277,45 @@ class TestHttpActs < Minitest::Test
     fetch_json('/api/v1/targeting').fetch('probe').map { |one| one.values_at('name', 'length_mm') }
   end
 
+  def named(lengths)
+    PROBE.zip(lengths).reject { |_, length| length.nil? }.map { |name, length| { name: name, length_mm: length } }
+  end
+
+  def send_probe(page, lengths)
+    page.act('targeting/probe', { lengths: named(lengths) })
+  end
+
   def test_SWR_PROBE_008_another_probe_is_taken_shown_and_told_and_what_none_has_is_refused
     anna = holder
     in_targeting(anna)
     anna.act('targeting/entry', { point_mm: [0, 246, 50] })
     assert_answer '200', 'done', anna.act('targeting/target', { point_mm: [0, 200, 50] })
-    assert_answer '200', 'done', anna.act('targeting/probe', { lengths_mm: [12.5, 6, 7, 46] })
+    assert_answer '200', 'done', send_probe(anna, [12.5, 6, 7, 46])
     assert_described '/api/v1/targeting/probe', 'POST', anna.last
     assert_equal PROBE.zip([12.5, 6, 7, 46]), probe
     assert_equal [nil, nil], fetch_json('/api/v1/targeting').values_at('target', 'entry_mm')
-    assert_includes fetch_json('/api/v1/robot').fetch('lengths'), { 'name' => 'robot_treatment_home', 'length_mm' => 46 }
-    told = assert_answer '422', 'OUT_OF_RANGE', anna.act('targeting/probe', { lengths_mm: [12.5, 6, 60.5, 46] })
-    assert_equal '/lengths_mm/2', told['pointer']
-    assert_answer '409', 'PROBE_ORDER', anna.act('targeting/probe', { lengths_mm: [10, 42, 5, 41] })
-    assert_answer '409', 'PROBE_LENGTH', anna.act('targeting/probe', { lengths_mm: [10, 5, 5] })
+    told = assert_answer '422', 'OUT_OF_RANGE', send_probe(anna, [12.5, 6, 60.5, 46])
+    assert_equal '/lengths/2/length_mm', told['pointer']
+    assert_answer '409', 'PROBE_ORDER', send_probe(anna, [10, 42, 5, 41])
+    assert_answer '409', 'PROBE_LENGTH', send_probe(anna, [10, 5, 5])
     assert_equal PROBE.zip([12.5, 6, 7, 46]), probe
-    assert_answer '200', 'done', anna.act('targeting/probe', { lengths_mm: [10, 5, 5, 41] })
+    assert_answer '200', 'done', send_probe(anna, [10, 5, 5, 41])
+  end
+
+  def test_SWR_PROBE_010_lengths_count_by_name_and_never_by_their_order
+    anna = holder
+    in_targeting(anna)
+    turned = named([10, 5, 6, 41]).reverse
+    assert_answer '200', 'done', anna.act('targeting/probe', { lengths: turned })
+    assert_equal PROBE.zip([10, 5, 6, 41]), probe
+    twice = [*named([10, 5, 5]), { name: PROBE.first, length_mm: 10 }]
+    assert_equal '/lengths/3/name', assert_answer('422', 'OUT_OF_RANGE', anna.act('targeting/probe', { lengths: twice }))['pointer']
+    foreign = [{ name: 'needle_tip', length_mm: 200 }]
+    assert_equal '/lengths/0/name', assert_answer('422', 'OUT_OF_RANGE', anna.act('targeting/probe', { lengths: foreign }))['pointer']
+    told = assert_answer '400', 'BAD_BODY', anna.act('targeting/probe', { lengths_mm: [10, 5, 5, 41] })
+    assert_equal ['/lengths_mm', 'Nothing of this name is expected. Expected are id, lengths.'],
+                 told.values_at('pointer', 'detail')
+    assert_equal PROBE.zip([10, 5, 6, 41]), probe
   end
 
   def test_SWR_PLAN_023_a_registration_says_whether_its_rotation_counts

@@ -430,3 +430,14 @@ void test_SWR_HTTP_011_every_fault_has_a_sentence(void)
         TEST_ASSERT_EQUAL('.', text[strlen(text) - 1U]);
     }
 }
+
+/* Of the object in which the name stands. */
+void test_SWR_HTTP_058_the_names_that_are_expected_stand_beside_one_that_is_not(void)
+{
+    const request_result_t nested = read_bytes("{\"inner\":{\"depth\":1}}", 21U);
+    TEST_ASSERT_EQUAL(REQUEST_UNKNOWN, nested.fault);
+    TEST_ASSERT_EQUAL_STRING("Nothing of this name is expected. Expected are depth_mm, hard.",
+                             nested.text);
+    const request_result_t flat = read_bytes("{\"flat\":1}", 10U);
+    TEST_ASSERT_NOT_NULL(strstr(flat.text, "Expected are flag, count, "));
+}

@@ -85,7 +85,7 @@ test("SWR-CON-018 a probe that was changed elsewhere is shown before it is sent"
     <Aim robot={one} outlook={makeOutlook()} operation={operation} />
   );
   const shown = render(aim(robot));
-  write("Probe needle_tip, mm", "200");
+  write("Probe needle_tip, 150 to 350 mm", "200");
   const probe = [{ ...length!, length_mm: 260 }];
   const targeting = { ...robot.targeting, probe };
   shown.rerender(aim({ ...robot, targeting }));
@@ -123,12 +123,18 @@ test.each([
 
 test("SWR-CON-018 the lengths of the probe are sent together", async () => {
   await show("TARGETING");
-  write("Probe needle_tip, mm", "260.5");
+  write("Probe needle_tip, 150 to 350 mm", "long");
+  expect(button("Change probe").disabled).toBe(true);
+  screen.getByText("Write a number for needle_tip.");
+  write("Probe needle_tip, 150 to 350 mm", "260.5");
   fireEvent.click(button("Change probe"));
   expect(commander.acts()).toEqual([
     {
       path: "/api/v1/targeting/probe",
-      body: { id: 1, lengths_mm: [260.5] },
+      body: {
+        id: 1,
+        lengths: [{ name: "needle_tip", length_mm: 260.5 }],
+      },
     },
   ]);
 });

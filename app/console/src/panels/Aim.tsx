@@ -177,38 +177,44 @@ function ProposedEntry({ robot, outlook, commanding }: AimProperties) {
   );
 }
 
-/** All lengths, in the order in which they are shown. */
+/** Each length in a field of its own, sent by its name. */
 function Probe({ robot, outlook, commanding }: AimProperties) {
   const { probe } = robot.targeting;
-  const [text, setText] = useState(
-    probe
-      .map(({ length_mm: length }) =>
-        length === null ? "?" : formatNumber(length, 3),
-      )
-      .join(" "),
+  const [texts, setTexts] = useState(
+    probe.map(({ length_mm: length }) =>
+      length === null ? "" : formatNumber(length, 3),
+    ),
   );
   const id = useId();
-  const lengths = readNumbers(text, probe.length);
-  const missing = lengths === null ? `Write ${probe.length} numbers.` : null;
+  const lengths = probe.map(({ name }, i) => ({
+    name,
+    length_mm: readNumbers(texts[i] ?? "", 1)?.[0] ?? null,
+  }));
+  const missing = lengths.find((length) => length.length_mm === null);
   if (probe.length === 0) {
     return null;
   }
   return (
     <div className="orders">
-      <label htmlFor={id}>
-        Probe {probe.map(({ name }) => name).join(", ")}, mm
-      </label>
-      <input
-        id={id}
-        size={24}
-        value={text}
-        onChange={(event) => setText(event.target.value)}
-      />
+      {probe.map(({ name, minimum_mm: least, maximum_mm: most }, i) => (
+        <label key={name} htmlFor={id + name}>
+          Probe {name}, {formatNumber(least, 0)} to {formatNumber(most, 0)} mm{" "}
+          <input
+            id={id + name}
+            size={8}
+            value={texts[i]}
+            onChange={(event) => setTexts(texts.with(i, event.target.value))}
+          />
+        </label>
+      ))}
       <Order
         commanding={commanding}
         path="/api/v1/targeting/probe"
-        fields={{ lengths_mm: lengths }}
-        refusal={reasonAgainst(outlook, "PROBE") ?? missing}
+        fields={{ lengths }}
+        refusal={
+          reasonAgainst(outlook, "PROBE") ??
+          (missing === undefined ? null : `Write a number for ${missing.name}.`)
+        }
       >
         Change probe
       </Order>

@@ -11,7 +11,6 @@ export const plainRobot: Robot = {
   checksum: "a78c5496",
   slots: 10,
   axes: [],
-  lengths: [],
   poses: [],
 };
 

@@ -31,7 +31,6 @@ export function makeDocument(
       checksum: "0",
       slots: 2,
       axes: [],
-      lengths: [],
       poses: [],
     },
     rows: [
