@@ -30,6 +30,7 @@ CC := $(CC_$(CONFIG))
 EXTRA_asan := -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all
 # Static, so that it runs whatever C library there is; files and times beyond 32 bit.
 ARMHF := .tools/armhf
+DEBIAN_SOURCES := .tools/sources
 EXTRA_arm := -mcpu=cortex-a9 -mfpu=vfpv3-d16 -D_FILE_OFFSET_BITS=64 -D_TIME_BITS=64 \
     -isystem $(ARMHF)/root/usr/include -isystem $(ARMHF)/root/usr/include/arm-linux-gnueabihf
 # As fast as -O2 there, and a tenth smaller.
@@ -257,10 +258,10 @@ $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
 
 # Debian has these two as shared libraries only. Without TLS: it would load a library.
 STATIC_LIBS := $(OUT)/lib/libcivetweb.a $(OUT)/lib/libcjson.a
-$(OUT)/lib/libcivetweb.a: $(ARMHF)/source/civetweb/src/civetweb.c
-$(OUT)/lib/libcivetweb.a: LIBRARY_FLAGS := -I$(ARMHF)/source/civetweb/include -DUSE_WEBSOCKET -DUSE_STACK_SIZE=102400 \
+$(OUT)/lib/libcivetweb.a: $(DEBIAN_SOURCES)/civetweb/src/civetweb.c
+$(OUT)/lib/libcivetweb.a: LIBRARY_FLAGS := -I$(DEBIAN_SOURCES)/civetweb/include -DUSE_WEBSOCKET -DUSE_STACK_SIZE=102400 \
     -DNO_SSL
-$(OUT)/lib/libcjson.a: $(ARMHF)/source/cjson/cJSON.c
+$(OUT)/lib/libcjson.a: $(DEBIAN_SOURCES)/cjson/cJSON.c
 $(STATIC_LIBS):
 	@mkdir -p $(@D)
 	@$(CC) -O2 -g $(EXTRA) $(HARDENED_$(CONFIG)) $(LIBRARY_FLAGS) -c $< -o $(@:.a=.o)
@@ -288,7 +289,7 @@ $(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(CODEC)
 
 # --- commands ------------------------------------------------------------------------------------------------
 
-.PHONY: help run client charts points test demo bench trace build bootstrap bootstrap-client bootstrap-test stunnel clean FORCE
+.PHONY: help run client charts points test demo bench trace build bootstrap bootstrap-client bootstrap-site bootstrap-test stunnel clean FORCE
 FORCE:
 
 help: ## List the commands
@@ -299,6 +300,9 @@ bootstrap:
 
 bootstrap-client:
 	@BOARD_PACKAGES='$(BOARD_PACKAGES)' tools/bootstrap client
+
+bootstrap-site:
+	@BOARD_PACKAGES='$(BOARD_PACKAGES)' tools/bootstrap site
 
 bootstrap-test:
 	@BOARD_PACKAGES='$(BOARD_PACKAGES)' tools/bootstrap test

@@ -16,7 +16,7 @@ SITE_INCLUDES := $(BSP_INCLUDES) -I.
 $(OUT)/site/%.o: FLAGS = $(SITE_INCLUDES)
 $(OUT)/verification/site/%.o: FLAGS = $(SITE_INCLUDES)
 
-wasm: bootstrap-test ## The core, its box, their server and the replay as WebAssembly: build/site/{robot,served,recorded}.wasm
+wasm: bootstrap-site ## The core, its box, their server and the replay as WebAssembly: build/site/{robot,served,recorded}.wasm
 	@$(MAKE) --no-print-directory -j2 CONFIG=wasm $(addprefix build/site/,robot.wasm served.wasm recorded.wasm)
 
 # What the console is made of but its robot; as for the product.
@@ -64,10 +64,10 @@ RECORDED_SOURCES := $(wildcard site/recorded/*.c) site/served/no_system.c \
     $(filter-out %_writer.c,$(wildcard app/recording/*.c)) $(addprefix app/http/,telemetry_json.c telemetry_units.c json_forms.c) \
     $(addprefix $(GEN)/interface/app/,fields.c messages.c) $(GEN)/assets/chart_names.c $(AXIS_TERMS) $(DRIVE_TERMS) \
     app/common/utc_text.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
-ZSTD := $(ARMHF)/source/libzstd/lib
+ZSTD := $(DEBIAN_SOURCES)/libzstd/lib
 ZSTD_SOURCES := $(addprefix $(ZSTD)/,$(addprefix common/,entropy_common.c error_private.c fse_decompress.c xxhash.c zstd_common.c) \
     $(addprefix decompress/,huf_decompress.c zstd_ddict.c zstd_decompress.c zstd_decompress_block.c))
-LIBMD := $(ARMHF)/source/libmd
+LIBMD := $(DEBIAN_SOURCES)/libmd
 
 ifeq ($(CONFIG),wasm)
 LINK_WASM = wasm-ld-19 --no-entry --strip-all --stack-first -z stack-size=262144 $(filter %.o,$^) $(1) $(WASM_LIBC) -o $@
@@ -78,17 +78,17 @@ build/site/robot.wasm: $(call object,$(CORE_SOURCES) $(CLOSED_LOOP_SOURCES)) sit
 	@echo "built $@"
 
 # Headers of sockets, of which types are used, are of C11.
-SERVED_FLAGS := -std=c11 -Isite/posix -isystem $(ARMHF)/source/civetweb/include -isystem build/wasm/include -isystem $(ZSTD) -isystem $(LIBMD)/include
+SERVED_FLAGS := -std=c11 -Isite/posix -isystem $(DEBIAN_SOURCES)/civetweb/include -isystem build/wasm/include -isystem $(ZSTD) -isystem $(LIBMD)/include
 $(OUT)/app/%.o $(OUT)/$(GEN)/interface/%.o: CFLAGS += $(SERVED_FLAGS)
 $(OUT)/site/served/%.o $(OUT)/site/recorded/%.o: CFLAGS += $(SERVED_FLAGS)
 # What does not run in each cycle may be slower, and makes the page smaller.
 $(addprefix $(OUT)/,app/http/%.o app/request/%.o app/session/%.o app/trajectory/%.o site/served/%.o $(GEN)/interface/%.o): CFLAGS += -Oz
 $(call object,$(SERVED_SOURCES)): site/site.mk | build/wasm/include/cjson/cJSON.h
 
-build/wasm/include/cjson/cJSON.h: $(ARMHF)/source/cjson/cJSON.h
+build/wasm/include/cjson/cJSON.h: $(DEBIAN_SOURCES)/cjson/cJSON.h
 	@mkdir -p $(@D); cp $< $@
 
-$(OUT)/lib/cJSON.o: $(ARMHF)/source/cjson/cJSON.c
+$(OUT)/lib/cJSON.o: $(DEBIAN_SOURCES)/cjson/cJSON.c
 	@mkdir -p $(@D)
 	@$(CC) $(EXTRA) -Oz $(ANYWHERE) -c $< -o $@
 

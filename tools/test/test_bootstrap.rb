@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: the bootstrap waits for another program that installs packages, names it, and refuses with a sentence
+# whatever else goes wrong. apt-get and what it would change are played.
+
+require 'fileutils'
+require 'minitest/autorun'
+require 'open3'
+require 'tmpdir'
+
+class TestBootstrap < Minitest::Test
+  ROOT = File.expand_path('../..', __dir__)
+  LOCKED = 'E: Could not get lock /var/lib/dpkg/lock-frontend. It is held by process 4242 (unattended-upgr)'
+  PLAYED = {
+    'dpkg-query' => 'test -e installed && echo ii',
+    'id' => 'echo 0',
+    'sleep' => 'exit 0',
+    'npm' => 'exit 0',
+    'apt-get' => 'echo "$@" >>asked; left=$(cat locked); ' \
+                 "if [ $left -gt 0 ]; then echo $((left - 1)) >locked; echo '#{LOCKED}' >&2; exit 100; fi; " \
+                 'if [ -e broken ]; then echo "E: Unable to locate package gcc" >&2; exit 100; fi; touch installed'
+  }.freeze
+
+  def bootstrap(locked: 0, broken: false)
+    Dir.mktmpdir('bootstrap') do |folder|
+      FileUtils.mkdir_p(%W[#{folder}/tools/node #{folder}/played])
+      %w[tools/bootstrap tools/packages.txt tools/node/package-lock.json].each { |file| FileUtils.cp("#{ROOT}/#{file}", "#{folder}/#{file}") }
+      File.write("#{folder}/locked", locked.to_s)
+      FileUtils.touch("#{folder}/broken") if broken
+      PLAYED.each do |name, script|
+        File.write("#{folder}/played/#{name}", "#!/bin/sh\n#{script}\n", perm: 0o755)
+      end
+      text, status = Open3.capture2e({ 'PATH' => "#{folder}/played:#{ENV.fetch('PATH')}" }, "#{folder}/tools/bootstrap", 'run')
+      [text, status.success?, File.readlines("#{folder}/asked", chomp: true)]
+    end
+  end
+
+  def test_SWR_TOOL_025_another_program_that_installs_is_named_and_waited_for
+    text, is_done, asked = bootstrap(locked: 3)
+    assert is_done, text
+    assert_equal 3, text.scan('another program installs packages (process 4242 (unattended-upgr)); this one waits for it').size
+    assert_equal %w[update update update update install], asked.map { |words| words[/\w+/] }
+  end
+
+  def test_SWR_TOOL_025_whatever_else_is_wrong_ends_with_a_sentence
+    text, is_done, asked = bootstrap(broken: true)
+    refute is_done
+    assert_equal ['update'], asked
+    assert_includes text, 'check the network and the package sources, then repeat.'
+  end
+end
