@@ -205,6 +205,9 @@ static int judge_body(const http_call_t *self)
 int http_call_receive(struct mg_connection *connection, char *bytes)
 {
     const long long length = mg_get_request_info(connection)->content_length;
+    if ((length > 0) && request_headers_expect(mg_get_header(connection, "Expect"))) {
+        (void)mg_write(connection, HTTP_REPLY_GO_ON, strlen(HTTP_REPLY_GO_ON));
+    }
     http_lines_note(connection, HTTP_LINE_READS);
     const int size = (length > 0) ? mg_read(connection, bytes, (size_t)length) : 0;
     http_lines_note(connection, HTTP_LINE_ASKS);

@@ -20,13 +20,12 @@ typedef struct {
     int socket;                             /* -1: not known yet. */
     bool is_waiting;                        /* For a request, or for the rest of one. */
     bool is_leaving;                        /* It was told to; its worker is on the way. */
-    uint64_t since;                         /* In the order of coming, and of answers. */
-    uint64_t received;                      /* Bytes, at the end of the request before. */
+    uint64_t since;                         /* In the order of coming. */
 } line_t;
 
 static struct {
     pthread_mutex_t lock;
-    uint64_t turns;
+    uint64_t turns; /* Of those that have come. */
     unsigned count; /* Without those that are leaving. */
     line_t lines[HTTP_LINES_WORKERS];
 } all = {.lock = PTHREAD_MUTEX_INITIALIZER};
@@ -110,21 +109,15 @@ static void dismiss_oldest(void)
     }
 }
 
-static void begin_to_wait(line_t *line)
-{
-    line->is_waiting = !line->is_leaving;
-    line->since = all.turns;
-    all.turns++;
-}
-
 void http_lines_enter(const struct mg_connection *connection)
 {
     (void)pthread_mutex_lock(&all.lock);
     line_t *line = find(NULL);
     if (line != NULL) {
-        const line_t new_line = {.connection = connection, .socket = -1};
+        const line_t new_line = {
+            .connection = connection, .socket = -1, .is_waiting = true, .since = all.turns};
         *line = new_line;
-        begin_to_wait(line);
+        all.turns++;
         all.count++;
     }
     if (all.count > FEW) {
@@ -138,13 +131,7 @@ void http_lines_note(const struct mg_connection *connection, http_line_t state)
     (void)pthread_mutex_lock(&all.lock);
     line_t *line = find(connection);
     if (line != NULL) {
-        if (state == HTTP_LINE_ANSWERED) { /* Nobody waits for the search. */
-            know_socket(line);
-            line->received = received_of(line->socket);
-            begin_to_wait(line);
-        } else {
-            line->is_waiting = (state == HTTP_LINE_READS) && !line->is_leaving;
-        }
+        line->is_waiting = (state == HTTP_LINE_READS) && !line->is_leaving;
     }
     (void)pthread_mutex_unlock(&all.lock);
 }
@@ -156,7 +143,7 @@ uint64_t http_lines_received(const struct mg_connection *connection)
     line_t *line = find(connection);
     if (line != NULL) {
         know_socket(line);
-        received = received_of(line->socket) - line->received;
+        received = received_of(line->socket);
     }
     (void)pthread_mutex_unlock(&all.lock);
     return received;
@@ -171,14 +158,6 @@ void http_lines_leave(const struct mg_connection *connection)
         all.count -= line->is_leaving ? 0U : 1U;
     }
     (void)pthread_mutex_unlock(&all.lock);
-}
-
-bool http_lines_has_room(void)
-{
-    (void)pthread_mutex_lock(&all.lock);
-    const bool has_room = all.count <= FEW;
-    (void)pthread_mutex_unlock(&all.lock);
-    return has_room;
 }
 
 bool http_lines_is_leaving(const struct mg_connection *connection)

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The connections of the console's port. Each has one of the library's workers to itself as long as
- * it is open, also between two requests. When workers run short, those that wait for a request or
- * for the rest of one are closed, the oldest first: nobody who asks something waits for somebody
- * who does not. A request that has come whole is answered all the same.
+ * The connections of the console's port. Each has one of the library's workers to itself until its
+ * request is answered. When workers run short, the connections whose request is not complete are
+ * closed, the oldest first. A request that has come whole is answered all the same.
  */
 #ifndef BORESIGHT_HTTP_LINES_H
 #define BORESIGHT_HTTP_LINES_H
@@ -17,13 +16,12 @@
 
 /** What a connection does. */
 typedef enum {
-    HTTP_LINE_READS = 0,   /**< The body of its request is awaited. */
-    HTTP_LINE_ASKS = 1,    /**< Its request, or the head of it, has come. */
-    HTTP_LINE_ANSWERED = 2 /**< A further request is awaited. */
+    HTTP_LINE_READS = 0, /**< The body of its request is awaited. */
+    HTTP_LINE_ASKS = 1   /**< Its request, or the head of it, has come. */
 } http_line_t;
 
 /**
- * A connection has got a worker, and its first request is awaited. If few workers are left, the
+ * A connection has got a worker, and its request is awaited. If few workers are left, the
  * oldest one that waits is closed.
  *
  * @satisfies SWR-LOAD-008
@@ -34,18 +32,11 @@ void http_lines_enter(const struct mg_connection *connection);
 /** It does something else now. */
 void http_lines_note(const struct mg_connection *connection, http_line_t state);
 
-/** Bytes that have come since its last request. */
+/** Bytes that have come. */
 uint64_t http_lines_received(const struct mg_connection *connection);
 
 /** It is about to be closed. */
 void http_lines_leave(const struct mg_connection *connection);
-
-/**
- * There are workers enough to leave a connection open.
- *
- * @satisfies SWR-HTTP-018
- */
-bool http_lines_has_room(void);
 
 /** It was told to leave, its request unfinished. */
 bool http_lines_is_leaving(const struct mg_connection *connection);

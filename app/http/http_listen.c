@@ -20,8 +20,6 @@
  * (stop_port.c). The library uses the same timeout for a blocked write; a stream tries
  * again (http_stream.c). */
 #define REQUEST_TIMEOUT_MS "500"
-/* A connection on which nothing is asked for so long is closed; sooner when workers run short. */
-#define IDLE_MS "30000"
 /* Of a head the library reads no more, and calls it unreadable. */
 #define LIBRARY_HEAD_BYTES 65536U
 
@@ -103,12 +101,6 @@ static void end_connection(const struct mg_connection *connection)
     http_lines_leave(connection);
 }
 
-static void end_request(const struct mg_connection *connection, int status)
-{
-    (void)status;
-    http_lines_note(connection, HTTP_LINE_ANSWERED);
-}
-
 /* Requests that the library itself refuses, before there is a path to look at. */
 static int refuse(struct mg_connection *connection, int status, const char *message)
 {
@@ -137,7 +129,6 @@ static struct mg_context *start_library(http_server_t *self)
 {
     static const struct mg_callbacks callbacks = {.init_context = http_handover_begin,
                                                   .begin_request = begin_request,
-                                                  .end_request = end_request,
                                                   .init_connection = begin_connection,
                                                   .connection_close = end_connection,
                                                   .http_error = refuse,
@@ -151,8 +142,7 @@ static struct mg_context *start_library(http_server_t *self)
         "listening_ports", HTTP_HANDOVER_ADDRESS,
         "num_threads", workers,
         "request_timeout_ms", REQUEST_TIMEOUT_MS,
-        "enable_keep_alive", "yes",
-        "keep_alive_timeout_ms", IDLE_MS,
+        "enable_keep_alive", "no",
         "tcp_nodelay", "1", /* Or a body waits until the client has acknowledged the head. */
         "max_request_size", head_bytes,
         "enable_directory_listing", "no",

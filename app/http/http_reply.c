@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_reply.h"
 
-#include "http/http_lines.h"
-
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
 #define DISPOSITION_SIZE 128U
 
@@ -76,7 +73,7 @@ size_t http_reply_head(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE
     add(head, "Set-Cookie", reply->cookie);
     add(head, "Content-Disposition", (reply->file_name != NULL) ? disposition : NULL);
     add(head, "Retry-After", (reply->retry_after_s > 0U) ? again : NULL);
-    add(head, "Connection", reply->is_kept ? "keep-alive" : "close");
+    add(head, "Connection", "close");
     const size_t size = strlen(head);
     const size_t room = HTTP_REPLY_HEAD_SIZE - size;
     return size + (size_t)snprintf(&head[size], room, safety_headers, stop_sources);
@@ -88,26 +85,10 @@ bool http_reply_is_head_asked(const struct mg_connection *connection)
     return (method != NULL) && (strcmp(method, "HEAD") == 0);
 }
 
-/* What is wrong with a request may be where the next one begins. */
-static bool is_kept(const struct mg_connection *connection, const http_reply_t *reply)
-{
-    const struct mg_request_info *request = mg_get_request_info(connection);
-    const char *wish = mg_get_header(connection, "Connection");
-    return (reply->status < 400) && !reply->is_stream && !reply->is_apart &&
-           (request->http_version != NULL) && (strcmp(request->http_version, "1.1") == 0) &&
-           ((wish == NULL) || (strcasecmp(wish, "keep-alive") == 0)) && http_lines_has_room() &&
-           !http_lines_is_leaving(connection);
-}
-
 int http_reply_send(struct mg_connection *connection, const http_reply_t *reply)
 {
     char head[HTTP_REPLY_HEAD_SIZE];
-    http_reply_t sent = *reply;
-    sent.is_kept = is_kept(connection, reply);
-    if (!sent.is_kept) {
-        mg_disable_connection_keep_alive(connection);
-    }
-    if (!write_all(connection, head, http_reply_head(&sent, head))) {
+    if (!write_all(connection, head, http_reply_head(reply, head))) {
         return 0;
     }
     const bool is_whole = !has_body(reply) || reply->is_apart ||

@@ -12,6 +12,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#define HTTP_REPLY_GO_ON "HTTP/1.1 100 Continue\r\n\r\n"
 #define HTTP_REPLY_JSON "application/json"
 #define HTTP_REPLY_PROBLEM "application/problem+json"
 #define HTTP_REPLY_NO_STORE "no-store"
@@ -33,7 +34,6 @@ typedef struct {
     bool is_chosen;         /**< Another client may get it in another encoding. */
     bool is_stream;         /**< Only the head is sent; the body follows without a known end. */
     bool is_apart;          /**< Only the head is sent; `size` bytes follow. */
-    bool is_kept;           /**< The connection stays open. */
     const void *body;
     size_t size;
 } http_reply_t;
@@ -49,12 +49,13 @@ size_t http_reply_head(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE
 bool http_reply_is_head_asked(const struct mg_connection *connection);
 
 /**
- * Sends `reply`, of which HEAD and 304 get the head. The connection stays open if the answer is a
- * good one, the client agrees and there are workers enough.
+ * Sends `reply`, of which HEAD and 304 get the head. The connection ends with it: a later request
+ * comes through the gates, where a stop needs no worker.
  *
  * @return its status, or 0 when the client did not take it in time
  *
  * @satisfies SWR-HTTP-014
+ * @satisfies SWR-HTTP-018
  */
 int http_reply_send(struct mg_connection *connection, const http_reply_t *reply);
 

@@ -29,6 +29,7 @@ typedef struct {
     stop_client_state_t state;
     uint64_t number; /**< In the order of coming. */
     uint64_t since_ms;
+    bool is_told; /**< To go on with its body. */
     size_t size;
     char bytes[STOP_REQUEST_SIZE + 1U];
     stop_request_t request;

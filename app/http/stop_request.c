@@ -3,6 +3,7 @@
 
 #include "limits/requirement_limits.h"
 #include "request/request_body.h"
+#include "request/request_headers.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,14 +19,13 @@ typedef enum {
     FIELD_FETCH_SITE = 2,
     FIELD_LENGTH = 3,
     FIELD_TRANSFER = 4,
-    FIELD_COUNT = 9
+    FIELD_EXPECT = 5,
+    FIELD_COUNT = 10
 } field_t;
 
 static const char *const field_names[FIELD_COUNT] = {
-    "Host",         "Origin", "Sec-Fetch-Site",    "Content-Length",  "Transfer-Encoding",
-    "Content-Type", "Cookie", "X-Boresight-Token", "X-Boresight-Page"};
-
-static const stop_request_t more_needed;
+    "Host",   "Origin",       "Sec-Fetch-Site", "Content-Length",    "Transfer-Encoding",
+    "Expect", "Content-Type", "Cookie",         "X-Boresight-Token", "X-Boresight-Page"};
 
 static stop_request_t refuse(problem_t problem)
 {
@@ -130,6 +130,8 @@ static stop_request_t judge_body(const char *const fields[FIELD_COUNT], const ch
     }
     const size_t announced = (size_t)strtoul(length, NULL, 10);
     if (size < announced) {
+        const stop_request_t more_needed = {
+            .is_held = (size == 0U) && request_headers_expect(fields[FIELD_EXPECT])};
         return more_needed;
     }
     if ((size == announced) && ((size == 0U) || (strcmp(body, "{}") == 0))) {
@@ -145,6 +147,7 @@ stop_request_t stop_request_read(const http_guard_t *guard, char *bytes, size_t 
 {
     const char *fields[FIELD_COUNT] = {NULL};
     char head[STOP_REQUEST_SIZE + 1U];
+    const stop_request_t more_needed = {.is_whole = false};
     bytes[size] = '\0';
     const char *head_end = strstr(bytes, "\r\n\r\n");
     if (memchr(bytes, '\0', size) != NULL) {

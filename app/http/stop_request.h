@@ -20,7 +20,8 @@
 
 /** What came of reading. */
 typedef struct {
-    bool is_whole;         /**< False: more bytes are needed, and the rest says nothing. */
+    bool is_whole;         /**< False: more bytes are needed, and is_held alone says something. */
+    bool is_held;          /**< The client holds back the body until it is asked for. */
     bool is_refused;       /**< False: it is a stop. */
     workphase_t workphase; /**< STOP or EMERGENCY. */
     problem_t problem;     /**< Why it is refused. */
@@ -36,6 +37,7 @@ workphase_t stop_request_workphase(const request_stop_t *body);
  * more and is changed.
  *
  * @satisfies SWR-HTTP-009
+ * @satisfies SWR-HTTP-058
  */
 stop_request_t stop_request_read(const http_guard_t *guard, char *bytes, size_t size);
 

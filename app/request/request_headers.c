@@ -35,6 +35,11 @@ static const char *next_item(const char *item)
     return (comma != NULL) ? &comma[1U + strspn(&comma[1], SPACE)] : NULL;
 }
 
+bool request_headers_expect(const char *expect)
+{
+    return (expect != NULL) && (strcasecmp(expect, "100-continue") == 0);
+}
+
 bool request_headers_take_gzip(const char *accept_encoding)
 {
     bool takes_others = false;

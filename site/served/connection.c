@@ -114,11 +114,6 @@ int mg_write(struct mg_connection *connection, const void *bytes, size_t size)
     return (int)size;
 }
 
-void mg_disable_connection_keep_alive(struct mg_connection *connection)
-{
-    (void)connection;
-}
-
 struct mg_context *mg_get_context(const struct mg_connection *connection)
 {
     return connection->user_data;
@@ -157,11 +152,6 @@ const char *mg_get_response_code_text(const struct mg_connection *connection, in
         }
     }
     return "Unknown";
-}
-
-bool http_lines_has_room(void)
-{
-    return true;
 }
 
 bool http_lines_is_leaving(const struct mg_connection *connection)

@@ -4,15 +4,15 @@
  * A crowd at the HTTP server, served by one thread: everyone does one thing, and begins again when
  * it is done or refused.
  *
- *     bench-crowd PORT CONSOLES LAZY KEEPERS COMERS HALVES GUESSERS STOPPERS
+ *     bench-crowd PORT CONSOLES LAZY COMERS HALVES GUESSERS STOPPERS
  *
  * How many there are of each: consoles read the stream of events and look for gaps in it, and come
- * before all others; the lazy ask for it and read nothing; keepers ask for the state on a
- * connection that stays, comers each time on a new one; halves send half a request, every second
- * one for STOP; guessers try passwords; stoppers ask for STOP, each time on a new connection and
- * every second time with the body apart. "begun" is printed when each has come, and at the end of
- * the standard input one line of JSON: of each kind how many were answered, refused and dropped,
- * and of the consoles the events heard and missed.
+ * before all others; the lazy ask for it and read nothing; comers ask for the state without a
+ * pause; halves send half a request, every second one for STOP; guessers try passwords; stoppers
+ * ask for STOP, in turn with the body at once, apart, or held back until they are told to go on.
+ * "begun" is printed when each has come, and at the end of the standard input one line of JSON: of
+ * each kind how many were answered, refused and dropped, and of the consoles the events heard and
+ * missed.
  */
 #include <arpa/inet.h>
 #include <errno.h>
@@ -37,18 +37,18 @@
 typedef enum {
     KIND_CONSOLE = 0,
     KIND_LAZY = 1,
-    KIND_KEEPER = 2,
-    KIND_COMER = 3,
-    KIND_HALF = 4,
-    KIND_GUESSER = 5,
-    KIND_STOPPER = 6
+    KIND_COMER = 2,
+    KIND_HALF = 3,
+    KIND_GUESSER = 4,
+    KIND_STOPPER = 5
 } kind_t;
 
-#define KINDS 7U
+#define KINDS 6U
 
-static const char *const kind_names[KINDS] = {"consoles", "lazy",     "keepers", "comers",
+static const char *const kind_names[KINDS] = {"consoles", "lazy",     "comers",
                                               "halves",   "guessers", "stoppers"};
 static const char stop_body[] = "{}";
+static const char go_on[] = "HTTP/1.1 100 Continue\r\n\r\n";
 
 typedef struct {
     kind_t kind;
@@ -57,6 +57,7 @@ typedef struct {
     bool has_come; /* At least once. */
     bool has_asked;
     bool owes_body;   /* Of a stop: its head alone has been sent. */
+    bool holds_body;  /* It waits to be told to go on. */
     bool is_answered; /* The head has come; it tells `status` and, of the body, `left`. */
     unsigned status;
     size_t left;
@@ -144,22 +145,18 @@ static int write_request(const client_t *self, char *text, size_t size)
     case KIND_LAZY:
         length = snprintf(text, size, "GET /api/v1/events HTTP/1.1\r\n%s%s\r\n", host, last);
         break;
-    case KIND_KEEPER:
-        length = snprintf(text, size, "GET /api/v1/status HTTP/1.1\r\n%s\r\n", host);
-        break;
     case KIND_COMER:
-        length = snprintf(text, size, "GET /api/v1/status HTTP/1.1\r\n%sConnection: close\r\n\r\n",
-                          host);
+        length = snprintf(text, size, "GET /api/v1/status HTTP/1.1\r\n%s\r\n", host);
         break;
     case KIND_HALF:
         length = snprintf(text, size, "%s HTTP/1.1\r\nHost: ",
                           ((self - clients) % 2) != 0 ? "GET /api/v1/status" : "POST /api/v1/stop");
         break;
     case KIND_STOPPER:
-        length = snprintf(text, size,
-                          "POST /api/v1/stop HTTP/1.1\r\n%sContent-Length: 2\r\n"
-                          "Connection: close\r\n\r\n%s",
-                          host, self->owes_body ? "" : stop_body);
+        length =
+            snprintf(text, size, "POST /api/v1/stop HTTP/1.1\r\n%sContent-Length: 2\r\n%s\r\n%s",
+                     host, self->holds_body ? "Expect: 100-continue\r\n" : "",
+                     (self->owes_body || self->holds_body) ? "" : stop_body);
         break;
     case KIND_GUESSER:
     default:
@@ -172,7 +169,9 @@ static int write_request(const client_t *self, char *text, size_t size)
 static void ask(client_t *self)
 {
     char text[512];
-    self->owes_body = (self->kind == KIND_STOPPER) && ((seen.answered[KIND_STOPPER] % 2U) != 0U);
+    const unsigned turn = (self->kind == KIND_STOPPER) ? (seen.answered[KIND_STOPPER] % 3U) : 0U;
+    self->owes_body = turn == 1U;
+    self->holds_body = turn == 2U;
     const int length = write_request(self, text, sizeof text);
 
     self->has_asked = true;
@@ -223,11 +222,7 @@ static void finish(client_t *self)
 
     seen.answered[self->kind] += is_good ? 1U : 0U;
     seen.refused[self->kind] += is_good ? 0U : 1U;
-    if (self->kind == KIND_KEEPER) {
-        ask(self);
-    } else {
-        leave(self, (self->kind == KIND_CONSOLE) ? PAUSE_MS : 0U);
-    }
+    leave(self, (self->kind == KIND_CONSOLE) ? PAUSE_MS : 0U);
 }
 
 static void hear_body(client_t *self, const char *bytes, size_t size)
@@ -252,6 +247,14 @@ static void hear_head(client_t *self, const char *bytes, size_t size)
     self->head[self->head_size] = '\0';
     const char *end = strstr(self->head, "\r\n\r\n");
     if (end == NULL) {
+        return;
+    }
+    if (self->holds_body) { /* What it is told first is all that has come. */
+        self->holds_body = false;
+        self->owes_body = strcmp(self->head, go_on) == 0;
+        self->head_size = self->owes_body ? 0U : self->head_size;
+    }
+    if (self->owes_body) {
         return;
     }
     const char *length = strcasestr(self->head, "\r\nContent-Length: ");
@@ -352,7 +355,7 @@ static void tell(void)
 int main(int argument_count, char **arguments)
 {
     if (argument_count != (int)(KINDS + 2U)) {
-        (void)fputs("usage: bench-crowd PORT CONSOLES LAZY KEEPERS COMERS HALVES GUESSERS "
+        (void)fputs("usage: bench-crowd PORT CONSOLES LAZY COMERS HALVES GUESSERS "
                     "STOPPERS\n",
                     stderr);
         return 1;

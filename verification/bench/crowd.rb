@@ -9,7 +9,7 @@ require_relative '../system/support/boresight'
 # Clients that crowd the HTTP server of a running system (crowd.c).
 module Crowd
   PROGRAM = File.expand_path('../../build/gcc/bin/bench-crowd', __dir__)
-  KINDS = %i[consoles lazy keepers comers halves guessers stoppers].freeze
+  KINDS = %i[consoles lazy comers halves guessers stoppers].freeze
 
   TURN_SECONDS = 1 # Of a crowd, before its stops are counted.
 

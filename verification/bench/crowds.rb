@@ -11,8 +11,8 @@ require_relative '../system/support/session_client'
 class Crowds
   SECONDS = Integer(ENV.fetch('BENCH_SECONDS', '10'))
   CROWDS = { 'quiet' => {}, 'consoles' => { consoles: 8 }, 'lazy' => { lazy: 200 },
-             'flood' => { keepers: 32, comers: 32 }, 'halves' => { halves: 300 }, 'guesses' => { guessers: 32 },
-             'all' => { consoles: 8, lazy: 200, keepers: 32, comers: 32, halves: 300, guessers: 32 } }.freeze
+             'flood' => { comers: 64 }, 'halves' => { halves: 300 }, 'guesses' => { guessers: 32 },
+             'all' => { consoles: 8, lazy: 200, comers: 64, halves: 300, guessers: 32 } }.freeze
   STOPS = 200
   STOP_SECONDS = 10 # Of stops at one port, if there are not STOPS before.
   NO_RIGHTS = %w[prlimit --rtprio=0 --memlock=65536 setpriv --bounding-set=-sys_nice,-ipc_lock].freeze

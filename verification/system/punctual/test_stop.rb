@@ -99,7 +99,7 @@ class TestStop < SystemTest
   def test_SWR_LOAD_011_a_stop_in_a_flood_is_as_soon_at_the_port_of_the_console
     ports = [boresight.http_port, boresight.stop_port]
     times = []
-    Crowd.around(boresight.http_port, keepers: FLOOD / 2, comers: FLOOD / 2) do
+    Crowd.around(boresight.http_port, comers: FLOOD) do
       100.times { times << ports.map { |port| stop_ms(port) } }
     end
     console, own = times.transpose.map(&:sort)
