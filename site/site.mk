@@ -42,10 +42,10 @@ build/gcc/bin/closed-loop-scene: $(call object,$(CLOSED_LOOP_SOURCES) verificati
 	@echo "built $@"
 
 # The server of the console before that robot. What waits, looks for a clock, a file or chance finds it in site/served.
-SERVED_ABSENT := $(addprefix app/http/,gate.c http_archive.c http_conversation.c http_download.c http_handover.c http_lines.c http_listen.c http_main.c \
-    http_positions.c asset.c stop_client.c stop_port.c)
+SERVED_ABSENT := $(addprefix app/http/,http_archive.c http_conversation.c http_download.c http_listen.c http_main.c http_positions.c asset.c) \
+    $(addprefix app/gate/,gate.c http_handover.c http_lines.c stop_client.c stop_port.c)
 SERVED_SOURCES := $(wildcard site/served/*.c) site/closed_loop.c site/watch.c $(addprefix app/replay/,$(WATCHING)) $(EVENT_TEXT) $(GEN)/interface/app/fields.c $(BOX_SOURCES) app/control/lamps.c $(FIND_ROBOT) \
-    $(filter-out $(SERVED_ABSENT),$(wildcard app/http/*.c)) \
+    $(filter-out $(SERVED_ABSENT),$(wildcard app/http/*.c app/gate/*.c)) \
     $(wildcard app/request/*.c app/sweep/*.c app/trajectory/*.c) $(addprefix app/session/,account.c session_desk.c session_table.c login_delay.c) \
     $(filter-out app/exchange/exchange_segment.c,$(EXCHANGE)) $(API) $(AXIS_TERMS) $(LIST_TERMS) $(DRIVE_TERMS) $(LOG_ENTRY) \
     $(GEN)/interface/app/messages.c $(NAMES) $(GEN)/assets/chart_names.c
@@ -82,7 +82,7 @@ SERVED_FLAGS := -std=c11 -Isite/posix -isystem $(DEBIAN_SOURCES)/civetweb/includ
 $(OUT)/app/%.o $(OUT)/$(GEN)/interface/%.o: CFLAGS += $(SERVED_FLAGS)
 $(OUT)/site/served/%.o $(OUT)/site/recorded/%.o: CFLAGS += $(SERVED_FLAGS)
 # What does not run in each cycle may be slower, and makes the page smaller.
-$(addprefix $(OUT)/,app/http/%.o app/request/%.o app/session/%.o app/trajectory/%.o site/served/%.o $(GEN)/interface/%.o): CFLAGS += -Oz
+$(addprefix $(OUT)/,app/http/%.o app/gate/%.o app/request/%.o app/session/%.o app/trajectory/%.o site/served/%.o $(GEN)/interface/%.o): CFLAGS += -Oz
 $(call object,$(SERVED_SOURCES)): site/site.mk | build/wasm/include/cjson/cJSON.h
 
 build/wasm/include/cjson/cJSON.h: $(DEBIAN_SOURCES)/cjson/cJSON.h

@@ -3,7 +3,7 @@
 
 #include "common/clock.h"
 #include "exchange/exchange_peers.h"
-#include "http/patience.h"
+#include "gate/patience.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 
 #include "http/http_act.h"
 #include "http/http_reply.h"
-#include "http/patience.h"
+#include "gate/patience.h"
 
 int http_authority_show(http_server_t *server, const http_call_t *call)
 {

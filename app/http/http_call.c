@@ -2,7 +2,7 @@
 #include "http/http_call.h"
 
 #include "common/axis_terms.h"
-#include "http/http_lines.h"
+#include "gate/http_lines.h"
 #include "http/http_reply.h"
 #include "limits/requirement_limits.h"
 #include "request/request_body.h"

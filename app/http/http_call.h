@@ -7,7 +7,7 @@
 #ifndef BORESIGHT_HTTP_CALL_H
 #define BORESIGHT_HTTP_CALL_H
 
-#include "http/http_guard.h"
+#include "gate/http_guard.h"
 #include "interface/app/routes.h"
 
 #include "robot/robot.h"

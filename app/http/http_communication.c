@@ -3,7 +3,7 @@
 
 #include "common/clock.h"
 #include "http/http_reply.h"
-#include "http/patience.h"
+#include "gate/patience.h"
 #include "interface/app/messages.h"
 
 #include <pthread.h>

@@ -3,7 +3,7 @@
 
 #include "http/http_act.h"
 #include "http/http_reply.h"
-#include "http/patience.h"
+#include "gate/patience.h"
 
 #define NO_ITEM UINT32_MAX
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file The server at its port: http_server_start(). */
 #include "http/asset.h"
-#include "http/http_handover.h"
-#include "http/http_lines.h"
+#include "gate/http_handover.h"
+#include "gate/http_lines.h"
 #include "http/http_reply.h"
 #include "http/http_routes.h"
 #include "http/http_server.h"
-#include "http/stop_port.h"
+#include "gate/stop_port.h"
 
 #include <errno.h>
 #include <pthread.h>
@@ -44,7 +44,7 @@ static void open_stop_port(const http_server_t *self)
     const uint32_t port = stop_port_open(self->exchange, self->guard.address);
     guard_stops(self, port);
     if (port != 0U) {
-        http_reply_allow_stops(self->guard.address, port, self->front);
+        http_head_allow_stops(self->guard.address, port, self->front);
         asset_tell_stop_ports(port, (self->front != NULL) ? self->front->stop : 0U);
     }
 }

@@ -7,8 +7,8 @@
 #include "base/contract.h"
 #include "common/command_line.h"
 #include "exchange/exchange.h"
-#include "http/http_guard.h"
-#include "http/http_handover.h"
+#include "gate/http_guard.h"
+#include "gate/http_handover.h"
 #include "http/http_server.h"
 
 #include <arpa/inet.h>

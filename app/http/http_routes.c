@@ -18,8 +18,8 @@
 #include "http/http_sweep.h"
 #include "http/http_targeting.h"
 #include "http/http_trajectory.h"
-#include "http/stop_desk.h"
-#include "http/stop_request.h"
+#include "gate/stop_desk.h"
+#include "gate/stop_request.h"
 #include "interface/app/messages.h"
 #include "request/request_headers.h"
 

@@ -11,7 +11,7 @@
 #include "exchange/exchange.h"
 #include "exchange/exchange_files.h"
 #include "http/act_desk.h"
-#include "http/http_guard.h"
+#include "gate/http_guard.h"
 #include "http/http_notes.h"
 #include "http/http_stream.h"
 #include "http/telemetry.h"

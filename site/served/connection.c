@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "site/served/connection.h"
 
-#include "http/http_lines.h"
+#include "gate/http_lines.h"
 
 #include <stdlib.h>
 #include <string.h>

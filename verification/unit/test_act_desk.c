@@ -9,7 +9,7 @@
 #include "exchange/exchange_segment.h"
 #include "http/act_desk.h"
 #include "http/page_table.h"
-#include "http/patience.h"
+#include "gate/patience.h"
 #include "session/account.h"
 #include "session/login_delay.h"
 #include "session/password.h"

@@ -11,7 +11,7 @@
 #include "http/act_desk.h"
 #include "http/http_notes.h"
 #include "http/page_table.h"
-#include "http/patience.h"
+#include "gate/patience.h"
 #include "session/account.h"
 #include "session/login_delay.h"
 #include "session/password.h"

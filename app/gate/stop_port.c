@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/stop_port.h"
+#include "gate/stop_port.h"
 
-#include "http/http_handover.h"
-#include "http/patience.h"
-#include "http/stop_client.h"
-#include "http/telemetry.h"
+#include "common/clock.h"
+#include "gate/http_handover.h"
+#include "gate/patience.h"
+#include "gate/stop_client.h"
 
 #include <poll.h>
 #include <pthread.h>
@@ -18,7 +18,7 @@ static struct {
     exchange_t *exchange;
     gate_t gates[STOP_PORT_GATES];
     uint64_t welcomed;
-    uint64_t looked_ms;
+    uint64_t looked_us;
     stop_client_t clients[STOP_PORT_CLIENTS];
 } stop_port = {.gates = {{.socket = -1}, {.socket = -1}, {.socket = -1}, {.socket = -1}}};
 
@@ -117,9 +117,9 @@ static void take_turn(void)
 {
     struct pollfd events[STOP_PORT_CLIENTS + STOP_PORT_GATES];
     wait_for_events(events);
-    const uint64_t now_ms = telemetry_now_ms();
-    const bool is_look_due = (now_ms - stop_port.looked_ms) >= PATIENCE_LOOK_MS;
-    stop_port.looked_ms = is_look_due ? now_ms : stop_port.looked_ms;
+    const uint64_t now_us = clock_monotonic_us();
+    const bool is_look_due = (now_us - stop_port.looked_us) >= (PATIENCE_LOOK_MS * 1000U);
+    stop_port.looked_us = is_look_due ? now_us : stop_port.looked_us;
     for (size_t i = 0U; i < STOP_PORT_CLIENTS; i++) {
         if (stop_port.clients[i].socket >= 0) {
             attend(&stop_port.clients[i], events[i].revents != 0, is_look_due);

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/stop_client.h"
+#include "gate/stop_client.h"
 
-#include "http/http_handover.h"
-#include "http/http_reply.h"
-#include "http/telemetry.h"
+#include "common/clock.h"
+#include "gate/http_handover.h"
+#include "gate/http_head.h"
 
 #include <errno.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
-#define PATIENCE_MS 2000U /* A client may take so long for its request, and for its answer. */
+#define PATIENCE_US 2000000U /* A client may take so long for its request, and for its answer. */
 
 static void dismiss(stop_client_t *self)
 {
@@ -26,12 +26,12 @@ static void send_reply(stop_client_t *self, const http_reply_t *reply)
     http_reply_t sent = *reply;
     sent.cache = HTTP_REPLY_NO_STORE;
     sent.origin = is_elsewhere ? self->request.origin : NULL;
-    const size_t size = http_reply_head(&sent, text);
+    const size_t size = http_head_write(&sent, text);
     (void)memcpy(&text[size], reply->body, reply->size);
     (void)send(self->socket, text, size + reply->size, MSG_NOSIGNAL | MSG_DONTWAIT);
     (void)shutdown(self->socket, SHUT_WR);
     self->state = STOP_CLIENT_LEAVES;
-    self->since_ms = telemetry_now_ms();
+    self->since_us = clock_monotonic_us();
 }
 
 static void answer(stop_client_t *self, const char *json)
@@ -174,7 +174,7 @@ void stop_client_enter(stop_client_t *self, exchange_t *exchange, const gate_t *
     self->socket = socket;
     self->gate = gate;
     self->state = STOP_CLIENT_READS;
-    self->since_ms = telemetry_now_ms();
+    self->since_us = clock_monotonic_us();
     self->size = 0U;
     self->is_told = false;
     self->request.origin[0] = '\0';
@@ -199,7 +199,7 @@ void stop_client_look(stop_client_t *self, exchange_t *exchange)
 /* Of the console's clients the library would say so. */
 void stop_client_judge_patience(stop_client_t *self)
 {
-    if ((telemetry_now_ms() - self->since_ms) <= PATIENCE_MS) {
+    if ((clock_monotonic_us() - self->since_us) <= PATIENCE_US) {
         return;
     }
     if (self->gate->is_console && (self->state == STOP_CLIENT_READS) && (self->size > 0U)) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_handover.h"
+#include "gate/http_handover.h"
 
 #include "limits/requirement_limits.h"
 

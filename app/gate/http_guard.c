@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_guard.h"
+#include "gate/http_guard.h"
 
 #include <stddef.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/gate.h"
+#include "gate/gate.h"
 
 #include "limits/requirement_limits.h"
 

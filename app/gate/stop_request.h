@@ -7,7 +7,7 @@
 #ifndef BORESIGHT_STOP_REQUEST_H
 #define BORESIGHT_STOP_REQUEST_H
 
-#include "http/http_guard.h"
+#include "gate/http_guard.h"
 #include "interface/app/routes.h"
 #include "interface/workphase_list.h"
 #include "request/request_fault.h"

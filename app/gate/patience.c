@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/patience.h"
+#include "gate/patience.h"
 
 #include <time.h>
 

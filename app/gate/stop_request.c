@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/stop_request.h"
+#include "gate/stop_request.h"
 
 #include "limits/requirement_limits.h"
 #include "request/request_body.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_lines.h"
+#include "gate/http_lines.h"
 
-#include "http/http_handover.h"
+#include "gate/http_handover.h"
 #include "limits/requirement_limits.h"
 
 #include <arpa/inet.h>

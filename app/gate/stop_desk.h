@@ -8,7 +8,7 @@
 #define BORESIGHT_STOP_DESK_H
 
 #include "exchange/exchange.h"
-#include "http/http_problem.h"
+#include "gate/http_problem.h"
 
 #include <stdbool.h>
 #include <stddef.h>

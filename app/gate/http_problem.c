@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_problem.h"
+#include "gate/http_problem.h"
 
 #include "interface/app/names.h"
 #include "interface/status.h"

@@ -8,9 +8,9 @@
 #define BORESIGHT_STOP_CLIENT_H
 
 #include "exchange/exchange.h"
-#include "http/gate.h"
-#include "http/stop_desk.h"
-#include "http/stop_request.h"
+#include "gate/gate.h"
+#include "gate/stop_desk.h"
+#include "gate/stop_request.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -28,7 +28,7 @@ typedef struct {
     const gate_t *gate;
     stop_client_state_t state;
     uint64_t number; /**< In the order of coming. */
-    uint64_t since_ms;
+    uint64_t since_us;
     bool is_told; /**< To go on with its body. */
     size_t size;
     char bytes[STOP_REQUEST_SIZE + 1U];

@@ -11,7 +11,7 @@
 #define BORESIGHT_STOP_PORT_H
 
 #include "exchange/exchange.h"
-#include "http/gate.h"
+#include "gate/gate.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -4,7 +4,7 @@
 #ifndef BORESIGHT_GATE_H
 #define BORESIGHT_GATE_H
 
-#include "http/http_guard.h"
+#include "gate/http_guard.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/stop_desk.h"
+#include "gate/stop_desk.h"
 
-#include "http/patience.h"
+#include "gate/patience.h"
 #include "interface/app/names.h"
 
 #include <stdio.h>
