@@ -37,7 +37,7 @@ workphase_t stop_request_workphase(const request_stop_t *body);
  * more and is changed.
  *
  * @satisfies SWR-HTTP-009
- * @satisfies SWR-HTTP-058
+ * @satisfies SWR-HTTP-059
  */
 stop_request_t stop_request_read(const http_guard_t *guard, char *bytes, size_t size);
 

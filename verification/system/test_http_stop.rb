@@ -234,7 +234,7 @@ class TestHttpStop < Minitest::Test
 
   GO_ON = "HTTP/1.1 100 Continue\r\n\r\n"
 
-  def test_SWR_HTTP_058_a_stop_that_waits_for_its_turn_is_told_to_go_on_and_answered
+  def test_SWR_HTTP_059_a_stop_that_waits_for_its_turn_is_told_to_go_on_and_answered
     { '{}' => 'STOP', '{"emergency":true}' => 'EMERGENCY' }.each do |body, workphase|
       [port, stop_port].each do |at|
         head = stop_head({ 'Host' => "127.0.0.1:#{at}", 'Content-Length' => body.size.to_s, 'Expect' => '100-Continue',
@@ -247,7 +247,7 @@ class TestHttpStop < Minitest::Test
   end
 
   # What is known from the head is answered at once.
-  def test_SWR_HTTP_058_a_stop_without_a_body_or_with_one_that_is_refused_is_answered_at_once
+  def test_SWR_HTTP_059_a_stop_without_a_body_or_with_one_that_is_refused_is_answered_at_once
     { '0' => 200, '300' => 413 }.each do |length, status|
       answer = send_raw(stop_head({ 'Content-Length' => length, 'Expect' => '100-continue' }), at: stop_port)
       assert_match(/\AHTTP\S* #{status} /, answer)
@@ -256,7 +256,7 @@ class TestHttpStop < Minitest::Test
     assert_match(/\AHTTP\S* 200 /, send_raw(head))
   end
 
-  def test_SWR_HTTP_058_other_requests_are_told_to_go_on_as_well
+  def test_SWR_HTTP_059_other_requests_are_told_to_go_on_as_well
     head = "POST /api/v1/session HTTP/1.1\r\nHost: #{host}\r\nContent-Type: application/json\r\nContent-Length: 2\r\n" \
            "Expect: 100-continue\r\n\r\n"
     first, answer = ask_first(head, '[]', at: port)

@@ -95,7 +95,7 @@ void test_SWR_SESS_012_one_cookie_of_a_name_counts(void)
     TEST_ASSERT_FALSE(request_headers_cookie(NULL, "bs", value, sizeof value));
 }
 
-void test_SWR_HTTP_058_a_client_that_expects_to_go_on_says_so(void)
+void test_SWR_HTTP_059_a_client_that_expects_to_go_on_says_so(void)
 {
     TEST_ASSERT_TRUE(request_headers_expect("100-continue"));
     TEST_ASSERT_TRUE(request_headers_expect("100-Continue"));
