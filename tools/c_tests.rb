@@ -6,9 +6,9 @@
 #
 #   ruby tools/c_tests.rb asan      all of them, under AddressSanitizer and UndefinedBehaviorSanitizer
 #   ruby tools/c_tests.rb arm       those of core and simulated box, as Cortex-A9 code under qemu
+#   ruby tools/c_tests.rb gcc       those with long scenes, whole, on the code of the product
 #
-# Every test runs, a long one with a tenth of its scenes (verification/unit/support/scenes.h); the gate unit plays all of
-# them. With names of files behind it, only these. `make` has compiled the code under test into build/<way>/libtest.a before.
+# With asan and arm every test runs, a long one with a tenth of its scenes (verification/unit/support/scenes.h). With names of files behind it, only these. `make` has compiled the code under test into build/<way>/libtest.a before.
 
 require 'etc'
 require 'fileutils'
@@ -19,16 +19,21 @@ require_relative 'results'
 class CTests
   UNITY = Dir['.tools/gems/gems/ceedling-*/vendor/unity'].first
   CMOCK = Dir['.tools/gems/gems/ceedling-*/vendor/cmock'].first
-  FLAGS = %w[-std=c99 -g1 -DSCENE_DIVISOR=10U -ffp-contract=off -D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64
+  FLAGS = %w[-std=c99 -g1 -ffp-contract=off -D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64
              -DUNITY_INT_WIDTH=32 -isystem/usr/include/umockdev-1.0 -isystem/usr/include/glib-2.0
              -isystem/usr/lib/x86_64-linux-gnu/glib-2.0/include].freeze
+  LIBRARIES = %w[-Wl,--as-needed -lzstd -lcjson -lcrypto -lcrypt -lpthread -lrt -lm -lumockdev -lgobject-2.0
+                 -lglib-2.0].freeze
+  TENTH = '-DSCENE_DIVISOR=10U'
   WAYS = {
-    'asan' => { compiler: %w[gcc -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
-                libraries: %w[-Wl,--as-needed -lzstd -lcjson -lcrypto -lcrypt -lpthread -lrt -lm -lumockdev -lgobject-2.0
-                              -lglib-2.0] },
-    'arm' => { compiler: %w[arm-linux-gnueabihf-gcc -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], runner: %w[qemu-arm],
-               libraries: %w[-lm] }
+    'asan' => { compiler: %W[gcc #{TENTH} -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
+                libraries: LIBRARIES },
+    'arm' => { compiler: %W[arm-linux-gnueabihf-gcc #{TENTH} -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static],
+               runner: %w[qemu-arm], libraries: %w[-lm] },
+    'gcc' => { compiler: %w[gcc], runner: [], libraries: LIBRARIES }
   }.freeze
+  # A test that includes one of these has long scenes.
+  SCENES = %w[unit/support/scenes integration/support/recorded scenes recorded].freeze
   # The tests of a chart are as generated: beside it.
   FOLDERS = %w[core app bsp bsp/include build/gen build/gen/charts verification].freeze
   ROBOT_TESTS = 'core/robot/*/test'
@@ -84,7 +89,11 @@ class CTests
 
   def tests(way)
     files = Dir['verification/{unit,integration}/test_*.c', "#{ROBOT_TESTS}/test_*.c", 'build/gen/tests/test_*.c']
-    (way == 'arm' ? files.reject { |file| needs_more?(file) } : files).sort
+    case way
+    when 'arm' then files.reject { |file| needs_more?(file) }
+    when 'gcc' then files.select { |file| (headers_of(file) & SCENES).any? }
+    else files
+    end.sort
   end
 
   # More than core and simulated box.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `make test` runs; included by the Makefile.
 
-.PHONY: gate one generated boards apart unit coverage misra sanitize arm console-test objects programs trace demo velocity sweep charts-fuzz mutants worst-case \
+.PHONY: gate one generated boards apart unit scenes coverage misra sanitize arm console-test objects programs trace demo velocity sweep charts-fuzz mutants worst-case \
     worst-case-approve
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
@@ -107,6 +107,10 @@ TESTED := $(filter-out %_main.c app/supervisor/% $(foreach board,$(OTHER_BOARDS)
     $(NAMES) $(GEN)/interface/app/event_words.c $(GEN)/interface/app/fields.c $(GEN)/interface/app/requests.c $(FIND_ROBOT)
 $(OUT)/libtest.a: $(call object,$(TESTED))
 	@rm -f $@; ar rcs $@ $^
+
+scenes: ## The long scenes of the C tests, whole, on the product's code
+	@$(MAKE) --no-print-directory -j2 build/gcc/libtest.a
+	ruby tools/c_tests.rb gcc
 
 sanitize: ## All C tests under AddressSanitizer and UBSan
 	@$(MAKE) --no-print-directory -j2 CONFIG=asan build/asan/libtest.a

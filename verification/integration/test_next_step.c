@@ -114,6 +114,8 @@ void test_SWR_NEXT_001_what_is_asked_for_is_obeyed_in_each_workphase_and_leads_t
         knowledge_t knowledge;
         next_step_t step;
     } rows[] = {
+        /* Always played: no other test reaches this. */
+        {WORKPHASE_MOVE_TO_TARGET, WITHOUT_PROBE, NEXT_STEP_PLANNING},
         {WORKPHASE_PLANNING, UNREGISTERED, NEXT_STEP_CALIBRATION},
         {WORKPHASE_PLANNING, REGISTERED, NEXT_STEP_TARGETING},
         {WORKPHASE_PLANNING, TARGETED, NEXT_STEP_TARGETING},
@@ -125,7 +127,6 @@ void test_SWR_NEXT_001_what_is_asked_for_is_obeyed_in_each_workphase_and_leads_t
         {WORKPHASE_TARGETING, TARGETED, NEXT_STEP_MOVE},
         {WORKPHASE_TARGETING, WITHOUT_PROBE, NEXT_STEP_PROBE},
         {WORKPHASE_MOVE_TO_TARGET, TARGETED, NEXT_STEP_MOVE},
-        {WORKPHASE_MOVE_TO_TARGET, WITHOUT_PROBE, NEXT_STEP_PLANNING},
         {WORKPHASE_MANUAL, UNREGISTERED, NEXT_STEP_CALIBRATION},
         {WORKPHASE_MANUAL, REGISTERED, NEXT_STEP_TARGETING},
         {WORKPHASE_MANUAL, TARGETED, NEXT_STEP_TARGETING},
