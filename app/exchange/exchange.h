@@ -116,10 +116,13 @@ bool exchange_is_used(const char *name);
 exchange_t *exchange_open(const char *name, char *error, uint32_t error_size);
 
 /**
- * Makes everything that only control writes read-only for this process. Called once after
- * exchange_open() by every process but control and the creator.
+ * Makes everything that only control writes read-only for this process, and what only the recorder
+ * writes unless `process` is the recorder. Called once after exchange_open() by every process but
+ * control and the creator.
+ *
+ * @satisfies SWR-EXCH-026
  */
-void exchange_protect(exchange_t *self);
+void exchange_protect(exchange_t *self, exchange_process_t process);
 
 /**
  * For control, before its loop: writes each page of what it publishes once, and changes nothing. A

@@ -51,7 +51,7 @@ static uint32_t between(const exchange_t *self, uint32_t tail, uint32_t head)
 
 static uint32_t told_tail(const exchange_t *self)
 {
-    return __atomic_load_n(&self->segment->others.cycles_tail, __ATOMIC_ACQUIRE);
+    return __atomic_load_n(&self->segment->recorder.cycles_tail, __ATOMIC_ACQUIRE);
 }
 
 /*
@@ -173,7 +173,7 @@ uint32_t exchange_cycles_taken(const exchange_t *self)
 void exchange_release_cycles(exchange_t *self, uint32_t taken)
 {
     self->cycles_tail = taken;
-    __atomic_store_n(&self->segment->others.cycles_tail, taken, __ATOMIC_RELEASE);
+    __atomic_store_n(&self->segment->recorder.cycles_tail, taken, __ATOMIC_RELEASE);
 }
 
 /* Goes on where the recorder before has ended or, if that is damaged, where control last saw it. */

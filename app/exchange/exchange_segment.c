@@ -244,10 +244,13 @@ static size_t size_of_control(const exchange_t *self)
     return self->size - offsetof(segment_t, control);
 }
 
-void exchange_protect(exchange_t *self)
+void exchange_protect(exchange_t *self, exchange_process_t process)
 {
     (void)mprotect(&self->segment->header, sizeof self->segment->header, PROT_READ);
     (void)mprotect(&self->segment->control, size_of_control(self), PROT_READ);
+    if (process != EXCHANGE_RECORDER) {
+        (void)mprotect(&self->segment->recorder, sizeof self->segment->recorder, PROT_READ);
+    }
 }
 
 uint64_t exchange_run(const exchange_t *self)

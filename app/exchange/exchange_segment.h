@@ -3,9 +3,10 @@
  * @file
  * The layout of the exchange's segment, and how it is created and found. Private to app/exchange.
  *
- * Two parts on pages of their own: what control writes, and what everybody else writes. A process
- * that called exchange_protect() cannot write the first, even by a stray pointer. Indices grow for
- * ever and are reduced when used, so that no value found in the segment leads outside of it.
+ * Three parts on pages of their own: what control writes, what the recorder writes alone, and what
+ * everybody else writes. A process that called exchange_protect() cannot write the first, and only
+ * the recorder the second, even by a stray pointer. Indices grow for ever and are reduced when
+ * used, so that no value found in the segment leads outside of it.
  *
  * Any process may damage what is not control's. Nobody believes its own part: a process that lives
  * keeps its indices and what it published, and writes them again; who starts believes only what is
@@ -117,7 +118,6 @@ typedef struct {
     struct {
         uint32_t tail SEGMENT_ON_LINE; /**< Answers taken. */
     } answered[COMMAND_SOURCE_COUNT];
-    uint32_t cycles_tail SEGMENT_ON_LINE; /**< Index up to which cycles are released. */
     uint32_t checkpoint_requests SEGMENT_ON_LINE;
     uint64_t end_requested SEGMENT_ON_LINE; /**< The one after those that control has taken. */
     uint64_t events_logged SEGMENT_ON_LINE; /**< Number of the next event to log. */
@@ -131,6 +131,11 @@ typedef struct {
     segment_order_t order;
     segment_order_answer_t order_answer;
 } segment_others_t;
+
+/** Written by the recorder only. */
+typedef struct {
+    uint32_t cycles_tail; /**< Index up to which cycles are released. */
+} segment_recorder_t;
 
 /** Written by control only. */
 typedef struct {
@@ -163,6 +168,7 @@ typedef struct {
 typedef struct {
     segment_header_t header SEGMENT_ON_PAGE;
     segment_others_t others SEGMENT_ON_PAGE;
+    segment_recorder_t recorder SEGMENT_ON_PAGE;
     segment_control_t control SEGMENT_ON_PAGE;
     cycle_entry_t cycles[]; /**< Of control, too. */
 } segment_t;

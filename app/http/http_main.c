@@ -149,7 +149,7 @@ static exchange_t *open_exchange(const char *const values[])
     if (exchange == NULL) {
         (void)fprintf(stderr, "boresight-http: %s\n", error);
     } else {
-        exchange_protect(exchange);
+        exchange_protect(exchange, EXCHANGE_HTTP);
     }
     return exchange;
 }

@@ -348,7 +348,7 @@ int main(int count, char **arguments)
         (void)fprintf(stderr, "igtl: %s\n", error);
         return EXIT_CANNOT_START;
     }
-    exchange_protect(process.exchange);
+    exchange_protect(process.exchange, EXCHANGE_IGTL);
     begin();
     if (!open_ports(&options)) {
         return EXIT_CANNOT_START;

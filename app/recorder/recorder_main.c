@@ -128,7 +128,7 @@ static int keep(const char *const values[])
         (void)fprintf(stderr, "recorder: %s\n", error);
         return EXIT_CANNOT_START;
     }
-    exchange_protect(exchange);
+    exchange_protect(exchange, EXCHANGE_RECORDER);
     if (!directory_make(values[DIRECTORY])) {
         (void)fprintf(
             stderr,

@@ -8,6 +8,8 @@
 #include <string.h>
 
 #define PLACE_SIZE 128U
+#define WORDS_NAMED 5U /**< Of a state. */
+#define WORDS_SIZE (WORDS_NAMED * sizeof ", 4294967295")
 
 /* What equal elements a part of the outputs consists of; NULL: of bytes without names. */
 typedef struct {
@@ -43,6 +45,54 @@ static void restore(replay_t *self, const cycle_record_t *record, const cycle_kn
     self->checkpoints++;
 }
 
+/* Words of the checkpoint, and then of its rows. */
+static uint32_t checkpoint_words(const cycle_record_t *record)
+{
+    return (uint32_t)((CONTROLLER_CHECKPOINT_BYTES + (record->rows * sizeof(trajectory_row_t))) /
+                      sizeof(uint32_t));
+}
+
+static void read_word(const replay_t *self, const cycle_record_t *record,
+                      const cycle_known_t *known, uint32_t word, uint32_t *computed,
+                      uint32_t *recorded)
+{
+    const size_t offset = word * sizeof(uint32_t);
+    const uint8_t *const from = (offset < CONTROLLER_CHECKPOINT_BYTES)
+                                    ? &record->body.checkpoint[offset]
+                                    : &known->rows[offset - CONTROLLER_CHECKPOINT_BYTES];
+
+    (void)memcpy(computed, (const uint8_t *)&self->controller + offset, sizeof *computed);
+    (void)memcpy(recorded, from, sizeof *recorded);
+}
+
+/* The first word from `word` on in which the recorded state is another. */
+static uint32_t next_difference(const replay_t *self, const cycle_record_t *record,
+                                const cycle_known_t *known, uint32_t word)
+{
+    uint32_t computed = 0U;
+    uint32_t recorded = 0U;
+
+    while (word < checkpoint_words(record)) {
+        read_word(self, record, known, word, &computed, &recorded);
+        if (computed != recorded) {
+            return word;
+        }
+        word++;
+    }
+    return word;
+}
+
+/* Adopts it where no state leads to it, otherwise compares it with the one that was computed. */
+static bool take_checkpoint(replay_t *self, const cycle_record_t *record,
+                            const cycle_known_t *known)
+{
+    if (self->is_running && (record->cycle == self->next_cycle)) {
+        return next_difference(self, record, known, 0U) == checkpoint_words(record);
+    }
+    restore(self, record, known);
+    return true;
+}
+
 static void execute(replay_t *self, const robot_t *robot, const controller_inputs_t *inputs)
 {
     uint32_t words[CYCLE_WORDS_CHECKED];
@@ -69,8 +119,7 @@ bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *rec
                  const cycle_known_t *known)
 {
     if (record->kind == (uint32_t)CYCLE_RECORD_CHECKPOINT) {
-        restore(self, record, known);
-        return true;
+        return take_checkpoint(self, record, known);
     }
     if (self->is_running && (record->cycle != self->next_cycle)) {
         self->is_running = false;
@@ -188,6 +237,34 @@ static bool say_proof(const replay_t *self, const cycle_record_t *record,
     return false;
 }
 
+/* The words of the state that differ, the first of them with their numbers. */
+static void say_state(const replay_t *self, const cycle_record_t *record,
+                      const cycle_known_t *known, char *text, size_t size)
+{
+    const uint32_t first = next_difference(self, record, known, 0U);
+    uint32_t computed = 0U;
+    uint32_t recorded = 0U;
+    uint32_t count = 0U;
+    char words[WORDS_SIZE] = "";
+    size_t used = 0U;
+
+    read_word(self, record, known, first, &computed, &recorded);
+    for (uint32_t word = first; word < checkpoint_words(record);
+         word = next_difference(self, record, known, word + 1U)) {
+        if (count < WORDS_NAMED) {
+            used += (size_t)snprintf(&words[used], sizeof words - used, "%s%u",
+                                     (count > 0U) ? ", " : "", (unsigned)word);
+        }
+        count++;
+    }
+    (void)snprintf(text, size,
+                   "The checkpoint before cycle %u is another state than was computed, in %u of %u "
+                   "words: %s%s; word %u is %u (0x%X), recorded %u (0x%X).",
+                   (unsigned)record->cycle, (unsigned)count, (unsigned)checkpoint_words(record),
+                   words, (count > WORDS_NAMED) ? " ..." : "", (unsigned)first, (unsigned)computed,
+                   (unsigned)computed, (unsigned)recorded, (unsigned)recorded);
+}
+
 bool replay_difference(const replay_t *self, const cycle_record_t *record,
                        const cycle_known_t *known, char *text, size_t size)
 {
@@ -196,6 +273,10 @@ bool replay_difference(const replay_t *self, const cycle_record_t *record,
     const size_t kept = kept_size(known);
     size_t offset = 0U;
 
+    if (record->kind == (uint32_t)CYCLE_RECORD_CHECKPOINT) {
+        say_state(self, record, known, text, size);
+        return true;
+    }
     while ((offset < kept) && (recorded[offset] == replayed[offset])) {
         offset++;
     }

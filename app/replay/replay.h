@@ -33,11 +33,13 @@ typedef struct {
 void replay_init(replay_t *self);
 
 /**
- * Takes the next record: restores a checkpoint, or executes a cycle.
+ * Takes the next record: executes a cycle; compares a checkpoint with the state that was computed,
+ * or restores it where none leads to it.
  *
- * @return false when the outputs differ; replay_difference() says where
+ * @return false when the outputs or the state differ; replay_difference() says where
  *
  * @satisfies SWR-REPLAY-001
+ * @satisfies SWR-REPLAY-037
  * @satisfies SWR-TRAJ-017
  */
 bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *record,
@@ -45,7 +47,7 @@ bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *rec
 
 /**
  * Writes in which part, and as far as it was kept in which field, the outputs of the last cycle
- * differ first from those of `record`, as a sentence.
+ * differ first from those of `record`, or in which words the state from a checkpoint, as a sentence.
  *
  * @return the field is in it; otherwise the next cycle that is kept whole tells more
  *

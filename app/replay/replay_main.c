@@ -86,8 +86,10 @@ static int tell_what_if(void)
         if (!walk_replay(&walk)) {
             return walk_tell_difference(&walk, stderr);
         }
-        (void)walk_count(&walk, walk.replay.is_running);
-        what_if_take(&what_if, &walk.replay, &walk.record);
+        (void)walk_count(&walk, walk_replayed(&walk)->is_running);
+        if (!walk.is_again) {
+            what_if_take(&what_if, &walk.replay, &walk.record);
+        }
     }
     return (walk_check_end(&walk) && what_if_end(&what_if)) ? walk_end(&walk) : EXIT_REFUSED;
 }

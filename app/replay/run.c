@@ -75,12 +75,14 @@ static bool take_file(run_file_t *self, const char *name, FILE *notes)
     recording_header_t header;
     const ssize_t size = read_head(self->path, &head);
 
+    self->number = file_series_number(name);
     if (size < 0) {
         leave_out(name, strerror(errno), notes);
         return false;
     }
     const uint32_t version =
         ((size_t)size >= sizeof head.header) ? recording_decode_header(head.header, &header) : 0U;
+    self->run = (version == RECORDING_VERSION) ? header.run : 0U;
     if (version == 0U) {
         leave_out(name, "it is no recording, or its header was changed or damaged", notes);
     } else if (version != RECORDING_VERSION) {
@@ -88,8 +90,6 @@ static bool take_file(run_file_t *self, const char *name, FILE *notes)
     } else if (((size_t)size < sizeof head) || !take_fields(self, &head)) {
         leave_out(name, "it holds no cycle", notes);
     } else {
-        self->run = header.run;
-        self->number = file_series_number(name);
         return true;
     }
     return false;
@@ -105,6 +105,16 @@ static char *new_path(const char *folder, const char *name)
     }
     (void)snprintf(path, size, "%s/%s", folder, name);
     return path;
+}
+
+static run_file_t *new_files(size_t most)
+{
+    run_file_t *const files = calloc(most, sizeof *files);
+
+    if (files == NULL) {
+        abort();
+    }
+    return files;
 }
 
 static int by_place(const void *one, const void *other)
@@ -131,17 +141,16 @@ static bool list(run_t *self, const char *folder, FILE *notes)
         (void)fprintf(stderr, "%s cannot be read (%s).\n", folder, strerror(errno));
         return false;
     }
-    self->files = calloc((size_t)count + 1U, sizeof self->files[0]);
-    if (self->files == NULL) {
-        abort();
-    }
+    self->files = new_files((size_t)count + 1U);
+    self->left_out = new_files((size_t)count + 1U);
     for (int i = 0; i < count; i++) {
-        run_file_t *const file = &self->files[self->count];
-        file->path = new_path(folder, entries[i]->d_name);
-        if (take_file(file, entries[i]->d_name, notes)) {
+        run_file_t file = {.path = new_path(folder, entries[i]->d_name)};
+        if (take_file(&file, entries[i]->d_name, notes)) {
+            self->files[self->count] = file;
             self->count++;
         } else {
-            free(file->path);
+            self->left_out[self->left_out_count] = file;
+            self->left_out_count++;
         }
         free(entries[i]);
     }
@@ -170,6 +179,26 @@ static const run_file_t *find_newest(const run_t *self, const char *name)
         }
     }
     return newest;
+}
+
+/* False after naming what was left out and may be of a newer run. */
+static bool is_newest_known(const run_t *self, const run_file_t *newest, const char *folder)
+{
+    bool is_known = true;
+
+    for (uint32_t i = 0U; i < self->left_out_count; i++) {
+        const run_file_t *const file = &self->left_out[i];
+        if ((file->number >= newest->number) && (file->run != newest->run)) {
+            char escaped[NAME_SIZE];
+            recording_escape(&file->path[strlen(folder) + 1U], escaped, sizeof escaped);
+            (void)fprintf(stderr,
+                          "%s is newer than all recordings that can be read; name the run with "
+                          "--run NAME.\n",
+                          escaped);
+            is_known = false;
+        }
+    }
+    return is_known;
 }
 
 /* Names all runs but one. */
@@ -212,6 +241,10 @@ bool run_find(run_t *self, const char *folder, const char *name, FILE *notes)
         return false;
     }
     const run_file_t *const newest = find_newest(self, name);
+    if ((newest != NULL) && (name == NULL) && !is_newest_known(self, newest, folder)) {
+        name_runs(self, NULL, "The runs there: ", stderr);
+        return false;
+    }
     if (newest != NULL) {
         name_runs(self, newest, "Other runs there, which --run NAME replays: ", notes);
         keep(self, newest->run);
@@ -228,6 +261,10 @@ void run_free(run_t *self)
     for (uint32_t i = 0U; i < self->count; i++) {
         free(self->files[i].path);
     }
+    for (uint32_t i = 0U; i < self->left_out_count; i++) {
+        free(self->left_out[i].path);
+    }
     free(self->files);
+    free(self->left_out);
     (void)memset(self, 0, sizeof *self);
 }

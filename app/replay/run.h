@@ -23,16 +23,20 @@ typedef struct {
 typedef struct {
     run_file_t *files; /**< In the order of their cycles. */
     uint32_t count;
+    run_file_t *left_out; /**< Without a cycle or not readable; its run is 0 where not known. */
+    uint32_t left_out_count;
 } run_t;
 
 /**
  * Finds the newest run in `folder` whose name begins with `name`; NULL: the newest of all. Names in
  * `notes` the other runs, and what is in the folder and of none.
  *
- * @return false, after a sentence on the standard error: there is none
+ * @return false, after a sentence on the standard error: there is none, or without `name` a file that
+ *         is left out may be of a newer one
  *
  * @satisfies SWR-REPLAY-030
  * @satisfies SWR-REPLAY-034
+ * @satisfies SWR-REPLAY-036
  */
 bool run_find(run_t *self, const char *folder, const char *name, FILE *notes);
 

@@ -25,6 +25,19 @@ static void tell_finding(const walk_t *self, const char *path, const char *sente
     (void)fprintf(stderr, "%s\n", sentence);
 }
 
+/* A run has one robot. */
+static bool take_robot(walk_t *self, const char *path)
+{
+    const robot_t *const robot = build_fit(&self->reader);
+    const bool is_other = (self->robot != NULL) && (robot != NULL) && (robot != self->robot);
+
+    if (is_other) {
+        tell_finding(self, path, "It is of another robot than what was recorded before it.");
+    }
+    self->robot = robot;
+    return (robot != NULL) && !is_other;
+}
+
 bool walk_open(walk_t *self, const char *path)
 {
     recording_finding_t finding;
@@ -36,6 +49,10 @@ bool walk_open(walk_t *self, const char *path)
     if ((verdict != RECORDING_WHOLE) && (verdict != RECORDING_CUT_SHORT)) {
         return false;
     }
+    self->path = path;
+    coverage_open(&self->coverage, path, self->notes);
+    again_begin(&self->again);
+    self->had_end = self->has_run_end;
     if (self->recordings == 0U) {
         build_fit_mention(&self->reader);
     }
@@ -43,8 +60,7 @@ bool walk_open(walk_t *self, const char *path)
     self->has_run_end = self->has_run_end || self->reader.is_run_end;
     self->recordings++;
     self->taken = 0U;
-    self->robot = build_fit(&self->reader);
-    return self->robot != NULL;
+    return take_robot(self, path);
 }
 
 void walk_close(walk_t *self)
@@ -62,7 +78,19 @@ bool walk_take(walk_t *self)
 
 bool walk_replay(walk_t *self)
 {
-    return replay_take(&self->replay, self->robot, &self->record, &self->known);
+    self->is_again = self->replay.is_running && (self->record.cycle < self->replay.next_cycle);
+    if (self->is_again) {
+        return again_take(&self->again, self->robot, &self->record, &self->known);
+    }
+    const bool is_equal =
+        replay_take(&self->replay, self->robot, &self->record, &self->known);
+    again_keep(&self->again, &self->replay);
+    return is_equal;
+}
+
+const replay_t *walk_replayed(const walk_t *self)
+{
+    return self->is_again ? &self->again.replay : &self->replay;
 }
 
 bool walk_check_end(const walk_t *self)
@@ -83,7 +111,11 @@ bool walk_check_end(const walk_t *self)
 
 static bool find_difference(const walk_t *self, char *difference)
 {
-    return replay_difference(&self->replay, &self->record, &self->known, difference, WALK_SENTENCE);
+    return self->is_again
+               ? again_difference(&self->again, &self->record, &self->known, difference,
+                                  WALK_SENTENCE)
+               : replay_difference(&self->replay, &self->record, &self->known, difference,
+                                   WALK_SENTENCE);
 }
 
 /* After a difference of which only a hash was kept: what the next whole cycle shows, which comes
@@ -116,6 +148,9 @@ int walk_tell_difference(walk_t *self, FILE *where)
     const bool is_named = find_difference(self, self->difference);
 
     (void)fflush(stdout);
+    if (self->is_of_run) {
+        (void)fprintf(where, "%s: ", self->path);
+    }
     (void)fprintf(where, "%s\n%" PRIu64 " cycles before it were equal.\n", self->difference, equal);
     if (!is_named) {
         look_further(self, where);
@@ -131,15 +166,33 @@ void walk_tell_lost(const walk_t *self)
     }
 }
 
+/* What follows the end of a run is of another, or what says that it ends there is. */
+static void note_behind_end(walk_t *self)
+{
+    if (self->had_end && !self->is_behind_end) {
+        (void)fprintf(self->notes,
+                      "%s goes on with cycle %" PRIu32
+                      ", although a recording before it says that the run ends with it.\n",
+                      self->path, self->record.cycle);
+        self->is_behind_end = true;
+    }
+}
+
 bool walk_count(walk_t *self, bool is_done)
 {
-    return (self->record.kind == (uint32_t)CYCLE_RECORD_CYCLE) &&
-           coverage_take(&self->coverage, self->record.cycle, is_done, self->notes);
+    const bool is_new = (self->record.kind == (uint32_t)CYCLE_RECORD_CYCLE) &&
+                        coverage_take(&self->coverage, self->record.cycle, is_done, self->notes);
+
+    if (is_new) {
+        note_behind_end(self);
+    }
+    return is_new;
 }
 
 bool walk_is_whole_run(const walk_t *self)
 {
-    return (self->coverage.first == 0U) && coverage_is_whole(&self->coverage) && self->has_run_end;
+    return (self->coverage.first == 0U) && coverage_is_whole(&self->coverage) && self->has_run_end &&
+           !self->is_behind_end;
 }
 
 int walk_end(walk_t *self)
@@ -159,8 +212,8 @@ int walk_end(walk_t *self)
 
 static const controller_outputs_t *find_shown(const walk_t *self)
 {
-    if (self->replay.is_running) {
-        return &self->replay.outputs;
+    if (walk_replayed(self)->is_running) {
+        return &walk_replayed(self)->outputs;
     }
     return self->known.is_whole ? &self->record.body.cycle.outputs : NULL;
 }
@@ -170,7 +223,7 @@ static int tell_record(walk_t *self, walk_teller_t *tell, void *to)
     if (!walk_replay(self)) {
         return walk_tell_difference(self, stderr);
     }
-    if (walk_count(self, self->replay.is_running)) {
+    if (walk_count(self, walk_replayed(self)->is_running)) {
         tell(self, to, find_shown(self));
     }
     return WALK_GOES_ON;

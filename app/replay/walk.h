@@ -8,6 +8,7 @@
 #define BORESIGHT_WALK_H
 
 #include "recording/recording_reader.h"
+#include "replay/again.h"
 #include "replay/coverage.h"
 #include "replay/replay.h"
 
@@ -29,7 +30,12 @@ typedef struct {
     bool is_cut_short;    /**< The present one is. */
     bool has_run_end;     /**< The run ends with one of them. */
     recording_reader_t reader;
+    const char *path;
     replay_t replay;
+    again_t again;
+    bool is_again; /**< The last record is of what was computed before. */
+    bool had_end;  /**< The run ends with a recording before the present one, */
+    bool is_behind_end; /**< and yet cycles follow. */
     coverage_t coverage;
     cycle_record_t record; /**< The last one that was taken. */
     cycle_known_t known;
@@ -45,8 +51,10 @@ typedef void walk_teller_t(walk_t *self, void *to, const controller_outputs_t *s
 void walk_begin(walk_t *self, bool is_of_run, FILE *notes);
 
 /**
- * Opens the recording `path`, which goes on with the one before. False, after a sentence on the
- * standard error: it is refused.
+ * Opens the recording `path`, which lives as long, and goes on with the one before. False, after a
+ * sentence on the standard error: it is refused.
+ *
+ * @satisfies SWR-REPLAY-039
  */
 bool walk_open(walk_t *self, const char *path);
 void walk_close(walk_t *self);
@@ -54,8 +62,11 @@ void walk_close(walk_t *self);
 /** The next record of the present recording; false at its end. */
 bool walk_take(walk_t *self);
 
-/** Executes the record, a cycle. False: its outputs differ. */
+/** Executes the record, a cycle, or compares it, a checkpoint. False: it differs. */
 bool walk_replay(walk_t *self);
+
+/** What has taken the last record. */
+const replay_t *walk_replayed(const walk_t *self);
 
 /** Counts the record, if it is a cycle, as one that is there. False: it was there before, or is no
  * cycle. */

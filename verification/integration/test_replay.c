@@ -28,6 +28,7 @@ static cycle_record_t record;
 static cycle_known_t known;
 static prover_t prover;
 static robot_t broken; /* The table that is replayed with, where a test breaks it. */
+static char words_named[96];
 static uint32_t words[CYCLE_WORDS_CHECKED];
 
 static void take_checkpoint(void)
@@ -158,6 +159,38 @@ static void expect_difference(size_t offset, const char *where)
     ((uint8_t *)&record.body.cycle.outputs)[offset] ^= 0x01U;
     TEST_ASSERT_FALSE(replay_take(&replay, &robot_neuro, &record, &known));
     expect_sentence(where);
+}
+
+void test_SWR_REPLAY_037_a_checkpoint_is_compared_with_the_state_that_was_computed(void)
+{
+    char text[256];
+
+    take_checkpoint();
+    replay_cycles(5U);
+    take_checkpoint();
+    replay_cycles(5U);
+    replay.controller.events += 3U;
+    record.kind = CYCLE_RECORD_CHECKPOINT;
+    record.cycle = rig.controller.cycle;
+    (void)memcpy(record.body.checkpoint, &rig.controller, CONTROLLER_CHECKPOINT_BYTES);
+    TEST_ASSERT_FALSE(replay_take(&replay, &robot_neuro, &record, &known));
+    TEST_ASSERT_TRUE(replay_difference(&replay, &record, &known, text, sizeof text));
+    (void)snprintf(words_named, sizeof words_named, "in 1 of %u words: %u; word %u is ",
+                   (unsigned)(CONTROLLER_CHECKPOINT_BYTES / sizeof(uint32_t)),
+                   (unsigned)(offsetof(controller_t, events) / sizeof(uint32_t)),
+                   (unsigned)(offsetof(controller_t, events) / sizeof(uint32_t)));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(text, words_named), text);
+}
+
+void test_SWR_REPLAY_037_a_checkpoint_after_a_gap_is_adopted(void)
+{
+    take_checkpoint();
+    replay_cycles(5U);
+    make_cycle();
+    replay.controller.events += 3U;
+    take_checkpoint();
+    replay_cycles(5U);
+    TEST_ASSERT_EQUAL_UINT64(10U, replay.replayed);
 }
 
 void test_SWR_REPLAY_004_one_other_bit_in_any_area_is_a_difference_with_its_field(void)

@@ -87,7 +87,7 @@ int main(int count, char **arguments)
         (void)fprintf(stderr, "neighbour: %s\n", error);
         return 1;
     }
-    exchange_protect(exchange);
+    exchange_protect(exchange, EXCHANGE_IGTL);
     chance = UINT64_C(88172645463325252) ^ strtoull(arguments[3], NULL, 10);
     const uint64_t end_ms = now_ms() + strtoull(arguments[2], NULL, 10);
     uint32_t writes = 0U;

@@ -5,6 +5,7 @@
 # Rule under test: of a folder all of a run is replayed, and "every output equal" is said of nothing less; what is missing is
 # named with both ends.
 
+require 'securerandom'
 require_relative '../../tools/recorded_run'
 require_relative 'support/recording_parts'
 require_relative 'support/stopped_homing'
@@ -175,7 +176,7 @@ class TestReplayRun < StoppedHoming
     assert_includes said, "#{cycles} of #{cycles} cycles replayed, "
     assert_whole(said, code, 4)
     told, = replay_folder(numbered([files[0], files[0], *files.drop(1)]), '--loop')
-    assert told == printed('--loop'), 'a cycle is told twice'
+    assert told.sub(/^Cycles 0 to \d+ are there again in .*\n/, '') == printed('--loop'), 'a cycle is told twice'
   end
 
   def test_SWR_REPLAY_034_what_is_no_recording_is_named_and_left_out
@@ -189,6 +190,89 @@ class TestReplayRun < StoppedHoming
     assert_includes said, "none.bsr is left out: it holds no cycle.\n"
     assert_includes said, "old.bsr is left out: it is of another version of the format.\n"
     refute_includes said, 'motion.csv'
+  end
+
+  # The block with the first checkpoint, as if it were of `cycle`.
+  def moved(cycle)
+    fields, rest = blocks.first
+    fields = fields.dup
+    fields[8, 4] = [cycle].pack('V')
+    [fields, rest]
+  end
+
+  def forged(cycle)
+    joined(header, [moved(cycle), trailer(TRAILER, cycle)])
+  end
+
+  def test_SWR_REPLAY_037_a_recording_of_another_state_that_fills_a_gap_is_named_with_the_words
+    files, (_, second) = thirds
+    files[1] = forged(second)
+    said, code = replay_folder(numbered(files))
+    assert_equal 1, code, said
+    assert_match(/^#{file_name(2)}: The checkpoint before cycle #{second} is another state than was computed, in \d+ of \d+ words: /, said)
+    refute_includes said, 'every output equal'
+    assert_equal 1, replay_folder(numbered(files), '--table').last
+  end
+
+  def test_SWR_REPLAY_037_what_follows_a_forged_recording_after_a_gap_is_compared_with_its_state
+    files, (_, second) = thirds
+    files[1] = joined(header, [moved(second + 1), trailer(TRAILER, second + 1)])
+    said, code = replay_folder(numbered(files))
+    assert_includes said, "Cycles #{second} to #{second} are missing (1).\n"
+    assert_equal 3, code, said
+    next_block = forged(second + 1 + cycle_of(blocks[1]))
+    told, status = replay_folder(numbered([*files[0, 2], next_block]))
+    assert_equal 1, status, told
+    assert_match(/^#{file_name(3)}: The checkpoint before cycle #{second + 1 + cycle_of(blocks[1])} is another state /, told)
+  end
+
+  def test_SWR_REPLAY_038_what_is_there_again_is_named_by_both_ends_and_counted_once
+    files, (_, second) = thirds
+    said, code = replay_folder(numbered([files[0], files[0], *files.drop(1)]))
+    assert_whole(said, code, 4)
+    assert_includes said, "Cycles 0 to #{second - 1} are there again in #{file_name(2)} (#{second}).\n"
+  end
+
+  def test_SWR_REPLAY_038_what_is_there_again_without_a_checkpoint_is_not_called_whole
+    files, (_, _, third) = thirds
+    said, code = replay_folder(numbered([*files, files[2]]))
+    refute_whole(said, code)
+    assert_includes said, "Cycles #{third} to #{cycles - 1} are there again in #{file_name(4)}, follow no checkpoint there and were " \
+                          "not compared (#{cycles - third}).\n"
+  end
+
+  def test_SWR_REPLAY_038_a_forged_recording_between_those_of_a_run_is_named
+    files, (_, second) = thirds
+    said, code = replay_folder(numbered([*files, forged(second - 7)]))
+    assert_equal 1, code, said
+    assert_match(/^#{file_name(4)}: Cycle #{second - 7} is there again, with a checkpoint of another state /, said)
+  end
+
+  def test_SWR_REPLAY_039_a_recording_behind_the_end_of_the_run_is_named
+    said, code = replay_folder(numbered([recording, joined(header, [moved(cycles + 5), trailer(TRAILER, 0)])]))
+    assert_equal 3, code, said
+    assert_includes said, "#{file_name(2)} goes on with cycle #{cycles + 5}, although a recording before it says that the run ends with it.\n"
+    refute_includes said, 'every output equal'
+  end
+
+  def test_SWR_REPLAY_036_an_older_run_is_not_judged_in_the_place_of_a_newest_file_that_cannot_be_read
+    files, = thirds
+    other = changed_header(header, RUN, [OTHER_RUN].pack('Q<'))
+    [other.dup.tap { |bytes| bytes.setbyte(40, bytes.getbyte(40) ^ 1) }, '', other, changed_header(header, 8, [1].pack('V')),
+     SecureRandom.bytes(3000)].each do |newest|
+      said, code = replay_folder(numbered([*files, newest]))
+      assert_equal 2, code, said
+      assert_match(/^#{file_name(4)} is left out: /, said)
+      assert_includes said, "#{file_name(4)} is newer than all recordings that can be read; name the run with --run NAME.\n"
+      refute_includes said, 'every output equal'
+      assert_whole(*replay_folder(numbered([*files, newest]), '--run', run_name), 3)
+    end
+  end
+
+  def test_SWR_REPLAY_036_a_file_that_cannot_be_read_and_is_older_is_left_out
+    files, = thirds
+    assert_whole(*replay_folder(numbered(['', *files])), 3)
+    assert_whole(*replay_folder(numbered([*files, header])), 3) # It is of the same run.
   end
 
   def test_SWR_REPLAY_002_a_recording_of_the_run_that_is_damaged_is_refused_by_its_name_and_place

@@ -359,7 +359,7 @@ void test_SWR_REC_024_a_damaged_lane_begins_no_file_after_another(void)
 
     record_cycles(0U, 10U);
     for (uint32_t i = 0U; i < (sizeof damage / sizeof damage[0]); i++) {
-        exchange->segment->others.cycles_tail = damage[i];
+        exchange->segment->recorder.cycles_tail = damage[i];
         black_box_drain(&black_box, now_us);
         record_cycles(10U * (i + 1U), 10U * (i + 2U));
     }

@@ -198,7 +198,7 @@ void test_SWR_EXCH_003_a_protected_reader_cannot_write_what_control_writes(void)
     int status = 0;
 
     if (child == 0) {
-        exchange_protect(reader);
+        exchange_protect(reader, EXCHANGE_HTTP);
         exchange_beat(reader, EXCHANGE_IGTL);
         exchange_publish_snapshot(reader, &snapshot); /* Ends this process. */
         _exit(0);
@@ -294,7 +294,7 @@ void test_SWR_ROBOT_015_no_reader_can_change_the_robot(void)
     exchange_publish_robot(control, &robot_neuro);
     const pid_t child = fork();
     if (child == 0) {
-        exchange_protect(reader);
+        exchange_protect(reader, EXCHANGE_HTTP);
         exchange_publish_robot(reader, &robot_neuro); /* Ends this process. */
         _exit(0);
     }

@@ -21,6 +21,8 @@
 #include <pthread.h>
 #include <sched.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 static cycle_record_t record;
 static controller_t controller;
@@ -182,8 +184,8 @@ void test_SWR_EXCH_025_a_damaged_index_of_the_reader_costs_nothing(void)
         for (uint32_t j = 0U; j < 5U; j++) {
             TEST_ASSERT_TRUE(push(first + j));
         }
-        const uint32_t sound = control->segment->others.cycles_tail;
-        reader->segment->others.cycles_tail = damage[i];
+        const uint32_t sound = control->segment->recorder.cycles_tail;
+        reader->segment->recorder.cycles_tail = damage[i];
         TEST_ASSERT_LESS_OR_EQUAL_UINT32(LANE, exchange_cycle_room(control));
         TEST_ASSERT_EQUAL(damage[i] != sound, exchange_repair_cycles(reader, &dropped));
         TEST_ASSERT_FALSE(exchange_repair_cycles(reader, &dropped)); /* Said once. */
@@ -203,7 +205,7 @@ static void damage_ahead(size_t which)
 {
     const uint32_t ahead = (control->segment->control.cycles_head + beyond[which]) % (2U * LANE);
 
-    control->segment->others.cycles_tail = (beyond[which] < LANE) ? ahead : beyond[which];
+    control->segment->recorder.cycles_tail = (beyond[which] < LANE) ? ahead : beyond[which];
 }
 
 void test_SWR_EXCH_025_control_finds_as_much_room_as_before_the_damage(void)
@@ -244,7 +246,7 @@ void test_SWR_EXCH_025_where_nothing_is_believable_what_waits_is_dropped(void)
 
     exchange_close(reader);
     TEST_ASSERT_TRUE(push(1U));
-    control->segment->others.cycles_tail = UINT32_MAX;
+    control->segment->recorder.cycles_tail = UINT32_MAX;
     control->segment->control.cycles_seen = UINT32_MAX;
     reader = exchange_open(exchange_name, error, sizeof error);
     TEST_ASSERT_TRUE(exchange_repair_cycles(reader, &dropped));
@@ -262,7 +264,7 @@ void test_SWR_EXCH_025_what_control_has_written_over_is_dropped(void)
     for (uint32_t i = 0U; i < LANE; i++) {
         TEST_ASSERT_TRUE(push(i));
     }
-    reader->segment->others.cycles_tail = 10U;
+    reader->segment->recorder.cycles_tail = 10U;
     TEST_ASSERT_TRUE(push(LANE));
     TEST_ASSERT_FALSE(exchange_take_cycle(reader, &record));
     TEST_ASSERT_TRUE(exchange_repair_cycles(reader, &dropped));
@@ -290,4 +292,36 @@ void test_SWR_EXCH_025_a_damaged_index_of_control_is_its_next_one_again(void)
         expect(200U + (uint32_t)i);
         release();
     }
+}
+
+/* Releases all that waits, as a stray write would. */
+static void release_all_as(exchange_process_t process)
+{
+    const pid_t child = fork();
+    int status = 0;
+
+    if (child == 0) {
+        exchange_protect(reader, process);
+        exchange_release_cycles(reader, reader->segment->control.cycles_head);
+        _exit(0);
+    }
+    TEST_ASSERT_EQUAL_INT(child, waitpid(child, &status, 0));
+    TEST_ASSERT_EQUAL(process == EXCHANGE_RECORDER,
+                      WIFEXITED(status) && (WEXITSTATUS(status) == 0));
+}
+
+void test_SWR_EXCH_026_no_neighbour_of_a_held_recorder_releases_what_it_has_not_read(void)
+{
+    for (uint32_t i = 0U; i < LANE; i++) {
+        TEST_ASSERT_TRUE(push(i));
+    }
+    release_all_as(EXCHANGE_HTTP);
+    release_all_as(EXCHANGE_IGTL);
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_cycle_room(control));
+    TEST_ASSERT_FALSE(push(LANE)); /* Control counts it as lost. */
+    for (uint32_t i = 0U; i < LANE; i++) {
+        expect(i);
+    }
+    release_all_as(EXCHANGE_RECORDER);
+    TEST_ASSERT_EQUAL_UINT32(LANE, exchange_cycle_room(control));
 }
