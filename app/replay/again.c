@@ -68,7 +68,8 @@ bool again_take(again_t *self, const robot_t *robot, const cycle_record_t *recor
 {
     self->is_other = false;
     if (record->kind == (uint32_t)CYCLE_RECORD_CHECKPOINT) {
-        self->replay.is_running = self->replay.is_running && (record->cycle == self->replay.next_cycle);
+        self->replay.is_running =
+            self->replay.is_running && (record->cycle == self->replay.next_cycle);
     }
     if (!replay_take(&self->replay, robot, record, known)) {
         return false;

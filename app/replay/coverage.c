@@ -35,7 +35,8 @@ static void note_gap(coverage_t *self, uint32_t cycle, FILE *notes)
 static void end_again(coverage_t *self, FILE *notes)
 {
     if (self->is_again) {
-        (void)fprintf(notes, "Cycles %" PRIu32 " to %" PRIu32 " are there again in %s%s (%" PRIu32 ").\n",
+        (void)fprintf(notes,
+                      "Cycles %" PRIu32 " to %" PRIu32 " are there again in %s%s (%" PRIu32 ").\n",
                       self->again_from, self->again_next - 1U, self->path,
                       self->is_compared ? "" : ", follow no checkpoint there and were not compared",
                       self->again_next - self->again_from);

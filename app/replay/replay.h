@@ -47,7 +47,8 @@ bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *rec
 
 /**
  * Writes in which part, and as far as it was kept in which field, the outputs of the last cycle
- * differ first from those of `record`, or in which words the state from a checkpoint, as a sentence.
+ * differ first from those of `record`, or in which words the state from a checkpoint, as a
+ * sentence.
  *
  * @return the field is in it; otherwise the next cycle that is kept whole tells more
  *

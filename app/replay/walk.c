@@ -82,8 +82,7 @@ bool walk_replay(walk_t *self)
     if (self->is_again) {
         return again_take(&self->again, self->robot, &self->record, &self->known);
     }
-    const bool is_equal =
-        replay_take(&self->replay, self->robot, &self->record, &self->known);
+    const bool is_equal = replay_take(&self->replay, self->robot, &self->record, &self->known);
     again_keep(&self->again, &self->replay);
     return is_equal;
 }
@@ -111,11 +110,10 @@ bool walk_check_end(const walk_t *self)
 
 static bool find_difference(const walk_t *self, char *difference)
 {
-    return self->is_again
-               ? again_difference(&self->again, &self->record, &self->known, difference,
-                                  WALK_SENTENCE)
-               : replay_difference(&self->replay, &self->record, &self->known, difference,
-                                   WALK_SENTENCE);
+    return self->is_again ? again_difference(&self->again, &self->record, &self->known, difference,
+                                             WALK_SENTENCE)
+                          : replay_difference(&self->replay, &self->record, &self->known,
+                                              difference, WALK_SENTENCE);
 }
 
 /* After a difference of which only a hash was kept: what the next whole cycle shows, which comes
@@ -191,8 +189,8 @@ bool walk_count(walk_t *self, bool is_done)
 
 bool walk_is_whole_run(const walk_t *self)
 {
-    return (self->coverage.first == 0U) && coverage_is_whole(&self->coverage) && self->has_run_end &&
-           !self->is_behind_end;
+    return (self->coverage.first == 0U) && coverage_is_whole(&self->coverage) &&
+           self->has_run_end && !self->is_behind_end;
 }
 
 int walk_end(walk_t *self)

@@ -33,8 +33,8 @@ typedef struct {
     const char *path;
     replay_t replay;
     again_t again;
-    bool is_again; /**< The last record is of what was computed before. */
-    bool had_end;  /**< The run ends with a recording before the present one, */
+    bool is_again;      /**< The last record is of what was computed before. */
+    bool had_end;       /**< The run ends with a recording before the present one, */
     bool is_behind_end; /**< and yet cycles follow. */
     coverage_t coverage;
     cycle_record_t record; /**< The last one that was taken. */
