@@ -30,28 +30,50 @@ static bool is_patient(cycle_lane_t *self, const exchange_t *exchange, uint64_t 
     return (now_ns - *heard_ns) < PATIENCE_NS;
 }
 
+/* False while nobody is to be waited for. */
+static bool is_full(const cycle_lane_t *self, exchange_t *exchange)
+{
+    return !exchange_is_recorder_failing(exchange) && !has_room(self, exchange);
+}
+
 void cycle_lane_wait(cycle_lane_t *self, exchange_t *exchange, const volatile sig_atomic_t *stop)
 {
     const bool is_heard = exchange_beats(exchange, EXCHANGE_RECORDER) != self->heard;
-    bool is_full = !has_room(self, exchange);
+    bool is_held = is_full(self, exchange);
 
-    if (!is_full || (self->has_waited && !is_heard)) {
+    if (!is_held || (self->has_waited && !is_heard)) {
         return;
     }
     uint64_t heard_ns = realtime_now_ns();
-    while (is_full && (*stop == 0) && is_patient(self, exchange, &heard_ns)) {
+    while (is_held && (*stop == 0) && is_patient(self, exchange, &heard_ns)) {
         bsp_stand_still_ns(NAP_NS);
         exchange_beat(exchange, EXCHANGE_CONTROL);
-        is_full = !has_room(self, exchange);
+        is_held = is_full(self, exchange);
     }
-    self->has_waited = is_full;
+    self->has_waited = is_held;
+}
+
+/* A count that comes from damage goes back, or far. */
+static uint32_t newly_removed(cycle_lane_t *self, const exchange_t *exchange)
+{
+    const uint32_t told = exchange_cycles_removed(exchange);
+    const uint32_t more = told - self->removed;
+
+    if (more > (uint32_t)INT32_MAX) {
+        return 0U;
+    }
+    self->removed = told;
+    return more;
 }
 
 bool cycle_lane_look(cycle_lane_t *self, exchange_t *exchange)
 {
     const bool was_gap = self->is_gap;
 
-    self->is_gap = !has_room(self, exchange);
-    self->lost += self->is_gap ? 1U : 0U;
+    const uint32_t removed = newly_removed(self, exchange);
+    const bool is_stopped = exchange_is_recorder_failing(exchange);
+    self->is_failing = is_stopped || (removed != 0U);
+    self->is_gap = is_stopped || !has_room(self, exchange);
+    self->lost += removed + (self->is_gap ? 1U : 0U);
     return was_gap && !self->is_gap;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "exchange/exchange_cycles.h"
 
+#include "exchange/exchange_lock.h"
 #include "exchange/exchange_segment.h"
 #include "limits/requirement_limits.h"
 
@@ -174,6 +175,27 @@ void exchange_release_cycles(exchange_t *self, uint32_t taken)
 {
     self->cycles_tail = taken;
     __atomic_store_n(&self->segment->recorder.cycles_tail, taken, __ATOMIC_RELEASE);
+}
+
+void exchange_retake_cycles(exchange_t *self)
+{
+    self->cycles_taken = self->cycles_tail;
+}
+
+void exchange_note_recorder(exchange_t *self, bool is_failing, uint32_t removed)
+{
+    exchange_store_number(&self->segment->others.recorder_failing, is_failing ? 1U : 0U);
+    exchange_store_number(&self->segment->others.cycles_removed, removed);
+}
+
+bool exchange_is_recorder_failing(const exchange_t *self)
+{
+    return exchange_load_number(&self->segment->others.recorder_failing) == 1U;
+}
+
+uint32_t exchange_cycles_removed(const exchange_t *self)
+{
+    return exchange_load_number(&self->segment->others.cycles_removed);
 }
 
 /* Goes on where the recorder before has ended or, if that is damaged, where control last saw it. */

@@ -71,6 +71,19 @@ uint32_t exchange_cycles_taken(const exchange_t *self);
 /** For the recorder: what was taken up to `taken` is kept elsewhere; control may overwrite it. */
 void exchange_release_cycles(exchange_t *self, uint32_t taken);
 
+/** For the recorder: what was taken and is not released is taken again. */
+void exchange_retake_cycles(exchange_t *self);
+
+/**
+ * Of the recorder: whether it cannot write, so that control hands it no cycles meanwhile, and how
+ * many cycles that it had written are in no recording any more (since the start; wraps).
+ *
+ * @satisfies SWR-REC-032
+ */
+void exchange_note_recorder(exchange_t *self, bool is_failing, uint32_t removed);
+bool exchange_is_recorder_failing(const exchange_t *self);
+uint32_t exchange_cycles_removed(const exchange_t *self);
+
 /**
  * For the recorder, before it takes records: sets right what a neighbour has damaged of the lane,
  * and adds the entries that are lost by it to `*dropped`.

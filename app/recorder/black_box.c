@@ -29,33 +29,70 @@ void black_box_open(black_box_t *self, const char *directory, exchange_t *exchan
     self->header = *header;
     self->header.run = exchange_run(exchange);
     self->writer.file = -1;
+    self->is_failing = exchange_is_recorder_failing(exchange); /* As the one before it was. */
+    self->removed = exchange_cycles_removed(exchange);
     request_checkpoint(self, 1U);
 }
 
-/* What its last block held and did not reach the disk is lost. A file without a block would only
- * take the place of one that has some. */
+/* The cycle after the last one that is in the present file. */
+static uint32_t written_until(const black_box_t *self)
+{
+    return (self->writer.block.records > 0U) ? self->writer.block.cycle : self->next_cycle;
+}
+
+/* What its last block held and did not reach the disk is still in the lane. A file without a block
+ * would only take the place of one that has some. */
 static void leave_file(black_box_t *self)
 {
-    const recording_writer_t *writer = &self->writer;
     const int reason = errno;
 
-    if (writer->blocks > 0U) {
-        self->kept_until = (writer->block.records > 0U) ? writer->block.cycle : writer->next_cycle;
+    if (self->writer.blocks > 0U) {
+        self->kept_until = written_until(self);
     } else {
         (void)unlink(self->path);
     }
     errno = reason;
 }
 
+static void tell(const black_box_t *self)
+{
+    exchange_note_recorder(self->exchange, self->is_failing, self->removed);
+}
+
+/* Goes back to the first cycle that is in no file. */
+static void go_back(black_box_t *self)
+{
+    exchange_retake_cycles(self->exchange);
+    self->next_cycle = self->kept_until;
+}
+
+/*
+ * What is in no file stays in the lane, and control hands over nothing more until it is.
+ *
+ * @satisfies SWR-REC-032
+ */
 static void fail(black_box_t *self, uint64_t now_us)
 {
     if (!self->is_failing) {
         (void)fprintf(stderr,
-                      "recorder: nothing can be recorded in %s (%s); free some space there.\n",
+                      "recorder: nothing can be recorded in %s (%s); free space there, or make it a "
+                      "folder that can be written.\n",
                       self->directory, strerror(errno));
     }
     self->is_failing = true;
     self->retry_us = now_us + BLACK_BOX_RETRY_US;
+    go_back(self);
+    tell(self);
+}
+
+/* A block has reached the disk. */
+static void recover(black_box_t *self)
+{
+    if (self->is_failing && (self->writer.file >= 0) && (self->writer.blocks > 0U)) {
+        (void)fprintf(stderr, "recorder: recording goes on in %s.\n", self->path);
+        self->is_failing = false;
+        tell(self);
+    }
 }
 
 /* Goes on after the newest there is, whoever wrote it. */
@@ -78,9 +115,6 @@ static bool open_next(black_box_t *self)
 /* Old recordings make room only for one that exists: a failed attempt costs none of them. */
 static void begin_file(black_box_t *self, uint32_t cycle, uint64_t now_us)
 {
-    if (now_us < self->retry_us) {
-        return;
-    }
     (void)directory_make(self->directory);
     self->header.started_us = clock_utc_us();
     if (!open_next(self)) {
@@ -89,6 +123,7 @@ static void begin_file(black_box_t *self, uint32_t cycle, uint64_t now_us)
     }
     exchange_note_file(self->exchange, EXCHANGE_FILE_RECORDING, self->number);
     file_series_remove_oldest(&file_series_recordings, self->directory, self->path);
+    self->first_cycle = cycle;
     self->opened_us = now_us;
     self->flushed_us = now_us;
     recording_writer_note_loss(&self->writer, cycle - self->kept_until);
@@ -122,10 +157,10 @@ static void change_file(black_box_t *self, const cycle_record_t *record, uint32_
     if ((missing != 0U) || is_due) {
         end_file(self, now_us);
     }
-    if (self->writer.file < 0) {
+    if ((self->writer.file < 0) && (now_us >= self->retry_us)) {
         begin_file(self, record->cycle, now_us);
     }
-    if (missing != 0U) {
+    if ((missing != 0U) && (self->writer.file >= 0)) {
         (void)fprintf(stderr, "recorder: %" PRIu32 " cycles were lost before cycle %" PRIu32 ".\n",
                       missing, record->cycle);
         if (record->kind != (uint32_t)CYCLE_RECORD_CHECKPOINT) {
@@ -134,20 +169,15 @@ static void change_file(black_box_t *self, const cycle_record_t *record, uint32_
     }
 }
 
+/* Of a file that was begun. */
 static void store(black_box_t *self, const cycle_record_t *record, uint64_t now_us)
 {
-    if (self->writer.file < 0) {
-        self->unwritten++;
-        return;
-    }
-    const uint64_t waiting = (uint64_t)self->writer.block.records + 1U;
     const uint32_t blocks = self->writer.blocks;
     const bool is_stored =
         (record->kind == CYCLE_RECORD_CHECKPOINT)
             ? recording_writer_append_checkpoint(&self->writer, record, self->rows)
             : recording_writer_append(&self->writer, record);
     if (!is_stored) {
-        self->unwritten += waiting;
         leave_file(self);
         fail(self, now_us);
         return;
@@ -155,13 +185,13 @@ static void store(black_box_t *self, const cycle_record_t *record, uint64_t now_
     if (self->writer.blocks != blocks) {
         self->flushed_us = now_us;
     }
-    if (self->is_failing && (self->writer.blocks > 0U)) {
-        (void)fprintf(stderr, "recorder: recording goes on; %" PRIu64 " records are missing.\n",
-                      self->unwritten);
-        self->is_failing = false;
-        self->unwritten = 0U;
-        request_checkpoint(self, now_us);
+    if (record->kind == CYCLE_RECORD_CHECKPOINT) {
+        self->requested_us = 0U;
+        self->next_cycle = record->cycle;
+    } else {
+        self->next_cycle = record->cycle + 1U;
     }
+    recover(self);
 }
 
 /* Of a checkpoint whose rows are gone nothing can be computed: another one is asked for. */
@@ -194,19 +224,28 @@ static void record_one(black_box_t *self, const cycle_record_t *record, uint64_t
 
     if (!self->has_cycle) {
         self->kept_until = record->cycle; /* What came before was another's. */
+        self->next_cycle = record->cycle;
+        self->has_cycle = true;
     }
     change_file(self, record, missing, now_us);
-    store(self, record, now_us);
-    if (record->kind == CYCLE_RECORD_CHECKPOINT) {
-        self->requested_us = 0U;
-        self->next_cycle = record->cycle;
-    } else {
-        self->next_cycle = record->cycle + 1U;
+    if (self->writer.file >= 0) {
+        store(self, record, now_us);
     }
-    self->has_cycle = true;
 }
 
-/* What is written into a removed file is nowhere. */
+/* What was written into a removed file is nowhere; what was not yet is in the lane. */
+static void give_up_file(black_box_t *self, uint64_t now_us)
+{
+    const uint32_t kept_until = self->kept_until;
+    const uint32_t next_cycle = written_until(self);
+
+    end_file(self, now_us);
+    exchange_retake_cycles(self->exchange);
+    self->removed += next_cycle - self->first_cycle;
+    self->kept_until = kept_until;
+    self->next_cycle = next_cycle;
+}
+
 static void look_for_file(black_box_t *self, uint64_t now_us)
 {
     struct stat status;
@@ -214,22 +253,23 @@ static void look_for_file(black_box_t *self, uint64_t now_us)
     if ((self->writer.file >= 0) && (fstat(self->writer.file, &status) == 0) &&
         (status.st_nlink == 0U)) {
         (void)fprintf(stderr, "recorder: %s was removed; a new recording is begun.\n", self->path);
-        end_file(self, now_us);
+        give_up_file(self, now_us);
         request_checkpoint(self, now_us);
     }
 }
 
-/* Waiting records reach the file within a second; a checkpoint is asked for until it comes. */
+/* Waiting records reach the file within a second, and at once where it is not known whether they
+ * can; a checkpoint is asked for until it comes. */
 static void keep_up(black_box_t *self, uint64_t now_us)
 {
-    if ((self->writer.file >= 0) && ((now_us - self->flushed_us) >= SECOND_US)) {
-        const uint64_t waiting = self->writer.block.records;
+    const bool is_due = self->is_failing || ((now_us - self->flushed_us) >= SECOND_US);
+    if ((self->writer.file >= 0) && is_due) {
         self->flushed_us = now_us;
         if (!recording_writer_flush(&self->writer)) {
-            self->unwritten += waiting;
             leave_file(self);
             fail(self, now_us);
         }
+        recover(self);
     }
     const bool is_file_old =
         (self->writer.file >= 0) && ((now_us - self->opened_us) >= BLACK_BOX_FILE_US);
@@ -258,18 +298,21 @@ static void repair_lane(black_box_t *self, uint64_t now_us)
 }
 
 /*
- * Control may overwrite what is in the file, or can be in none.
+ * Control may overwrite what is in the file, or belongs in none.
  *
  * @satisfies SWR-REC-023
  */
 static void release_written(black_box_t *self)
 {
-    if ((self->writer.file < 0) || (self->writer.block.records == 0U)) {
+    const bool is_written =
+        (self->writer.file >= 0) ? (self->writer.block.records == 0U) : !self->is_failing;
+
+    if (is_written) {
         exchange_release_cycles(self->exchange, exchange_cycles_taken(self->exchange));
     }
 }
 
-/* False when there is none. The one that ends a block may be in it or behind it. */
+/* False when there is none, or it cannot be written. The one that ends a block may be in it or behind it. */
 static bool take_one(black_box_t *self, uint64_t now_us)
 {
     const uint32_t before = exchange_cycles_taken(self->exchange);
@@ -280,6 +323,9 @@ static bool take_one(black_box_t *self, uint64_t now_us)
     }
     record_one(self, &self->record, now_us);
     exchange_beat(self->exchange, EXCHANGE_RECORDER);
+    if (now_us < self->retry_us) {
+        return false;
+    }
     if (self->writer.blocks != blocks) {
         exchange_release_cycles(self->exchange, before);
     }
@@ -287,18 +333,35 @@ static bool take_one(black_box_t *self, uint64_t now_us)
     return true;
 }
 
-void black_box_drain(black_box_t *self, uint64_t now_us)
+/* With nothing in the lane nobody knows whether it could be written: control hands over more. */
+static void try_anew(black_box_t *self, uint64_t now_us)
+{
+    if (self->is_failing && (self->writer.file < 0) && (now_us >= self->retry_us)) {
+        self->is_failing = false;
+    }
+}
+
+static void take_all(black_box_t *self, uint64_t now_us)
 {
     const uint32_t most = exchange_cycle_capacity(self->exchange);
     bool is_more = true;
 
-    repair_lane(self, now_us);
+    look_for_file(self, now_us);
     for (uint32_t i = 0U; is_more && (i < most); i++) {
         is_more = take_one(self, now_us);
     }
-    look_for_file(self, now_us);
     keep_up(self, now_us);
+    try_anew(self, now_us);
     release_written(self);
+}
+
+void black_box_drain(black_box_t *self, uint64_t now_us)
+{
+    repair_lane(self, now_us);
+    if (now_us >= self->retry_us) {
+        take_all(self, now_us);
+    }
+    tell(self); /* Again: a neighbour may have damaged it. */
 }
 
 /* What control did last may not have found room in the lane. */

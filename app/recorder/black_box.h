@@ -3,8 +3,9 @@
  * @file
  * The black box: a series of recordings in one directory, each beginning with a checkpoint where
  * possible, so that it can be replayed without those before it. Old ones are removed so that at
- * most LIMIT_RECORDINGS and about LIMIT_RECORDINGS_MB stay. A full disk is said once and counted;
- * recording goes on when there is room again. When the recorder cannot keep up, the lane of cycles
+ * most LIMIT_RECORDINGS and about LIMIT_RECORDINGS_MB stay. While the disk is full or the
+ * folder cannot be written, control is told and hands over nothing; recording goes on with what waits
+ * in the lane. When the recorder cannot keep up, the lane of cycles
  * fills: in elastic time control waits for it, otherwise what was lost is said and counted in the
  * next recording. A record stays in the lane until it is in the file.
  */
@@ -16,12 +17,13 @@
 #include "exchange/exchange_cycles.h"
 #include "exchange/exchange_files.h"
 #include "exchange/exchange_rows.h"
+#include "limits/requirement_limits.h"
 #include "recording/recording_writer.h"
 
 #include <stdbool.h>
 
 #define BLACK_BOX_FILE_US UINT64_C(600000000) /**< A new file after ten minutes. */
-#define BLACK_BOX_RETRY_US UINT64_C(5000000)  /**< Between attempts to write to a full disk. */
+#define BLACK_BOX_RETRY_US ((uint64_t)LIMIT_RECORDER_RETRY_US) /**< Between attempts to write. */
 
 typedef struct {
     const char *directory; /**< Lives as long as the black box. */
@@ -36,9 +38,10 @@ typedef struct {
     uint64_t flushed_us;   /**< When the last block was written. */
     uint32_t next_cycle;
     uint32_t kept_until;   /**< The cycle after the last one that an earlier file has. */
+    uint32_t first_cycle;  /**< Of the present file. */
+    uint32_t removed;      /**< Cycles of files that were removed while they were written. */
     bool has_cycle;        /**< next_cycle is known. */
     bool is_failing;       /**< The last attempt to write failed, and it was said. */
-    uint64_t unwritten;    /**< Records lost to a full disk. */
     uint64_t damaged_us;   /**< When damage of the lane was last found; 0: never. */
     cycle_record_t record; /**< The present one. */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Of the newest checkpoint. */

@@ -158,8 +158,9 @@ static void add_programs(status_parts_t *parts, const exchange_t *exchange, fami
 static void add_gap(status_parts_t *parts, const snapshot_t *snapshot)
 {
     if (snapshot->unrecorded != 0U) {
-        status_parts_add(parts, STATUS_BAD, "%u cycles NOT RECORDED",
-                         (unsigned)snapshot->unrecorded);
+        status_parts_add(parts, STATUS_BAD, "%u cycles NOT RECORDED%s",
+                         (unsigned)snapshot->unrecorded,
+                         (snapshot->is_recorder_failing != 0U) ? ", recorder CANNOT WRITE" : "");
     }
 }
 

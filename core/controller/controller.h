@@ -61,6 +61,8 @@ typedef struct {
     uint32_t unfit;
     /** Cycles that could not be recorded since the start, up to this one; wraps. */
     uint32_t cycles_lost;
+    /** The recorder cannot write, and no cycle is recorded: 0 or 1; 0 where there is none. */
+    uint32_t is_recorder_failing;
     uint32_t dialect; /**< card_dialect_t of all cards. */
     /** Somebody accepts in writing what cards of another dialect than ours lack: 0 or 1. */
     uint32_t is_dialect_accepted;

@@ -371,7 +371,8 @@ static void note_gap(controller_t *self, const cycle_t *cycle, uint32_t lost)
         self->unrecorded = 0U;
     } else {
         if (self->unrecorded == 0U) {
-            controller_note(self, cycle, EVENT_RECORDING_STOPPED, 0U, 0);
+            controller_note(self, cycle, EVENT_RECORDING_STOPPED, 0U,
+                            (int32_t)cycle->inputs->is_recorder_failing);
         }
         self->unrecorded += lost;
         self->cycles_lost += lost;

@@ -7,6 +7,7 @@
 
 #include "base/clear.h"
 
+#include "safety/needle.h"
 #include "safety/permit.h"
 
 #include <string.h>
@@ -142,7 +143,7 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
     const uint32_t calm = commanded | BIT(NEXT_STEP_RELEASE_PEDAL) | BIT(NEXT_STEP_PRESS_PEDAL) |
                           BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_COMPARE) | BIT(NEXT_STEP_PLACE) |
                           BIT(NEXT_STEP_BY_HAND) | BIT(NEXT_STEP_NOTHING) |
-                          BIT(NEXT_STEP_PROGRAM_DONE);
+                          BIT(NEXT_STEP_PROGRAM_DONE) | BIT(NEXT_STEP_RECORDER);
     next_step_t first = step;
     if (!is_one_of(step, calm)) {
         /* An act at the box, or a wait: whoever commands. */
@@ -154,6 +155,26 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
         /* Whoever commands goes on. */
     }
     return first;
+}
+
+/*
+ * Before the first START_UP, and then where the needle is out and a command is all that is missing:
+ * a needle that may be in comes first.
+ *
+ * @satisfies SWR-REC-034
+ */
+static next_step_t recorder_first(const controller_t *self, const cycle_t *cycle, next_step_t step)
+{
+    const uint32_t planned = BIT(NEXT_STEP_PROBE) | BIT(NEXT_STEP_REGISTER) |
+                             BIT(NEXT_STEP_TARGET) | BIT(NEXT_STEP_MOVE) |
+                             BIT(NEXT_STEP_TARGETING) | BIT(NEXT_STEP_CALIBRATION) |
+                             BIT(NEXT_STEP_PLANNING) | BIT(NEXT_STEP_NOTHING) |
+                             BIT(NEXT_STEP_PROGRAM_DONE);
+    const bool is_first = (step == NEXT_STEP_START_UP) &&
+                          (procedure_workphase(&self->procedure) == WORKPHASE_UNDEFINED);
+    const bool is_in_time = is_first || (is_one_of(step, planned) &&
+                                         needle_is_out(cycle->robot, self->axes));
+    return is_in_time ? NEXT_STEP_RECORDER : step;
 }
 
 static void show_step(const controller_t *self, const cycle_t *cycle, snapshot_t *shown)
@@ -168,6 +189,9 @@ static void show_step(const controller_t *self, const cycle_t *cycle, snapshot_t
         shown->step_axis = named.axis;
         shown->step_card = named.card;
         shown->step_event = (uint32_t)named.event;
+    }
+    if (cycle->inputs->is_recorder_failing != 0U) {
+        step = recorder_first(self, cycle, step);
     }
     shown->next_step = (uint32_t)authority_first(self, step);
 }
@@ -382,6 +406,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t gu
     shown->is_scanner_active = cycle->inputs->scanner_active;
     shown->unfit = cycle->inputs->unfit;
     shown->unrecorded = self->unrecorded;
+    shown->is_recorder_failing = cycle->inputs->is_recorder_failing;
     shown->overruns = self->loop.overruns;
     shown->events = self->events;
     shown->events_lost = self->events_lost;

@@ -58,6 +58,59 @@ void test_SWR_REC_021_a_gap_is_told_in_its_first_cycle_and_with_its_length_after
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_RECORDING_RESUMED));
 }
 
+void test_SWR_REC_021_the_event_says_whether_the_recorder_does_not_read_or_cannot_write(void)
+{
+    lose(1U);
+    TEST_ASSERT_EQUAL_INT32(0, event_now(EVENT_RECORDING_STOPPED)->value);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_recorder_failing);
+    rig_cycle(&rig);
+    rig.is_recorder_failing = 1U;
+    lose(1U);
+    TEST_ASSERT_EQUAL_INT32(1, event_now(EVENT_RECORDING_STOPPED)->value);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_recorder_failing);
+    rig.is_recorder_failing = 0U;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_recorder_failing);
+}
+
+/* What is asked for next while the recorder can and cannot write. */
+static void expect_steps(next_step_t with, next_step_t without)
+{
+    rig.is_recorder_failing = 1U;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(without, rig.outputs.snapshot.next_step);
+    rig.is_recorder_failing = 0U;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(with, rig.outputs.snapshot.next_step);
+}
+
+void test_SWR_REC_034_the_recorder_comes_before_the_first_start_up_and_each_command_at_rest(void)
+{
+    rig_cycle(&rig);
+    expect_steps(NEXT_STEP_START_UP, NEXT_STEP_RECORDER);
+    rig_start_homed(&rig);
+    rig_cycles(&rig, 2U);
+    expect_steps(NEXT_STEP_PLANNING, NEXT_STEP_RECORDER);
+    rig_start_targeted(&rig);
+    rig_cycles(&rig, 2U);
+    expect_steps(NEXT_STEP_MOVE, NEXT_STEP_RECORDER);
+}
+
+void test_SWR_REC_034_who_homes_again_or_moves_or_has_the_needle_in_is_not_sent_to_the_disk(void)
+{
+    rig_start_moving(&rig);
+    expect_steps(NEXT_STEP_HOLD_PEDAL, NEXT_STEP_HOLD_PEDAL);
+    rig_box(&rig, "estop pull");
+    rig_cycles(&rig, 5U);
+    expect_steps(NEXT_STEP_RELEASE_ESTOP, NEXT_STEP_RELEASE_ESTOP);
+    rig_box(&rig, "pedal release");
+    rig_box(&rig, "estop reset");
+    rig_cycles(&rig, 500U);
+    expect_steps(NEXT_STEP_START_UP, NEXT_STEP_START_UP);
+    rig_start_arrived(&rig);
+    expect_steps(NEXT_STEP_NOTHING, NEXT_STEP_NOTHING);
+}
+
 void test_SWR_REC_021_each_gap_has_a_length_of_its_own_also_where_the_count_wraps(void)
 {
     rig.cycles_lost = UINT32_MAX - 2U; /* It is only counted from here on. */

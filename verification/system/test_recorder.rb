@@ -118,19 +118,66 @@ class TestRecorder < SystemTest
     refute_match(/follow no checkpoint|lost|cut short/i, text + boresight.output)
   end
 
-  def test_SWR_REC_001_a_full_disk_is_said_once_and_recording_goes_on_when_there_is_room
+  # No file of the recorder may become larger, as on a full disk.
+  def limit_files(bytes)
     skip 'prlimit is missing' unless system('command -v prlimit > /dev/null')
+    assert system('prlimit', '--pid', boresight.pid_of('recorder').to_s, "--fsize=#{bytes}:unlimited")
+  end
+
+  def expect_failing
+    boresight.wait_until('control knows it') { boresight.status['is_recorder_failing'] }
+    boresight.wait_until('cycles are counted') { boresight.status['counts']['unrecorded'].positive? }
+    assert_equal 'RECORDER', boresight.status['next_step']['name']
+    boresight.wait_until('it is in the status line') { boresight.output.include?('NOT RECORDED, recorder CANNOT WRITE') }
+  end
+
+  # The length of the gap, as the log has it.
+  def expect_recording_again
+    boresight.wait_until('recording goes on') { boresight.status['counts']['unrecorded'].zero? }
+    refute boresight.status['is_recorder_failing']
+    events = boresight.log.select { |event| event['name'].start_with?('RECORDING_') }
+    assert_equal %w[RECORDING_STOPPED RECORDING_RESUMED], events.map { |event| event['name'] }
+    assert_includes events[0]['text'], 'is not writing them'
+    lost = events[1]['value']
+    boresight.wait_until('the figures have it') { boresight.status['counts']['cycles_lost'] == lost }
+    first = boresight.status['cycle']
+    boresight.wait_until('a second has passed') { boresight.status['cycle'] > first + 1000 }
+    lost
+  end
+
+  # All of the run but one gap of that length.
+  def expect_one_gap(lost)
+    text, code = replay(boresight.recordings)
+    assert_equal 3, code, text
+    first, last = text[/cycles? (\d+ to \d+) are missing/i, 1].to_s.split(' to ').map(&:to_i)
+    assert_equal lost, last.to_i - first.to_i + 1, text
+  end
+
+  def test_SWR_REC_032_SWR_REC_033_SWR_REC_034_a_full_disk_is_told_at_once_and_costs_what_is_told_alone
+    lost = 0
     record(500) do
-      limit = ->(bytes) { system('prlimit', '--pid', boresight.pid_of('recorder').to_s, "--fsize=#{bytes}:unlimited") }
-      assert limit.call(File.size(boresight.recording_files.last) + 1000)
-      boresight.wait_until('the recorder says so') { boresight.output.include?('nothing can be recorded') }
-      assert limit.call('unlimited')
-      boresight.wait_until('recording goes on') { boresight.output.include?('recording goes on') }
-      first = boresight.status['cycle']
-      boresight.wait_until('a second has passed') { boresight.status['cycle'] > first + 1000 }
+      limit_files(File.size(boresight.recording_files.last) + 1000)
+      expect_failing
+      limit_files('unlimited')
+      lost = expect_recording_again
     end
     assert_equal 1, boresight.output.scan('nothing can be recorded').size
+    expect_one_gap(lost)
     boresight.recording_files.each { |file| replayed(file, 0, 3) }
+  end
+
+  def test_SWR_REC_032_SWR_REC_033_a_folder_that_a_file_has_replaced_is_told_with_all_that_was_in_it
+    lost = 0
+    record(500) do
+      File.rename(boresight.recordings, "#{boresight.recordings}.old")
+      File.write(boresight.recordings, '')
+      FileUtils.rm_r("#{boresight.recordings}.old")
+      expect_failing
+      File.delete(boresight.recordings)
+      lost = expect_recording_again
+    end
+    texts = boresight.recording_files.map { |file| replayed(file, 0, 3).last }
+    assert_equal lost, texts.sum { |text| text[/^(\d+) cycles before this file were lost\.$/, 1].to_i }, texts.join
   end
 
   def test_SWR_REC_007_a_recorder_that_is_started_again_goes_on_with_the_next_number

@@ -139,19 +139,67 @@ static size_t read_newest(void)
     return count;
 }
 
+/* The newest of `files` is whole and has `records`; before it `lost` cycles are in no file. */
+static void expect_newest(size_t files, uint64_t records, uint32_t lost)
+{
+    black_box_close(&black_box);
+    TEST_ASSERT_EQUAL_size_t(files, read_newest());
+    TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
+    TEST_ASSERT_EQUAL_UINT64(records, reader.records);
+    TEST_ASSERT_EQUAL_UINT32(lost, reader.cycles_lost);
+}
+
 void test_SWR_REC_012_what_a_full_disk_has_cost_is_counted_in_the_next_file(void)
 {
     record_cycles(0U, 10U);
     fill_disk(1U);
-    record_cycles(10U, 20U); /* In a block that cannot be written. */
+    record_cycles(10U, 20U); /* In a block that cannot be written; control is told. */
+    TEST_ASSERT_TRUE(exchange_is_recorder_failing(exchange));
+    free_disk();
+    black_box_drain(&black_box, now_us);
+    TEST_ASSERT_FALSE(exchange_is_recorder_failing(exchange));
+    record_cycles(35U, 40U); /* It goes on with a checkpoint. */
+    expect_newest(3U, 6U, 15U);
+}
+
+void test_SWR_REC_032_nothing_is_lost_of_what_control_has_handed_over_before_it_was_told(void)
+{
+    record_cycles(0U, 10U);
+    fill_disk(1U);
+    record_cycles(10U, 20U);
     record_cycles(20U, 25U);
+    TEST_ASSERT_EQUAL_UINT32(LANE - 15U - (2U * EXCHANGE_CHECKPOINT_ENTRIES),
+                             exchange_cycle_room(exchange));
     free_disk();
     record_cycles(25U, 30U);
-    black_box_close(&black_box);
-    TEST_ASSERT_EQUAL_size_t(2U, read_newest());
-    TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
-    TEST_ASSERT_EQUAL_UINT32(15U, reader.cycles_lost);
-    TEST_ASSERT_EQUAL_UINT64(6U, reader.records);
+    TEST_ASSERT_EQUAL_UINT32(LANE, exchange_cycle_room(exchange));
+    expect_newest(2U, 23U, 0U);
+}
+
+void test_SWR_REC_032_control_is_told_until_a_block_is_written_and_not_only_a_header(void)
+{
+    record_cycles(0U, 10U);
+    fill_disk(RECORDING_HEADER_SIZE + 1U);
+    record_cycles(10U, 20U);
+    TEST_ASSERT_TRUE(exchange_is_recorder_failing(exchange));
+    for (uint32_t i = 0U; i < 3U; i++) {
+        now_us += BLACK_BOX_RETRY_US;
+        black_box_drain(&black_box, now_us);
+        TEST_ASSERT_TRUE(exchange_is_recorder_failing(exchange));
+    }
+    free_disk();
+    black_box_drain(&black_box, now_us);
+    TEST_ASSERT_FALSE(exchange_is_recorder_failing(exchange));
+    expect_newest(2U, 11U, 0U);
+}
+
+void test_SWR_REC_032_what_a_neighbour_says_of_the_recorder_is_set_right(void)
+{
+    record_cycles(0U, 10U);
+    exchange_note_recorder(exchange, true, 5U);
+    black_box_drain(&black_box, now_us);
+    TEST_ASSERT_FALSE(exchange_is_recorder_failing(exchange));
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_cycles_removed(exchange));
 }
 
 void test_SWR_REC_012_what_the_lane_lost_is_counted_also_before_a_checkpoint(void)
@@ -246,6 +294,32 @@ void test_SWR_REC_014_a_folder_that_is_removed_is_made_again_with_a_new_recordin
     TEST_ASSERT_EQUAL_size_t(1U, read_newest());
     TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
     TEST_ASSERT_EQUAL_UINT64(11U, reader.records);
+}
+
+void test_SWR_REC_012_what_was_in_a_removed_recording_is_counted_as_lost(void)
+{
+    record_cycles(0U, 10U);
+    remove_folder();
+    black_box_drain(&black_box, now_us);
+    TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));
+    record_cycles(10U, 20U);
+    expect_newest(1U, 11U, 10U);
+    TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));
+}
+
+void test_SWR_REC_032_a_folder_that_a_file_has_replaced_is_told_until_it_is_a_folder_again(void)
+{
+    record_cycles(0U, 10U);
+    remove_folder();
+    (void)fclose(fopen(folder, "w"));
+    record_cycles(10U, 20U);
+    TEST_ASSERT_TRUE(exchange_is_recorder_failing(exchange));
+    TEST_ASSERT_EQUAL_INT(0, remove(folder));
+    free_disk();
+    black_box_drain(&black_box, now_us);
+    TEST_ASSERT_FALSE(exchange_is_recorder_failing(exchange));
+    TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));
+    expect_newest(1U, 11U, 10U);
 }
 
 /* `count` rows of a list that is begun, and a checkpoint of them. */
@@ -344,13 +418,27 @@ void test_SWR_REC_023_a_block_that_is_full_is_released_while_the_next_one_waits(
     }
 }
 
-void test_SWR_REC_023_what_a_full_disk_does_not_take_is_released(void)
+void test_SWR_REC_032_a_recorder_that_takes_the_place_of_one_that_cannot_write_goes_on_for_it(void)
 {
     record_cycles(0U, 10U);
-    fill_disk(1U);
+    fill_disk(RECORDING_HEADER_SIZE + 1U);
     record_cycles(10U, 40U);
-    record_cycles(40U, 80U);
+    start_another();
+    black_box_drain(&black_box, now_us);
+    TEST_ASSERT_TRUE(exchange_is_recorder_failing(exchange));
+    free_disk();
+    black_box_drain(&black_box, now_us);
+    TEST_ASSERT_FALSE(exchange_is_recorder_failing(exchange));
     TEST_ASSERT_EQUAL_UINT32(LANE, exchange_cycle_room(exchange));
+    expect_newest(2U, 31U, 0U);
+}
+
+void test_SWR_REC_032_with_nothing_left_to_write_control_is_asked_for_more(void)
+{
+    exchange_note_recorder(exchange, true, 0U);
+    black_box_open(&black_box, folder, exchange, &header);
+    black_box_drain(&black_box, now_us);
+    TEST_ASSERT_FALSE(exchange_is_recorder_failing(exchange));
 }
 
 void test_SWR_REC_024_a_damaged_lane_begins_no_file_after_another(void)

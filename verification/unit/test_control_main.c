@@ -65,6 +65,7 @@ typedef struct {
     uint32_t unfit;      /* As the controller was told in the last cycle. */
     uint32_t dialect;
     uint32_t is_dialect_accepted;
+    uint32_t is_recorder_failing;
     uint32_t cycles_lost; /* As the controller was told in the last cycle. */
     uint64_t stood_ns;    /* The world's time in which control let the board stand still. */
 } record_t;
@@ -242,6 +243,7 @@ static void step(controller_t *self, const robot_t *robot, const controller_inpu
     } else if (self->cycle == LAST_CYCLE) {
         record->frames_received = given->frames_received;
         record->unfit = given->unfit;
+        record->is_recorder_failing = given->is_recorder_failing;
         record->cycles_lost = given->cycles_lost;
         record->dialect = given->dialect;
         record->is_dialect_accepted = given->is_dialect_accepted;
@@ -662,6 +664,17 @@ void test_SWR_REC_019_real_time_waits_for_nobody(void)
     TEST_ASSERT_EQUAL_UINT64(0U, record->stood_ns);
     TEST_ASSERT_EQUAL_UINT32((LAST_CYCLE + 1U) - RECORDED, record->cycles_lost);
     TEST_ASSERT_EQUAL_UINT32(LAST_CYCLE + 1U, record->kicks);
+}
+
+void test_SWR_REC_033_the_controller_is_told_that_the_recorder_cannot_write(void)
+{
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32(0U, record->is_recorder_failing);
+    exchange_note_recorder(segment, true, 0U);
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32(1U, record->is_recorder_failing);
+    TEST_ASSERT_EQUAL_UINT32(LAST_CYCLE + 1U, record->cycles_lost);
+    TEST_ASSERT_EQUAL_UINT64(0U, record->stood_ns);
 }
 
 void test_SWR_REC_022_what_is_recorded_again_begins_with_the_state_and_tells_of_the_gap(void)

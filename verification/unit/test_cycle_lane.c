@@ -200,3 +200,47 @@ void test_SWR_REC_022_a_gap_ends_when_half_of_the_lane_is_free(void)
     TEST_ASSERT_FALSE(run_cycle());
     TEST_ASSERT_EQUAL_UINT32(21U, lane.lost);
 }
+
+void test_SWR_REC_033_while_the_recorder_cannot_write_each_cycle_is_counted_and_none_handed_over(
+    void)
+{
+    (void)run_cycle();
+    exchange_note_recorder(reader, true, 0U);
+    for (uint32_t i = 1U; i <= 20U; i++) {
+        TEST_ASSERT_FALSE(run_cycle());
+        TEST_ASSERT_TRUE(lane.is_gap);
+        TEST_ASSERT_TRUE(lane.is_failing);
+        TEST_ASSERT_EQUAL_UINT32(i, lane.lost);
+    }
+    TEST_ASSERT_EQUAL_UINT32(LANE - 1U, exchange_cycle_room(control));
+    exchange_note_recorder(reader, false, 0U);
+    TEST_ASSERT_TRUE(run_cycle());
+    TEST_ASSERT_FALSE(run_cycle());
+    TEST_ASSERT_FALSE(lane.is_failing);
+    TEST_ASSERT_EQUAL_UINT32(20U, lane.lost);
+}
+
+void test_SWR_REC_033_elastic_time_does_not_wait_for_a_disk(void)
+{
+    fill();
+    exchange_note_recorder(reader, true, 0U);
+    beats_until = NEVER;
+    wait_for_recorder();
+    TEST_ASSERT_EQUAL_UINT32(0U, naps);
+}
+
+void test_SWR_REC_033_what_was_removed_is_counted_once_and_told_as_what_cannot_be_written(void)
+{
+    exchange_note_recorder(reader, false, 500U);
+    (void)run_cycle();
+    TEST_ASSERT_TRUE(lane.is_failing);
+    TEST_ASSERT_FALSE(lane.is_gap);
+    (void)run_cycle();
+    TEST_ASSERT_FALSE(lane.is_failing);
+    TEST_ASSERT_EQUAL_UINT32(500U, lane.lost);
+    exchange_note_recorder(reader, false, 0U); /* Damage. */
+    (void)run_cycle();
+    exchange_note_recorder(reader, false, 502U);
+    (void)run_cycle();
+    TEST_ASSERT_EQUAL_UINT32(502U, lane.lost);
+}

@@ -118,3 +118,22 @@ test.each([
     });
   },
 );
+
+test("SWR-SUP-012 a recorder that runs and records nothing is a fault", () => {
+  const { counts, processes } = makeStatus();
+  const behind = { counts: { ...counts, unrecorded: 5 } };
+  expect(lampOf("Recorder", {})?.word).toBe("RUNNING");
+  expect(lampOf("Recorder", behind)).toMatchObject({
+    level: "fault",
+    word: "BEHIND",
+  });
+  expect(
+    lampOf("Recorder", { ...behind, is_recorder_failing: true }),
+  ).toMatchObject({ level: "fault", word: "CANNOT WRITE" });
+  expect(
+    lampOf("Recorder", {
+      ...behind,
+      processes: { ...processes, recorder: false },
+    })?.word,
+  ).toBe("NOT RUNNING");
+});

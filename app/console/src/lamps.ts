@@ -98,6 +98,17 @@ function processLamp(label: string, isRunning: boolean): LampProperties {
     : { label, level: "unknown", word: "NOT RUNNING" };
 }
 
+/** A recorder that runs and records nothing is none. */
+function recorderLamp(status: Status): LampProperties {
+  const lamp = processLamp("Recorder", status.processes.recorder);
+  if (status.is_recorder_failing) {
+    return { ...lamp, level: "fault", word: "CANNOT WRITE" };
+  }
+  return status.processes.recorder && status.counts.unrecorded > 0
+    ? { ...lamp, level: "fault", word: "BEHIND" }
+    : lamp;
+}
+
 /** Those of the robot; any other card has its lamp beside theirs. */
 function cardsLamp(cards: readonly Card[]): LampProperties {
   const own = cards.filter(({ axis }) => axis !== null);
@@ -135,7 +146,7 @@ export function systemLamps(status: Status): LampProperties[] {
     cardsLamp(status.cards),
     { label: "Control loop", ...find(loop, status.loop.state) },
     processLamp("OpenIGTLink", status.processes.igtl),
-    processLamp("Recorder", status.processes.recorder),
+    recorderLamp(status),
     timeLamp(status),
   ];
 }

@@ -122,6 +122,7 @@ static void gather(rig_t *self)
     self->inputs.silent_sources = self->silent_sources;
     self->inputs.unfit = self->unfit;
     self->inputs.cycles_lost = self->cycles_lost;
+    self->inputs.is_recorder_failing = self->is_recorder_failing;
     self->inputs.command_count = self->command_count;
     (void)memcpy(self->inputs.commands, self->commands, sizeof self->commands);
     self->command_count = 0U;

@@ -34,6 +34,14 @@ test("SWR-SUP-012 says how many cycles are not recorded, and nothing without any
     "Not recorded: the last 123 cycles, as the recorder does not read them.",
   );
   cleanup();
+  const failing = { ...robot.status, is_recorder_failing: true };
+  render(
+    <Banner view={{ ...live, robot: { ...robot, status: failing } }} />,
+  );
+  expect(screen.getByRole("status").textContent).toContain(
+    "Not recorded: the last 123 cycles, as the recorder cannot write them: free space on its disk",
+  );
+  cleanup();
   render(<Banner view={live} />);
   expect(screen.getByRole("status").textContent).not.toContain("recorded");
 });

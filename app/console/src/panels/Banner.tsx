@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ReactNode } from "react";
-import type { Authority, RobotState } from "@interface";
+import type { Authority, RobotState, Status } from "@interface";
 import { words } from "../format";
 import { ageText } from "../lamps";
 import { SignShape } from "../parts/SignShape";
@@ -103,11 +103,14 @@ function CommandRow({ robot }: { robot: RobotState }) {
  *
  * @satisfies SWR-SUP-012
  */
-function Gap({ cycles }: { cycles: number }) {
+function Gap({ status }: { status: Status }) {
+  const cycles = status.counts.unrecorded;
   return cycles === 0 ? null : (
     <p className="banner-state">
-      <strong>Not recorded:</strong> the last {cycles} cycles, as the recorder
-      does not read them.
+      <strong>Not recorded:</strong> the last {cycles} cycles, as the recorder{" "}
+      {status.is_recorder_failing
+        ? "cannot write them: free space on its disk, or make its folder one that can be written."
+        : "does not read them."}
     </p>
   );
 }
@@ -151,7 +154,7 @@ function StateBanner({
       <p className="banner-state">
         <strong>{words(status.workphase.name)}</strong> {status.workphase.text}
       </p>
-      <Gap cycles={status.counts.unrecorded} />
+      <Gap status={status} />
     </Frame>
   );
 }

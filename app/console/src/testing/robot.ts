@@ -158,6 +158,7 @@ export function makeStatus(change: Partial<Status> = {}): Status {
     pedal: "released",
     estop: "clear",
     is_scanner_active: false,
+    is_recorder_failing: false,
     is_homed: false,
     is_registered: false,
     ignores_registration_rotation: false,
