@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Which cycles are recorded. A gap lasts while the recorder cannot write, and until half of the lane
- * is free, so that a recorder that is slow leaves few long gaps and not many short ones. Control
- * owns one.
+ * Which cycles are recorded. A gap lasts while the recorder cannot write, and until half of the
+ * lane is free, so that a recorder that is slow leaves few long gaps and not many short ones.
+ * Control owns one.
  */
 #ifndef BORESIGHT_CYCLE_LANE_H
 #define BORESIGHT_CYCLE_LANE_H

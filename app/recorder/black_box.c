@@ -74,10 +74,11 @@ static void go_back(black_box_t *self)
 static void fail(black_box_t *self, uint64_t now_us)
 {
     if (!self->is_failing) {
-        (void)fprintf(stderr,
-                      "recorder: nothing can be recorded in %s (%s); free space there, or make it a "
-                      "folder that can be written.\n",
-                      self->directory, strerror(errno));
+        (void)fprintf(
+            stderr,
+            "recorder: nothing can be recorded in %s (%s); free space there, or make it a "
+            "folder that can be written.\n",
+            self->directory, strerror(errno));
     }
     self->is_failing = true;
     self->retry_us = now_us + BLACK_BOX_RETRY_US;
@@ -312,7 +313,8 @@ static void release_written(black_box_t *self)
     }
 }
 
-/* False when there is none, or it cannot be written. The one that ends a block may be in it or behind it. */
+/* False when there is none, or it cannot be written. The one that ends a block may be in it or
+ * behind it. */
 static bool take_one(black_box_t *self, uint64_t now_us)
 {
     const uint32_t before = exchange_cycles_taken(self->exchange);

@@ -4,10 +4,10 @@
  * The black box: a series of recordings in one directory, each beginning with a checkpoint where
  * possible, so that it can be replayed without those before it. Old ones are removed so that at
  * most LIMIT_RECORDINGS and about LIMIT_RECORDINGS_MB stay. While the disk is full or the
- * folder cannot be written, control is told and hands over nothing; recording goes on with what waits
- * in the lane. When the recorder cannot keep up, the lane of cycles
- * fills: in elastic time control waits for it, otherwise what was lost is said and counted in the
- * next recording. A record stays in the lane until it is in the file.
+ * folder cannot be written, control is told and hands over nothing; recording goes on with what
+ * waits in the lane. When the recorder cannot keep up, the lane of cycles fills: in elastic time
+ * control waits for it, otherwise what was lost is said and counted in the next recording. A record
+ * stays in the lane until it is in the file.
  */
 #ifndef BORESIGHT_BLACK_BOX_H
 #define BORESIGHT_BLACK_BOX_H
@@ -22,7 +22,7 @@
 
 #include <stdbool.h>
 
-#define BLACK_BOX_FILE_US UINT64_C(600000000) /**< A new file after ten minutes. */
+#define BLACK_BOX_FILE_US UINT64_C(600000000)                  /**< A new file after ten minutes. */
 #define BLACK_BOX_RETRY_US ((uint64_t)LIMIT_RECORDER_RETRY_US) /**< Between attempts to write. */
 
 typedef struct {

@@ -165,15 +165,14 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
  */
 static next_step_t recorder_first(const controller_t *self, const cycle_t *cycle, next_step_t step)
 {
-    const uint32_t planned = BIT(NEXT_STEP_PROBE) | BIT(NEXT_STEP_REGISTER) |
-                             BIT(NEXT_STEP_TARGET) | BIT(NEXT_STEP_MOVE) |
-                             BIT(NEXT_STEP_TARGETING) | BIT(NEXT_STEP_CALIBRATION) |
-                             BIT(NEXT_STEP_PLANNING) | BIT(NEXT_STEP_NOTHING) |
-                             BIT(NEXT_STEP_PROGRAM_DONE);
+    const uint32_t planned =
+        BIT(NEXT_STEP_PROBE) | BIT(NEXT_STEP_REGISTER) | BIT(NEXT_STEP_TARGET) |
+        BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING) | BIT(NEXT_STEP_CALIBRATION) |
+        BIT(NEXT_STEP_PLANNING) | BIT(NEXT_STEP_NOTHING) | BIT(NEXT_STEP_PROGRAM_DONE);
     const bool is_first = (step == NEXT_STEP_START_UP) &&
                           (procedure_workphase(&self->procedure) == WORKPHASE_UNDEFINED);
-    const bool is_in_time = is_first || (is_one_of(step, planned) &&
-                                         needle_is_out(cycle->robot, self->axes));
+    const bool is_in_time =
+        is_first || (is_one_of(step, planned) && needle_is_out(cycle->robot, self->axes));
     return is_in_time ? NEXT_STEP_RECORDER : step;
 }
 

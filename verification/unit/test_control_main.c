@@ -670,6 +670,7 @@ void test_SWR_REC_033_the_controller_is_told_that_the_recorder_cannot_write(void
 {
     (void)control_ends(BY_SIGNAL, SIGTERM);
     TEST_ASSERT_EQUAL_UINT32(0U, record->is_recorder_failing);
+    record->stood_ns = 0U;
     exchange_note_recorder(segment, true, 0U);
     (void)control_ends(BY_SIGNAL, SIGTERM);
     TEST_ASSERT_EQUAL_UINT32(1U, record->is_recorder_failing);

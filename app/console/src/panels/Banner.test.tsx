@@ -35,9 +35,7 @@ test("SWR-SUP-012 says how many cycles are not recorded, and nothing without any
   );
   cleanup();
   const failing = { ...robot.status, is_recorder_failing: true };
-  render(
-    <Banner view={{ ...live, robot: { ...robot, status: failing } }} />,
-  );
+  render(<Banner view={{ ...live, robot: { ...robot, status: failing } }} />);
   expect(screen.getByRole("status").textContent).toContain(
     "Not recorded: the last 123 cycles, as the recorder cannot write them: free space on its disk",
   );
