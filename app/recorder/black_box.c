@@ -247,13 +247,26 @@ static void give_up_file(black_box_t *self, uint64_t now_us)
     self->next_cycle = next_cycle;
 }
 
+/* Removed, or not in its folder any more, where whoever looks for it looks. */
+static bool is_gone(const black_box_t *self)
+{
+    struct stat ours;
+    struct stat found;
+
+    if (fstat(self->writer.file, &ours) != 0) {
+        return false;
+    }
+    if (stat(self->path, &found) != 0) {
+        return (errno == ENOENT) || (errno == ENOTDIR);
+    }
+    return (found.st_ino != ours.st_ino) || (found.st_dev != ours.st_dev);
+}
+
 static void look_for_file(black_box_t *self, uint64_t now_us)
 {
-    struct stat status;
-
-    if ((self->writer.file >= 0) && (fstat(self->writer.file, &status) == 0) &&
-        (status.st_nlink == 0U)) {
-        (void)fprintf(stderr, "recorder: %s was removed; a new recording is begun.\n", self->path);
+    if ((self->writer.file >= 0) && is_gone(self)) {
+        (void)fprintf(stderr, "recorder: %s was removed or moved; a new recording is begun.\n",
+                      self->path);
         give_up_file(self, now_us);
         request_checkpoint(self, now_us);
     }

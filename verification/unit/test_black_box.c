@@ -307,6 +307,20 @@ void test_SWR_REC_012_what_was_in_a_removed_recording_is_counted_as_lost(void)
     TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));
 }
 
+void test_SWR_REC_014_a_folder_that_is_moved_is_made_again_with_a_new_recording(void)
+{
+    char moved[64];
+    char command[80];
+
+    record_cycles(0U, 10U);
+    (void)snprintf(moved, sizeof moved, "%s-moved", folder);
+    TEST_ASSERT_EQUAL_INT(0, rename(folder, moved));
+    record_cycles(10U, 20U);
+    (void)snprintf(command, sizeof command, "rm -r %s", moved);
+    TEST_ASSERT_EQUAL_INT(0, system(command));
+    expect_newest(1U, 11U, 10U);
+}
+
 void test_SWR_REC_032_a_folder_that_a_file_has_replaced_is_told_until_it_is_a_folder_again(void)
 {
     record_cycles(0U, 10U);
