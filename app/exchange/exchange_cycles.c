@@ -184,18 +184,20 @@ void exchange_retake_cycles(exchange_t *self)
 
 void exchange_note_recorder(exchange_t *self, bool is_failing, uint32_t removed)
 {
-    exchange_store_number(&self->segment->others.recorder_failing, is_failing ? 1U : 0U);
-    exchange_store_number(&self->segment->others.cycles_removed, removed);
+    segment_recorder_t *const recorder = &self->segment->recorder;
+
+    __atomic_store_n(&recorder->is_failing, is_failing ? 1U : 0U, __ATOMIC_RELAXED);
+    __atomic_store_n(&recorder->cycles_removed, removed, __ATOMIC_RELAXED);
 }
 
 bool exchange_is_recorder_failing(const exchange_t *self)
 {
-    return exchange_load_number(&self->segment->others.recorder_failing) == 1U;
+    return __atomic_load_n(&self->segment->recorder.is_failing, __ATOMIC_RELAXED) == 1U;
 }
 
 uint32_t exchange_cycles_removed(const exchange_t *self)
 {
-    return exchange_load_number(&self->segment->others.cycles_removed);
+    return __atomic_load_n(&self->segment->recorder.cycles_removed, __ATOMIC_RELAXED);
 }
 
 /* Goes on where the recorder before has ended or, if that is damaged, where control last saw it. */
