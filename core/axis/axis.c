@@ -49,7 +49,7 @@ static void set_position(axis_t *self, int32_t position_ticks)
     encoder_set_position(&self->encoder, position_ticks);
     supervision_shift(&self->supervision, self->home_correction_ticks);
     supervision_settle(&self->supervision);
-    drift_audit_settle(&self->drift, position_ticks);
+    drift_audit_settle(&self->drift);
     self->setpoint_ticks = position_ticks;
     self->has_place = 1U;
     homing_forget(&self->homing);
@@ -241,6 +241,7 @@ void axis_remember(axis_t *self, int32_t position_ticks)
 bool axis_confirm(axis_t *self, const axis_config_t *config)
 {
     const bool was_homed = axis_is_homed(self);
+    const bool was_in_doubt = self->chart.reference == AXIS_REFERENCE_UNVERIFIED;
     (void)dispatch(self, config, AXIS_EVENT_CONFIRM, 0);
     const bool is_confirmed = axis_is_homed(self) && !was_homed;
     if (is_confirmed) {
@@ -248,7 +249,11 @@ bool axis_confirm(axis_t *self, const axis_config_t *config)
         self->elsewhere_ticks = 0;
         homing_forget(&self->homing);
         supervision_settle(&self->supervision);
-        drift_audit_settle(&self->drift, self->encoder.position_ticks);
+        if (was_in_doubt) {
+            drift_audit_confirm(&self->drift, config);
+        } else {
+            drift_audit_settle(&self->drift);
+        }
     }
     return is_confirmed;
 }
@@ -313,10 +318,11 @@ static bool is_unverified(const axis_t *self)
 }
 
 /* Counts of an axis that stands add up to a doubt. */
-static uint32_t audit(axis_t *self, const axis_config_t *config, bool is_off, uint32_t elapsed_us)
+static uint32_t audit(axis_t *self, const axis_config_t *config, int64_t way, bool is_off,
+                      uint32_t elapsed_us)
 {
     uint32_t notes = 0U;
-    drift_audit_step(&self->drift, self->encoder.position_ticks, is_off, elapsed_us);
+    drift_audit_step(&self->drift, way, is_off, elapsed_us);
     if (axis_is_homed(self) && drift_audit_is_beyond(&self->drift, config)) {
         axis_doubt(self);
         notes = AXIS_NOTE_DRIFTED;
@@ -342,6 +348,7 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
                                .edge_age_us = self->encoder.edge_age_us,
                                .elapsed_us = elapsed_us};
     motor_heat_untune(&self->heat, &view.drive);
+    const int64_t way = (int64_t)view.position_ticks - (int64_t)self->supervision.position_ticks;
     uint32_t found = supervision_step(&self->supervision, config, &view);
     if (homing_is_too_long(&self->homing, config, leg, is_driven, elapsed_us)) {
         found |= AXIS_NOTE_HOME_TIMEOUT;
@@ -351,7 +358,7 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
     }
     const uint32_t faults = fail(self, found);
     const bool is_off = sent->mode == (uint32_t)CARD_DRIVE_OFF;
-    return faults | audit(self, config, is_off, elapsed_us);
+    return faults | audit(self, config, way, is_off, elapsed_us);
 }
 
 /* `way`: ticks, below 0 as their complement, as the reading wraps, too. */

@@ -16,18 +16,16 @@
 
 /** At first all zero. */
 typedef struct {
-    int32_t position_ticks; /**< Of the cycle before. */
-    uint32_t off_us;        /**< Off for so long, saturates. */
-    int32_t idle_ticks;     /**< Net counts while off since the last reference. */
-    int32_t scan_ticks;     /**< Net counts while off since the scanner began to acquire. */
+    uint32_t off_us;         /**< Off for so long, saturates. */
+    int32_t idle_ticks;      /**< Net counts while off since the last reference. */
+    int32_t confirmed_ticks; /**< Those of them that the operator has confirmed. */
+    int32_t scan_ticks;      /**< Net counts while off since the scanner began to acquire. */
 } drift_audit_t;
 
-/** One cycle: the axis is at `position_ticks`; its drive was off up to there or not. */
-static inline void drift_audit_step(drift_audit_t *self, int32_t position_ticks, bool is_off,
+/** One cycle, in which the axis has counted `way` ticks; its drive was off meanwhile or not. */
+static inline void drift_audit_step(drift_audit_t *self, int64_t way, bool is_off,
                                     uint32_t elapsed_us)
 {
-    const int64_t way = (int64_t)position_ticks - (int64_t)self->position_ticks;
-    self->position_ticks = position_ticks;
     if (!is_off) {
         self->off_us = 0U;
     } else if (self->off_us < MOTOR_REST_US) {
@@ -40,22 +38,30 @@ static inline void drift_audit_step(drift_audit_t *self, int32_t position_ticks,
     }
 }
 
-/** The axis stands at `position_ticks`, that is sure: a new account begins. */
-void drift_audit_settle(drift_audit_t *self, int32_t position_ticks);
+/** Where the axis stands is sure: a new account begins. */
+void drift_audit_settle(drift_audit_t *self);
+
+/**
+ * The operator has confirmed where the axis stands. What is not far from the last reference stays
+ * in the account until the next one.
+ *
+ * @satisfies SWR-AXIS-054
+ */
+void drift_audit_confirm(drift_audit_t *self, const axis_config_t *config);
 
 /** A scan begins. */
 void drift_audit_begin_scan(drift_audit_t *self);
 
 /**
- * The account is beyond LIMIT_DRIFT_WAY_NM or LIMIT_DRIFT_WAY_BAM, and of an axis that turns the
- * needle about its line beyond LIMIT_DRIFT_FLOOR_TICKS.
+ * What is not confirmed is beyond LIMIT_DRIFT_WAY_NM or LIMIT_DRIFT_WAY_BAM, and of an axis that
+ * turns the needle about its line beyond LIMIT_DRIFT_FLOOR_TICKS.
  *
  * @satisfies SWR-AXIS-022
  */
 bool drift_audit_is_beyond(const drift_audit_t *self, const axis_config_t *config);
 
 /**
- * The account is beyond `config->drift_ticks`.
+ * All of the account is beyond `config->drift_ticks`.
  *
  * @satisfies SWR-AXIS-045
  */

@@ -165,14 +165,17 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     note_grade(self, cycle, index, notes);
 }
 
-/* A drift that has become too large for the target while the position was in doubt. */
-static void watch_doubt(controller_t *self, const cycle_t *cycle, uint32_t index)
+/* A drift that has become too large for the target, in doubt or not: small ones that were confirmed
+ * add up, and a bound may be nearer than what raises a doubt. */
+static void watch_drift(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
-    const axis_t *const axis = &self->axes[index];
-    if ((axis->chart.reference == AXIS_REFERENCE_UNVERIFIED) && (self->plan.has_target != 0U) &&
-        drift_audit_is_far(&axis->drift, &cycle->robot->axes[index])) {
+    axis_t *const axis = &self->axes[index];
+    const bool is_in_doubt = axis->chart.reference == AXIS_REFERENCE_UNVERIFIED;
+    const bool is_asked = axis_is_homed(axis) || (is_in_doubt && (self->plan.has_target != 0U));
+    if (is_asked && drift_audit_is_far(&axis->drift, &cycle->robot->axes[index])) {
         controller_note(self, cycle, EVENT_AXIS_DRIFTED, index, axis->drift.idle_ticks);
         plan_forget_target(&self->plan);
+        axis_doubt(axis);
     }
 }
 
@@ -199,7 +202,7 @@ static void watch_axis(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t index = self->cycle % ROBOT_AXIS_MAX;
     if ((index < self->axis_count) && !controller_is_blind(self)) {
-        watch_doubt(self, cycle, index);
+        watch_drift(self, cycle, index);
         watch_heat(self, cycle, index);
     }
 }

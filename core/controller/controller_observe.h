@@ -17,6 +17,7 @@
  * @satisfies SWR-EVENT-003
  * @satisfies SWR-AXIS-023
  * @satisfies SWR-AXIS-046
+ * @satisfies SWR-AXIS-054
  * @satisfies SWR-DRIVE-008
  */
 void controller_observe(controller_t *self, const cycle_t *cycle);

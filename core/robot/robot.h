@@ -90,7 +90,8 @@ typedef struct {
     int32_t following_error_ticks;  /**< Largest |set-point - position| while driven... */
     uint16_t following_time_ms;     /**< ...beside the way of this time at the set-point speed. */
     uint16_t drift_ticks;           /**< Most that it may have counted at rest since its last
-                                       reference for a target to stay. */
+                                       reference, confirmations not counted as one, to be
+                                       homed and for a target to stay. */
     int32_t jump_ticks;             /**< Largest believable change of the reading in one cycle. */
     /** Way back until the limit switch releases; 0 without one. */
     int32_t switch_hysteresis_ticks;

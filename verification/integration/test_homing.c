@@ -427,7 +427,7 @@ void test_SWR_AXIS_025_a_switch_that_is_free_beyond_home_is_a_fault(void)
     jog_to(NEURO_AXIS_LATERAL, -500);
     encoder_set_position(&lateral->encoder, 30);
     supervision_shift(&lateral->supervision, 530);
-    drift_audit_settle(&lateral->drift, 30);
+    drift_audit_settle(&lateral->drift);
     controller_seal(&rig.controller);
     rig_cycle(&rig);
     expect_elsewhere(NEURO_AXIS_LATERAL, 30, 1);

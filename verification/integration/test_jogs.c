@@ -89,7 +89,7 @@ static void shift(uint32_t axis, int32_t ticks)
     axis_t *const shifted = &rig.controller.axes[axis];
     encoder_set_position(&shifted->encoder, shifted->encoder.position_ticks + ticks);
     supervision_shift(&shifted->supervision, ticks);
-    drift_audit_settle(&shifted->drift, shifted->encoder.position_ticks);
+    drift_audit_settle(&shifted->drift);
     controller_seal(&rig.controller);
 }
 

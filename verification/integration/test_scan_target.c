@@ -137,3 +137,59 @@ void test_SWR_AXIS_045_homing_that_is_given_up_after_a_drift_forgets_the_target(
                              rig.outputs.snapshot.axes[NEURO_AXIS_HEAD].reference);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
 }
+
+/* So much more than before. */
+static void drift_by(uint32_t axis, int32_t ticks)
+{
+    drift_to(axis, rig.controller.axes[axis].drift.idle_ticks + ticks);
+}
+
+static void confirm_drift(uint32_t axis, int32_t ticks)
+{
+    drift_by(axis, ticks);
+    rig_cycles(&rig, 500U); /* It comes to rest. */
+    press_button();
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+    rig_forget(&rig);
+}
+
+void test_SWR_AXIS_054_what_was_confirmed_of_a_drift_counts_until_the_next_reference(void)
+{
+    for (int32_t sign = -1; sign <= 1; sign += 2) {
+        rig_start_targeted(&rig);
+        confirm_drift(NEURO_AXIS_HEAD, sign * 17);
+        drift_by(NEURO_AXIS_HEAD, sign * 7);
+        TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+        drift_by(NEURO_AXIS_HEAD, sign);
+        TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_DRIFTED));
+        rig_cycle(&rig);
+        expect_in_doubt(NEURO_AXIS_HEAD, 0U);
+    }
+}
+
+/* 31 ticks of the needle are a fiftieth of a millimetre. */
+void test_SWR_AXIS_054_a_bound_that_is_nearer_than_a_tenth_of_a_millimetre_holds_as_well(void)
+{
+    const int32_t bound = (int32_t)robot_neuro.axes[NEURO_AXIS_INSERTION].drift_ticks;
+    drift_to(NEURO_AXIS_INSERTION, bound);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+    drift_by(NEURO_AXIS_INSERTION, 1);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_DRIFTED));
+    TEST_ASSERT_EQUAL_INT32(bound + 1, rig.events[0].value);
+    rig_cycle(&rig);
+    expect_in_doubt(NEURO_AXIS_INSERTION, 0U);
+}
+
+void test_SWR_AXIS_054_who_confirms_without_a_target_left_begins_a_new_account(void)
+{
+    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
+    drift_to(NEURO_AXIS_HEAD, (int32_t)robot_neuro.axes[NEURO_AXIS_HEAD].drift_ticks + 1);
+    rig_cycles(&rig, 500U);
+    press_button();
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
+    rig_cycles(&rig, 2U * ROBOT_AXIS_MAX);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+}

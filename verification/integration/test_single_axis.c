@@ -193,7 +193,7 @@ void test_SWR_AXIS_034_a_limit_that_bars_the_way_fails_the_homing(void)
     expect(STATUS_OK, COMMAND_HOME_AXIS, NEURO_AXIS_HEAD);
     encoder_set_position(&rig.controller.axes[NEURO_AXIS_FEET].encoder, -5000);
     supervision_shift(&rig.controller.axes[NEURO_AXIS_FEET].supervision, -5000);
-    drift_audit_settle(&rig.controller.axes[NEURO_AXIS_FEET].drift, -5000);
+    drift_audit_settle(&rig.controller.axes[NEURO_AXIS_FEET].drift);
     controller_seal(&rig.controller);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_HOMING_BARRED));

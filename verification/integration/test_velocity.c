@@ -158,7 +158,7 @@ void test_SWR_VEL_009_an_axis_across_a_needle_that_comes_in_is_not_driven(void)
     axis_t *const needle = &rig.controller.axes[NEURO_AXIS_INSERTION];
     encoder_set_position(&needle->encoder, needle->encoder.position_ticks + 20000);
     supervision_shift(&needle->supervision, 20000);
-    drift_audit_settle(&needle->drift, needle->encoder.position_ticks);
+    drift_audit_settle(&needle->drift);
     controller_seal(&rig.controller);
     rig_cycle(&rig);
     TEST_ASSERT_TRUE((rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].permit_reasons &

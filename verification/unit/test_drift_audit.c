@@ -20,20 +20,29 @@ static const axis_config_t *const head =
 static const axis_config_t *const pitch =
     &robot_neuro.axes[NEURO_AXIS_PITCH]; /* 13.9 ticks per degree */
 static drift_audit_t audit;
+static int32_t stands_ticks;
 
 void setUp(void)
 {
     (void)memset(&audit, 0, sizeof audit);
+    stands_ticks = 0;
 }
 
 void tearDown(void)
 {
 }
 
+static void step(int32_t position_ticks, bool is_off)
+{
+    drift_audit_step(&audit, (int64_t)position_ticks - (int64_t)stands_ticks, is_off,
+                     LIMIT_CYCLE_US);
+    stands_ticks = position_ticks;
+}
+
 static void stand(int32_t position_ticks, uint32_t cycles)
 {
     for (uint32_t i = 0U; i < cycles; i++) {
-        drift_audit_step(&audit, position_ticks, true, LIMIT_CYCLE_US);
+        step(position_ticks, true);
     }
 }
 
@@ -84,7 +93,7 @@ void test_SWR_AXIS_022_counts_that_come_back_are_no_drift(void)
 void test_SWR_AXIS_022_what_a_drive_moves_and_its_motor_runs_out_is_no_drift(void)
 {
     stand(0, REST_CYCLES);
-    drift_audit_step(&audit, 50, false, LIMIT_CYCLE_US);
+    step(50, false);
     stand(52, REST_CYCLES);
     stand(52, 100U);
     TEST_ASSERT_EQUAL_INT32(0, audit.idle_ticks);
@@ -94,9 +103,35 @@ void test_SWR_AXIS_022_a_new_reference_begins_a_new_account(void)
 {
     stand(0, REST_CYCLES);
     stand(8, 1U);
-    drift_audit_settle(&audit, 500);
-    stand(500, 10U);
+    drift_audit_settle(&audit);
+    stand(8, 10U);
     TEST_ASSERT_FALSE(drift_audit_is_beyond(&audit, head));
+}
+
+void test_SWR_AXIS_054_what_is_confirmed_raises_no_doubt_and_stays_in_the_account(void)
+{
+    stand(0, REST_CYCLES);
+    stand(24, 1U);
+    drift_audit_confirm(&audit, head);
+    TEST_ASSERT_FALSE(drift_audit_is_beyond(&audit, head));
+    stand(31, 1U);
+    TEST_ASSERT_FALSE(drift_audit_is_beyond(&audit, head));
+    TEST_ASSERT_TRUE(drift_audit_is_far(&audit, head));
+    drift_audit_confirm(&audit, head);
+    TEST_ASSERT_FALSE(drift_audit_is_far(&audit, head));
+    TEST_ASSERT_EQUAL_INT32(0, audit.idle_ticks);
+}
+
+void test_SWR_AXIS_054_a_reference_takes_what_was_confirmed_out_of_the_account(void)
+{
+    stand(0, REST_CYCLES);
+    stand(24, 1U);
+    drift_audit_confirm(&audit, head);
+    drift_audit_settle(&audit);
+    stand(31, 1U);
+    TEST_ASSERT_FALSE(drift_audit_is_beyond(&audit, head));
+    stand(32, 1U);
+    TEST_ASSERT_TRUE(drift_audit_is_beyond(&audit, head));
 }
 
 void test_SWR_AXIS_023_each_scan_has_an_account_of_its_own(void)
