@@ -129,6 +129,10 @@ typedef struct {
     uint32_t peer;         /**< Of the cause. */
     uint32_t has_arrived;  /**< The last order led to the target, or through a program, and ended as
                               asked. */
+    uint32_t vain_start_ups; /**< Those that an axis or a card has ended since one was done. */
+    uint32_t vain_axis;      /**< Of the last of them; ROBOT_AXIS_MAX: it was a card. */
+    uint32_t vain_card;      /**< Its slot; CARD_SLOT_COUNT: it was an axis. */
+    uint32_t vain_event;     /**< event_id_t that ended it. */
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
     uint32_t strangers;    /**< Bit n: a card that the robot does not name is in slot n. */
@@ -148,10 +152,6 @@ typedef struct {
     robot_cards_t cards;    /**< Of the robot, as its undamaged table says in each cycle. */
     program_list_t program; /**< The treatment program that is held; has checksums of its own. */
     uint32_t last_event;    /**< event_id_t of the one noted last; it counts only, with the next. */
-    uint32_t vain_start_ups; /**< Those that an axis or a card has ended since one was done. */
-    uint32_t vain_axis;      /**< Of the last of them; ROBOT_AXIS_MAX: it was a card. */
-    uint32_t vain_card;      /**< Its slot; CARD_SLOT_COUNT: it was an axis. */
-    uint32_t vain_event;     /**< event_id_t that ended it. */
     /** Of mode.list; each has a checksum. The last member, as they are too many to be copied with
      * the rest: what comes before is a checkpoint, to which those that the list has belong. */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];

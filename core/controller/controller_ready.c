@@ -27,13 +27,13 @@ static bool is_driver_hot(const controller_t *self, uint32_t index)
 
 static named_step_t of_axis(next_step_t step, uint32_t axis, event_id_t event)
 {
-    return (named_step_t){step, axis, CARD_SLOT_COUNT, event};
+    return (named_step_t){step, axis, CARD_SLOT_COUNT, (uint32_t)event};
 }
 
 static named_step_t of_card(const controller_t *self, next_step_t step, uint32_t axis,
                             event_id_t event)
 {
-    return (named_step_t){step, axis, self->cards.slots[axis], event};
+    return (named_step_t){step, axis, self->cards.slots[axis], (uint32_t)event};
 }
 
 static bool is_start_up(const named_step_t *found)
@@ -164,8 +164,8 @@ static named_step_t find_vain(const controller_t *self)
 {
     named_step_t found = controller_step_only(NEXT_STEP_START_UP);
     if (self->vain_start_ups >= LIMIT_SERVICE_START_UPS) {
-        found = (named_step_t){NEXT_STEP_SERVICE, self->vain_axis, self->vain_card,
-                               (event_id_t)self->vain_event};
+        found =
+            (named_step_t){NEXT_STEP_SERVICE, self->vain_axis, self->vain_card, self->vain_event};
     }
     return found;
 }

@@ -8,15 +8,15 @@
 /** A next step, and what it names. */
 typedef struct {
     next_step_t step;
-    uint32_t axis;    /**< ROBOT_AXIS_MAX: none. */
-    uint32_t card;    /**< Slot; CARD_SLOT_COUNT: none. */
-    event_id_t event; /**< What is wrong there. */
+    uint32_t axis;  /**< ROBOT_AXIS_MAX: none. */
+    uint32_t card;  /**< Slot; CARD_SLOT_COUNT: none. */
+    uint32_t event; /**< event_id_t: what is wrong there; EVENT_ID_COUNT: neither is named. */
 } named_step_t;
 
 /** A step that names nothing. */
 static inline named_step_t controller_step_only(next_step_t step)
 {
-    return (named_step_t){step, ROBOT_AXIS_MAX, CARD_SLOT_COUNT, EVENT_STARTED};
+    return (named_step_t){step, ROBOT_AXIS_MAX, CARD_SLOT_COUNT, EVENT_ID_COUNT};
 }
 
 /**

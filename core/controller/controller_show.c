@@ -163,36 +163,33 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
  *
  * @satisfies SWR-REC-034
  */
-static next_step_t recorder_first(const controller_t *self, const cycle_t *cycle, next_step_t step)
+static named_step_t recorder_first(const controller_t *self, const cycle_t *cycle,
+                                   const named_step_t *named)
 {
     const uint32_t planned =
         BIT(NEXT_STEP_PROBE) | BIT(NEXT_STEP_REGISTER) | BIT(NEXT_STEP_TARGET) |
         BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING) | BIT(NEXT_STEP_CALIBRATION) |
         BIT(NEXT_STEP_PLANNING) | BIT(NEXT_STEP_NOTHING) | BIT(NEXT_STEP_PROGRAM_DONE);
-    const bool is_first = (step == NEXT_STEP_START_UP) &&
+    const bool is_first = (named->step == NEXT_STEP_START_UP) &&
                           (procedure_workphase(&self->procedure) == WORKPHASE_UNDEFINED);
     const bool is_in_time =
-        is_first || (is_one_of(step, planned) && needle_is_out(cycle->robot, self->axes));
-    return is_in_time ? NEXT_STEP_RECORDER : step;
+        is_first || (is_one_of(named->step, planned) && needle_is_out(cycle->robot, self->axes));
+    return is_in_time ? controller_step_only(NEXT_STEP_RECORDER) : *named;
 }
 
 static void show_step(const controller_t *self, const cycle_t *cycle, snapshot_t *shown)
 {
-    next_step_t step = next_step(self, shown->is_homed != 0U);
-    shown->step_axis = ROBOT_AXIS_MAX;
-    shown->step_card = CARD_SLOT_COUNT;
-    shown->step_event = (uint32_t)EVENT_STARTED;
-    if (is_one_of(step, FOR_START_UP)) {
-        const named_step_t named = controller_ready(self, cycle);
-        step = named.step;
-        shown->step_axis = named.axis;
-        shown->step_card = named.card;
-        shown->step_event = (uint32_t)named.event;
+    named_step_t named = controller_step_only(next_step(self, shown->is_homed != 0U));
+    if (is_one_of(named.step, FOR_START_UP)) {
+        named = controller_ready(self, cycle);
     }
     if (cycle->inputs->is_recorder_failing != 0U) {
-        step = recorder_first(self, cycle, step);
+        named = recorder_first(self, cycle, &named);
     }
-    shown->next_step = (uint32_t)authority_first(self, step);
+    shown->step_axis = named.axis;
+    shown->step_card = named.card;
+    shown->step_event = named.event;
+    shown->next_step = (uint32_t)authority_first(self, named.step);
 }
 
 static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t index)

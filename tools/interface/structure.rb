@@ -212,13 +212,14 @@ module Interface
       fields.filter_map(&:column).sort_by(&:place)
     end
 
-    # A field that decides whether others are shown, as C: a flag that is 1, a status that is OK.
+    # A field that decides whether others are shown, as C: a flag that is 1, a status that is OK, one of what is counted.
     def condition(name, node)
       field = fields.find { |one| one.name == name } || node.refuse("is shown when #{name}, which is no field")
       return "(#{self.name}->#{name} != 0U)" if field.type.flag?
       return "(#{self.name}->#{name} == (uint32_t)STATUS_OK)" if field.type.status?
+      return "(#{self.name}->#{name} < #{field.type.name.upcase}_COUNT)" if field.type.enumeration&.counted?
 
-      node.refuse("is shown when #{name}, which is no flag and no status")
+      node.refuse("is shown when #{name}, which is no flag, no status and of nothing that is counted")
     end
 
     def layout

@@ -222,6 +222,14 @@ class TestInterfaceCompiler < Minitest::Test
                  .sub('lamp.state}', 'lamp.state, shown: tin}')
                  .sub('tin."}', 'tin.", shown: {in: tin, key: litres}}')
 
+  def test_SWR_TOOL_011_a_value_that_is_none_of_those_counted_is_shown_as_null
+    counted = SHOWN.sub('code: 7', 'code: 2').sub("says: Why something was refused.\n", "\\0    count: true\n")
+                   .sub('when: [is_dry]', 'when: [colour]')
+    with_output('colours.yml' => counted) do |folder|
+      assert_includes File.read(File.join(folder, 'app/messages.c')), 'if ((paint->colour < COLOUR_COUNT)) {'
+    end
+  end
+
   def test_SWR_TOOL_011_console_knows_each_message_as_the_server_writes_it
     with_output('colours.yml' => SHOWN) do |folder|
       assert_includes File.read(File.join(folder, 'app/messages.c')), <<~CODE
@@ -419,7 +427,7 @@ class TestInterfaceCompiler < Minitest::Test
     'a form that is none' => ['"Left in the tin."', '"x", shown: {in: tin, as: cube}', 20, 'has the form cube'],
     'a form that does not fit' => ['"Left in the tin."', '"x", shown: {in: tin, as: named}', 20, 'uint32 has not'],
     'a condition that is none' => ['"Left in the tin."', '"x", shown: {in: tin, when: [colour]}', 20,
-                                   'is shown when colour, which is no flag and no status'],
+                                   'is shown when colour, which is no flag, no status and of nothing that is counted'],
     'the end of a comment' => ['"Left in the tin."', '"x */"', 20, 'holds the end of a comment']
   }.freeze
 

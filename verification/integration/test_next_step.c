@@ -251,7 +251,7 @@ void test_SWR_NEXT_003_a_card_that_is_lost_is_named_until_it_answers(void)
     expect_named(NEXT_STEP_CHECK_CARDS, NEURO_AXIS_HEAD, slot_of(NEURO_AXIS_HEAD), EVENT_CARD_LOST);
     rig_box(&rig, "card head normal");
     rig_cycles(&rig, 20U);
-    expect_named(NEXT_STEP_START_UP, ROBOT_AXIS_MAX, CARD_SLOT_COUNT, EVENT_STARTED);
+    expect_named(NEXT_STEP_START_UP, ROBOT_AXIS_MAX, CARD_SLOT_COUNT, EVENT_ID_COUNT);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_START_UP));
 }
 

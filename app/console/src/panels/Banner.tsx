@@ -123,7 +123,7 @@ function namedOf({ status, motors }: RobotState): string {
     ...(axis === undefined ? [] : [axis]),
     ...(card === undefined ? [] : [`card ${card.slot}`]),
   ];
-  return names.length === 0
+  return status.step_event === null
     ? ""
     : ` ${names.join(", ")}: ${words(status.step_event)}.`;
 }

@@ -150,7 +150,7 @@ export function makeStatus(change: Partial<Status> = {}): Status {
     next_step: { name: "PRESS_PEDAL", text: "Press and hold the pedal." },
     step_axis: 10,
     step_card: 10,
-    step_event: "STARTED",
+    step_event: null,
     order: "waiting",
     mode: { name: "HOMING", text: "Every axis is homed." },
     done_per_mille: 0,
