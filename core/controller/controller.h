@@ -21,6 +21,7 @@
 #include "mode/mode.h"
 #include "procedure/plan.h"
 #include "procedure/procedure.h"
+#include "procedure/target_way.h"
 #include "robot/robot.h"
 #include "robot/robot_cards.h"
 #include "safety/authority.h"
@@ -150,6 +151,7 @@ typedef struct {
     uint32_t cycles_lost;                  /**< Of the inputs before; counts, too, */
     uint32_t unrecorded;                   /**< and those of them in the present gap. */
     robot_cards_t cards;    /**< Of the robot, as its undamaged table says in each cycle. */
+    target_way_t way;       /**< As it is shown; has a seal of its own. */
     program_list_t program; /**< The treatment program that is held; has checksums of its own. */
     uint32_t last_event;    /**< event_id_t of the one noted last; it counts only, with the next. */
     /** Of mode.list; each has a checksum. The last member, as they are too many to be copied with

@@ -67,6 +67,7 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     controller_move(self, &cycle, &result);
     const uint32_t guards = controller_facts(self, &cycle);
     controller_drive(self, &cycle, guards, result.requests);
+    controller_look_ahead(self, &cycle, guards);
     controller_show(self, &cycle, guards);
     self->cycle++;
     controller_seal(self);

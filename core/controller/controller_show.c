@@ -70,7 +70,33 @@ static next_step_t step_in(workphase_t workphase, workphase_t present, next_step
     return there;
 }
 
-static next_step_t step_for_plan(const controller_t *self, bool is_homed)
+/* Round what the way would leave: the pose is one of MANUAL, and needs the needle out. */
+static next_step_t step_by_pose(const controller_t *self, const robot_t *robot, workphase_t present)
+{
+    next_step_t step = NEXT_STEP_MANUAL;
+    if (present == WORKPHASE_MANUAL) {
+        step = needle_is_out(robot, self->axes) ? NEXT_STEP_DRAPING : NEXT_STEP_RETRACT;
+    }
+    return step;
+}
+
+static next_step_t step_to_target(const controller_t *self, const robot_t *robot,
+                                  workphase_t present)
+{
+    next_step_t step = NEXT_STEP_MOVE;
+    if (self->way.kind == (uint32_t)TARGET_WAY_BY_POSE) {
+        step = step_by_pose(self, robot, present);
+    } else if (self->way.kind == (uint32_t)TARGET_WAY_NONE) {
+        step = step_in(WORKPHASE_TARGETING, present, NEXT_STEP_TARGET);
+    } else if (present != WORKPHASE_MOVE_TO_TARGET) {
+        step = step_in(WORKPHASE_TARGETING, present, NEXT_STEP_MOVE);
+    } else {
+        /* Commanded once more. */
+    }
+    return step;
+}
+
+static next_step_t step_for_plan(const controller_t *self, const robot_t *robot, bool is_homed)
 {
     const workphase_t present = procedure_workphase(&self->procedure);
     const bool is_going = present == WORKPHASE_MOVE_TO_TARGET;
@@ -83,10 +109,10 @@ static next_step_t step_for_plan(const controller_t *self, bool is_homed)
         step = step_in(WORKPHASE_CALIBRATION, present, NEXT_STEP_REGISTER);
     } else if (self->plan.has_target == 0U) {
         step = step_in(WORKPHASE_TARGETING, present, NEXT_STEP_TARGET);
-    } else if (is_going) {
-        step = (self->has_arrived != 0U) ? step_after_arrival(self) : NEXT_STEP_MOVE;
+    } else if (is_going && (self->has_arrived != 0U)) {
+        step = step_after_arrival(self);
     } else {
-        step = step_in(WORKPHASE_TARGETING, present, NEXT_STEP_MOVE);
+        step = step_to_target(self, robot, present);
     }
     return step;
 }
@@ -98,7 +124,7 @@ static next_step_t release_first(const controller_t *self, next_step_t step)
 }
 
 /* Follows the reasons of every axis, and the workphase when nothing but an order is missing. */
-static next_step_t next_step(const controller_t *self, bool is_homed)
+static next_step_t next_step(const controller_t *self, const robot_t *robot, bool is_homed)
 {
     uint32_t reasons = 0U;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
@@ -112,15 +138,16 @@ static next_step_t next_step(const controller_t *self, bool is_homed)
             step = remedy->step;
         }
     }
-    return (step == NEXT_STEP_NOTHING) ? release_first(self, step_for_plan(self, is_homed)) : step;
+    return (step == NEXT_STEP_NOTHING) ? release_first(self, step_for_plan(self, robot, is_homed))
+                                       : step;
 }
 
-#define BIT(step) ((uint32_t)1U << (uint32_t)(step))
+#define BIT(step) ((uint64_t)1U << (uint32_t)(step))
 /* Where START_UP is wanted: something may have to come before it. */
 #define FOR_START_UP                                                                               \
     (BIT(NEXT_STEP_START_UP) | BIT(NEXT_STEP_CHECK_CARDS) | BIT(NEXT_STEP_PEDAL_FAULT))
 
-static bool is_one_of(next_step_t step, uint32_t steps)
+static bool is_one_of(next_step_t step, uint64_t steps)
 {
     return ((steps >> (uint32_t)step) & 1U) != 0U;
 }
@@ -136,11 +163,12 @@ static bool is_anybodys(const authority_t *authority)
  * button. */
 static next_step_t authority_first(const controller_t *self, next_step_t step)
 {
-    const uint32_t commanded = BIT(NEXT_STEP_START_UP) | BIT(NEXT_STEP_PROBE) |
-                               BIT(NEXT_STEP_REGISTER) | BIT(NEXT_STEP_TARGET) |
-                               BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING) |
-                               BIT(NEXT_STEP_CALIBRATION) | BIT(NEXT_STEP_PLANNING);
-    const uint32_t calm = commanded | BIT(NEXT_STEP_RELEASE_PEDAL) | BIT(NEXT_STEP_PRESS_PEDAL) |
+    const uint64_t commanded =
+        BIT(NEXT_STEP_START_UP) | BIT(NEXT_STEP_PROBE) | BIT(NEXT_STEP_REGISTER) |
+        BIT(NEXT_STEP_TARGET) | BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING) |
+        BIT(NEXT_STEP_CALIBRATION) | BIT(NEXT_STEP_PLANNING) | BIT(NEXT_STEP_RETRACT) |
+        BIT(NEXT_STEP_MANUAL) | BIT(NEXT_STEP_DRAPING);
+    const uint64_t calm = commanded | BIT(NEXT_STEP_RELEASE_PEDAL) | BIT(NEXT_STEP_PRESS_PEDAL) |
                           BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_COMPARE) | BIT(NEXT_STEP_PLACE) |
                           BIT(NEXT_STEP_BY_HAND) | BIT(NEXT_STEP_NOTHING) |
                           BIT(NEXT_STEP_PROGRAM_DONE) | BIT(NEXT_STEP_RECORDER);
@@ -179,7 +207,7 @@ static named_step_t recorder_first(const controller_t *self, const cycle_t *cycl
 
 static void show_step(const controller_t *self, const cycle_t *cycle, snapshot_t *shown)
 {
-    named_step_t named = controller_step_only(next_step(self, shown->is_homed != 0U));
+    named_step_t named = controller_step_only(next_step(self, cycle->robot, shown->is_homed != 0U));
     if (is_one_of(named.step, FOR_START_UP)) {
         named = controller_ready(self, cycle);
     }
@@ -379,6 +407,16 @@ static void clear_unused(const controller_t *self, snapshot_t *shown)
 {
     clear_aligned_words((uint8_t *)&shown->axes[self->axis_count],
                         (ROBOT_AXIS_MAX - self->axis_count) * sizeof shown->axes[0]);
+}
+
+void controller_look_ahead(controller_t *self, const cycle_t *cycle, uint32_t guards)
+{
+    if ((self->plan.has_target != 0U) && guards_have(guards, GUARD_HOMED) &&
+        !procedure_is_moving(&self->procedure)) {
+        int32_t ticks[ROBOT_AXIS_MAX];
+        controller_positions(self, ticks);
+        target_way_look(&self->way, cycle->robot, ticks, self->plan.target_ticks);
+    }
 }
 
 void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t guards)
