@@ -93,6 +93,7 @@ static status_t tell_target(controller_t *self, const cycle_t *cycle, const comm
     answer->is_maximum = (uint32_t)result.is_maximum;
     if (result.status == STATUS_OK) {
         answer->pose = self->plan.scanner_target;
+        target_way_take(&self->way, cycle->robot, ticks, self->plan.target_ticks);
         controller_note(self, cycle, EVENT_TARGET_ACCEPTED, 0U, 0);
     }
     return result.status;

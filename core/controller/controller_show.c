@@ -84,7 +84,9 @@ static next_step_t step_to_target(const controller_t *self, const robot_t *robot
                                   workphase_t present)
 {
     next_step_t step = NEXT_STEP_MOVE;
-    if (self->way.kind == (uint32_t)TARGET_WAY_BY_POSE) {
+    if (self->way.kind >= (uint32_t)TARGET_WAY_UNKNOWN) {
+        step = NEXT_STEP_WAIT; /* Two cycles. */
+    } else if (self->way.kind == (uint32_t)TARGET_WAY_BY_POSE) {
         step = step_by_pose(self, robot, present);
     } else if (self->way.kind == (uint32_t)TARGET_WAY_NONE) {
         step = step_in(WORKPHASE_TARGETING, present, NEXT_STEP_TARGET);

@@ -16,12 +16,15 @@
 
 typedef enum {
     TARGET_WAY_DIRECT = 0,
-    TARGET_WAY_BY_POSE = 1, /**< By TARGET_WAY_POSE, that way leaves a limit. */
-    TARGET_WAY_NONE = 2     /**< By neither. */
+    TARGET_WAY_BY_POSE = 1,  /**< By TARGET_WAY_POSE, that way leaves a limit. */
+    TARGET_WAY_NONE = 2,     /**< By neither. */
+    TARGET_WAY_UNKNOWN = 3,  /**< Nothing was judged yet. */
+    TARGET_WAY_TO_POSE = 4,  /**< Not direct; the way to the pose is judged next... */
+    TARGET_WAY_FROM_POSE = 5 /**< ...and then the one from there. */
 } target_way_kind_t;
 
-/** At first all zero. What was found, and for what: 17 values of a limit are too many for each
- * cycle. Has a seal of its own. */
+/** At first all zero. What was found, and for what: the 17 values of a curved limit are too many
+ * for each cycle. Has a seal of its own. */
 typedef struct {
     int32_t from_ticks[ROBOT_AXIS_MAX];
     int32_t to_ticks[ROBOT_AXIS_MAX];
@@ -30,11 +33,17 @@ typedef struct {
 } target_way_t;
 
 /**
- * Looks from `from` to `to` (ticks) unless that is known already. At most three ways are judged.
+ * Looks from `from` to `to` (ticks), unless that is known already: one way in each call, so it is
+ * known in the first whether the direct one leaves a limit, and in the third whether the other
+ * does.
  *
  * @satisfies SWR-NEXT-023
  */
 void target_way_look(target_way_t *self, const robot_t *robot, const int32_t from[ROBOT_AXIS_MAX],
+                     const int32_t to[ROBOT_AXIS_MAX]);
+
+/** The way from `from` to `to` was judged and is direct. */
+void target_way_take(target_way_t *self, const robot_t *robot, const int32_t from[ROBOT_AXIS_MAX],
                      const int32_t to[ROBOT_AXIS_MAX]);
 
 #endif

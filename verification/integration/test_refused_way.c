@@ -113,6 +113,8 @@ void test_SWR_NEXT_023_where_no_way_leads_round_another_target_is_asked_for(void
     rig.robot.seal = seal_of(SEAL_START, (const uint8_t *)&rig.robot, offsetof(robot_t, seal));
     rig.controller.way.seal ^= 1U;
     rig_cycle(&rig);
+    expect(NEXT_STEP_WAIT);
+    rig_cycles(&rig, 2U);
     expect(NEXT_STEP_TARGET);
     phase(WORKPHASE_PLANNING);
     expect(NEXT_STEP_TARGETING);

@@ -128,7 +128,8 @@ static bool command_of(const rig_t *rig, uint32_t step, command_t *command)
                                          [NEXT_STEP_PLANNING] = WORKPHASE_PLANNING,
                                          [NEXT_STEP_STOP] = WORKPHASE_STOP,
                                          [NEXT_STEP_SERVICE] = WORKPHASE_START_UP,
-                                         [NEXT_STEP_COMPARE] = WORKPHASE_START_UP};
+                                         [NEXT_STEP_COMPARE] = WORKPHASE_START_UP,
+                                         [NEXT_STEP_MANUAL] = WORKPHASE_MANUAL};
     const authority_party_t party = commander(rig);
     *command = (command_t){.id = ID, .source = party.source, .peer = party.peer};
     rigid_set_identity(&command->pose);
@@ -138,6 +139,15 @@ static bool command_of(const rig_t *rig, uint32_t step, command_t *command)
     }
     if (step == (uint32_t)NEXT_STEP_REGISTER) {
         command->kind = (uint32_t)COMMAND_REGISTRATION;
+        return true;
+    }
+    if (step == (uint32_t)NEXT_STEP_RETRACT) {
+        command->kind = (uint32_t)COMMAND_RETRACT;
+        return true;
+    }
+    if (step == (uint32_t)NEXT_STEP_DRAPING) {
+        command->kind = (uint32_t)COMMAND_POSE;
+        command->argument = (uint32_t)POSE_DRAPING;
         return true;
     }
     command->kind = (uint32_t)COMMAND_WORKPHASE;
@@ -336,15 +346,17 @@ static void wait_on(operator_t *self, rig_t *rig)
     }
 }
 
+/* With a target he goes on to it; without one he would have to know more than he is told. */
 static bool may_command(const snapshot_t *shown)
 {
-    const bool is_asked = (shown->next_step == (uint32_t)NEXT_STEP_PLANNING) ||
-                          (shown->next_step == (uint32_t)NEXT_STEP_CALIBRATION) ||
-                          (shown->next_step == (uint32_t)NEXT_STEP_TARGETING) ||
-                          (shown->next_step == (uint32_t)NEXT_STEP_PROBE) ||
-                          (shown->next_step == (uint32_t)NEXT_STEP_PROGRAM_DONE) ||
-                          ((shown->next_step >= (uint32_t)NEXT_STEP_REGISTER) &&
-                           (shown->next_step <= (uint32_t)NEXT_STEP_NOTHING));
+    const uint32_t step = shown->next_step;
+    const bool is_on_the_way = (step == (uint32_t)NEXT_STEP_PLANNING) ||
+                               (step == (uint32_t)NEXT_STEP_CALIBRATION) ||
+                               (step == (uint32_t)NEXT_STEP_TARGETING);
+    const bool is_asked =
+        (is_on_the_way && (shown->has_target == 0U)) || (step == (uint32_t)NEXT_STEP_PROBE) ||
+        (step == (uint32_t)NEXT_STEP_REGISTER) || (step == (uint32_t)NEXT_STEP_TARGET) ||
+        (step == (uint32_t)NEXT_STEP_PROGRAM_DONE) || (step == (uint32_t)NEXT_STEP_NOTHING);
     return is_asked && (shown->is_homed != 0U) && (shown->order == (uint32_t)ARMING_STATE_NONE);
 }
 
@@ -395,7 +407,7 @@ operator_end_t operator_play(operator_t *self, rig_t *rig)
                (step == (uint32_t)NEXT_STEP_HOLD_PEDAL)) {
         /* It goes on by itself. */
     } else if (may_command(&rig->outputs.snapshot)) {
-        self->end = OPERATOR_COMMANDS;
+        self->end = (step == (uint32_t)NEXT_STEP_NOTHING) ? OPERATOR_ARRIVES : OPERATOR_COMMANDS;
     } else {
         self->wait_cycles = LOOK_CYCLES + chance_below(&self->random, LOOK_CYCLES);
         follow(self, rig, step);

@@ -3,7 +3,8 @@
  * @file
  * An operator who knows nothing but the next step that is shown and what it names: he does what he
  * is told and nothing else. He comes into a scene of any other play at any time, with anything
- * broken, armed, pressed or lost, and must get the robot homed, or be told what is to be mended.
+ * broken, armed, pressed or lost, and must get the robot homed, and to a target that is there, or
+ * be told what is to be mended.
  */
 #ifndef BORESIGHT_OPERATOR_H
 #define BORESIGHT_OPERATOR_H
@@ -20,10 +21,11 @@ typedef enum {
     OPERATOR_COMMANDS = 1, /**< The robot is homed and may be commanded. */
     OPERATOR_SERVICE = 2,  /**< What is broken was named to him. */
     OPERATOR_DEAD_END = 3, /**< Too many acts or too long, or nothing that he could do. */
-    OPERATOR_REFUSED = 4   /**< What he was told to command was refused. */
+    OPERATOR_REFUSED = 4,  /**< What he was told to command was refused. */
+    OPERATOR_ARRIVES = 5   /**< As OPERATOR_COMMANDS, with the needle at the target. */
 } operator_end_t;
 
-#define OPERATOR_ENDS 5U
+#define OPERATOR_ENDS 6U
 
 /** State of the operator; one scene at a time. */
 typedef struct {

@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervise/recovery.h"
 
+#include "integration/support/refused_way.h"
 #include "interface/app/names.h"
 #include "supervise/operator.h"
 
 #include <stdio.h>
 
 #define BREAKS_LATER 3U /* Of the history, it breaks after a third. */
+#define ASTRAY 4U       /* One of so many scenes begins where the way to the target is refused... */
+#define BROKEN 8U       /* ...and of them every other one breaks. */
+#define TRIES 100000U   /* One of a thousand pairs is refused. */
 
 /* The other players have left; the witness stays. */
 static void let_operator_act(scene_t *scene, operator_t *player)
@@ -22,7 +26,25 @@ static void let_operator_act(scene_t *scene, operator_t *player)
     }
 }
 
-static void play_scene(scene_t *scene, const robot_t *robot, operator_t *player, uint32_t seed)
+/* After jogs with a target set. @return false: of this robot, or in this scene, no way is refused
+ */
+static bool stand_astray(scene_t *scene, const robot_t *robot, uint32_t seed)
+{
+    static robot_t standing;
+    refused_pair_t pair;
+    uint32_t random = (seed * 2246822519U) | 1U;
+    if (((seed % ASTRAY) != (ASTRAY / 2U)) || !refused_pair_draw(&pair, robot, &random, TRIES)) {
+        return false;
+    }
+    refused_way_start(&pair, robot, &standing, &scene->rig);
+    witness_begin(&scene->witness, seed);
+    if ((seed % BROKEN) >= ASTRAY) {
+        operator_break(&scene->rig, seed);
+    }
+    return true;
+}
+
+static void play_history(scene_t *scene, const robot_t *robot, uint32_t seed)
 {
     const uint32_t cycles = operator_history_cycles(seed);
     scene_begin(scene, robot, operator_history(seed, robot), seed);
@@ -33,6 +55,13 @@ static void play_scene(scene_t *scene, const robot_t *robot, operator_t *player,
             scene->stage.has_fault = 1U;
         }
         scene_cycle(scene);
+    }
+}
+
+static void play_scene(scene_t *scene, const robot_t *robot, operator_t *player, uint32_t seed)
+{
+    if (!stand_astray(scene, robot, seed)) {
+        play_history(scene, robot, seed);
     }
     operator_begin(player, &scene->rig, seed);
     while (player->end == OPERATOR_ACTS) {
@@ -67,10 +96,12 @@ bool recovery_play(scene_t *scene, const robot_t *robot, uint32_t count, uint32_
             tell(scene, &player, seed + i);
         }
     }
-    printf(
-        "an operator who follows the next step: %u homed, %u told what to mend, %u dead ends, %u "
-        "refusals, at most %u acts\n",
-        (unsigned)ends[OPERATOR_COMMANDS], (unsigned)ends[OPERATOR_SERVICE],
-        (unsigned)ends[OPERATOR_DEAD_END], (unsigned)ends[OPERATOR_REFUSED], (unsigned)most_acts);
+    printf("an operator who follows the next step: %u homed, %u of them at the target, %u told "
+           "what to "
+           "mend, %u dead ends, %u refusals, at most %u acts\n",
+           (unsigned)(ends[OPERATOR_COMMANDS] + ends[OPERATOR_ARRIVES]),
+           (unsigned)ends[OPERATOR_ARRIVES], (unsigned)ends[OPERATOR_SERVICE],
+           (unsigned)ends[OPERATOR_DEAD_END], (unsigned)ends[OPERATOR_REFUSED],
+           (unsigned)most_acts);
     return (ends[OPERATOR_DEAD_END] + ends[OPERATOR_REFUSED]) == 0U;
 }

@@ -494,6 +494,16 @@ static void do_next_step(stage_t *self, rig_t *rig)
     case NEXT_STEP_TARGETING:
         send_phase(self, rig, WORKPHASE_TARGETING);
         break;
+    case NEXT_STEP_MANUAL:
+        send_phase(self, rig, WORKPHASE_MANUAL);
+        break;
+    case NEXT_STEP_RETRACT:
+        send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
+        break;
+    case NEXT_STEP_DRAPING:
+        send(self, rig,
+             (command_t){.kind = (uint32_t)COMMAND_POSE, .argument = (uint32_t)POSE_DRAPING});
+        break;
     case NEXT_STEP_PROBE:
         if (has_whim(self, 3U)) {
             send_phase(self, rig, WORKPHASE_START_UP);

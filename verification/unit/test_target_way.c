@@ -35,9 +35,16 @@ void tearDown(void)
 {
 }
 
-static void look(void)
+static void look_once(void)
 {
     target_way_look(&way, &robot, pair.from_ticks, pair.to_ticks);
+}
+
+static void look(void)
+{
+    for (uint32_t i = 0U; i < 3U; i++) {
+        look_once();
+    }
 }
 
 static status_t judge(const int32_t from[ROBOT_AXIS_MAX], const int32_t to[ROBOT_AXIS_MAX])
@@ -126,4 +133,21 @@ void test_SWR_NEXT_023_what_is_damaged_is_looked_at_again(void)
     way.kind = (uint32_t)TARGET_WAY_DIRECT;
     look();
     TEST_ASSERT_EQUAL_UINT32(TARGET_WAY_BY_POSE, way.kind);
+}
+
+void test_SWR_NEXT_023_one_way_is_judged_at_a_time_and_the_direct_one_first(void)
+{
+    look_once();
+    TEST_ASSERT_EQUAL_UINT32(TARGET_WAY_TO_POSE, way.kind);
+    look_once();
+    TEST_ASSERT_EQUAL_UINT32(TARGET_WAY_FROM_POSE, way.kind);
+    look_once();
+    TEST_ASSERT_EQUAL_UINT32(TARGET_WAY_BY_POSE, way.kind);
+}
+
+void test_SWR_NEXT_023_a_way_that_was_judged_is_not_judged_again(void)
+{
+    target_way_take(&way, &robot, pair.from_ticks, pair.to_ticks);
+    look_once();
+    TEST_ASSERT_EQUAL_UINT32(TARGET_WAY_DIRECT, way.kind);
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #define REST_CYCLES 500U
+#define LOOK_CYCLES 3U /* A way in each. */
 
 static void restore(const refused_pair_t *pair, const robot_t *robot, rig_t *rig)
 {
@@ -41,5 +42,5 @@ void refused_way_start(const refused_pair_t *pair, const robot_t *robot, robot_t
                                                         robot->poses[POSE_DRAPING].ticks, &pose)
                                             .status);
     controller_seal(&rig->controller);
-    rig_cycle(rig);
+    rig_cycles(rig, LOOK_CYCLES);
 }
