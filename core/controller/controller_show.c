@@ -196,10 +196,11 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
 static named_step_t recorder_first(const controller_t *self, const cycle_t *cycle,
                                    const named_step_t *named)
 {
-    const uint32_t planned =
+    const uint64_t planned =
         BIT(NEXT_STEP_PROBE) | BIT(NEXT_STEP_REGISTER) | BIT(NEXT_STEP_TARGET) |
         BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING) | BIT(NEXT_STEP_CALIBRATION) |
-        BIT(NEXT_STEP_PLANNING) | BIT(NEXT_STEP_NOTHING) | BIT(NEXT_STEP_PROGRAM_DONE);
+        BIT(NEXT_STEP_PLANNING) | BIT(NEXT_STEP_MANUAL) | BIT(NEXT_STEP_DRAPING) |
+        BIT(NEXT_STEP_NOTHING) | BIT(NEXT_STEP_PROGRAM_DONE);
     const bool is_first = (named->step == NEXT_STEP_START_UP) &&
                           (procedure_workphase(&self->procedure) == WORKPHASE_UNDEFINED);
     const bool is_in_time =
