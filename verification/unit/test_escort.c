@@ -189,12 +189,15 @@ void test_SWR_AXIS_051_rear_right_gets_to_its_switch_from_any_legal_pose(void)
     expect_home_from_anywhere(REAR_RIGHT);
 }
 
-void test_SWR_AXIS_051_only_the_last_of_a_block_that_has_a_switch_is_escorted(void)
+void test_SWR_AXIS_051_only_one_of_a_block_whose_partners_are_placed_is_escorted(void)
 {
     TEST_ASSERT_FALSE(escort_is_for(&robot, axes, FRONT_LEFT));
     grade(FRONT_LEFT, AXIS_REFERENCE_LOST);
     TEST_ASSERT_TRUE(escort_is_for(&robot, axes, FRONT_LEFT));
     grade(REAR_RIGHT, AXIS_REFERENCE_UNVERIFIED);
+    TEST_ASSERT_TRUE(escort_is_for(&robot, axes, FRONT_LEFT));
+    TEST_ASSERT_FALSE(escort_is_for(&robot, axes, REAR_RIGHT));
+    grade(REAR_RIGHT, AXIS_REFERENCE_LOST);
     TEST_ASSERT_FALSE(escort_is_for(&robot, axes, FRONT_LEFT));
     TEST_ASSERT_FALSE(escort_is_for(&robot, axes, REAR_RIGHT));
     grade(FRONT_LEFT, AXIS_REFERENCE_VERIFIED);
@@ -259,6 +262,21 @@ void test_SWR_AXIS_051_what_has_no_room_any_more_rests_and_another_escort_is_fou
         expect_within(REAR_LEFT);
     }
     TEST_ASSERT_GREATER_THAN_UINT32(2U, changes);
+}
+
+/* front_right homes, front_left goes twice its way and rear_left once. With the leader at one of
+ * the places where it may be, beta changes; with it at the other, it is outside afterwards. */
+void test_SWR_AXIS_051_what_changes_at_one_place_must_be_inside_at_the_other(void)
+{
+    static const int32_t ticks[] = {166 * 2500, -87 * 2500, 162 * 2500, -78 * 2500};
+    for (uint32_t i = 0U; i < CARRIAGES; i++) {
+        axes[i].encoder.position_ticks = ticks[i];
+    }
+    begin(FRONT_RIGHT, 0, AXIS_REFERENCE_APPROACH);
+    escort.paces = ((uint32_t)2U << (2U * FRONT_LEFT)) | ((uint32_t)1U << (2U * REAR_LEFT));
+    escort.search = (uint32_t)ESCORT_SEARCH_DONE;
+    TEST_ASSERT_EQUAL(ESCORT_RESTS, escort_step(&escort, &robot, axes));
+    TEST_ASSERT_EQUAL_UINT32(ESCORT_SEARCH_EVEN, escort.search);
 }
 
 /* One whose ticks are another way cannot keep step. */
