@@ -51,7 +51,7 @@ static void set_position(axis_t *self, int32_t position_ticks)
     supervision_settle(&self->supervision);
     drift_audit_settle(&self->drift);
     self->setpoint_ticks = position_ticks;
-    self->has_place = 1U;
+    self->place = AXIS_PLACE_COUNTED;
     homing_forget(&self->homing);
 }
 
@@ -87,11 +87,22 @@ void axis_init(axis_t *self)
     supervision_init(&self->supervision);
 }
 
+void axis_break_place(axis_t *self)
+{
+    self->place |= (self->place != 0U) ? AXIS_PLACE_BROKEN : 0U;
+}
+
+void axis_refuse_parking(axis_t *self)
+{
+    self->place |= AXIS_PLACE_BROKEN;
+}
+
 /* The axis is in trouble: the `found` faults, if any, are told to its chart. */
 static uint32_t fail(axis_t *self, uint32_t found)
 {
     if (found != 0U) {
         tell(self, AXIS_EVENT_FAILED, false);
+        axis_break_place(self);
     }
     return found;
 }
@@ -102,7 +113,8 @@ static uint32_t arrive(axis_t *self, const axis_config_t *config)
 {
     const int64_t away = (int64_t)config->home_ticks - (int64_t)self->encoder.position_ticks +
                          (int64_t)self->elsewhere_ticks;
-    if ((self->has_place != 0U) && is_beyond_margin(config, fixed_magnitude(away))) {
+    if (((self->place & AXIS_PLACE_COUNTED) != 0U) &&
+        is_beyond_margin(config, fixed_magnitude(away))) {
         set_position(self, config->home_ticks);
         self->elsewhere_ticks = fixed_saturate(away);
         self->contradiction_ticks = fixed_saturate(-away);
@@ -230,12 +242,16 @@ void axis_place(axis_t *self, const axis_config_t *config, int32_t position_tick
 
 void axis_forget(axis_t *self)
 {
+    if (axis_is_fresh(self)) {
+        axis_refuse_parking(self);
+    }
     tell(self, AXIS_EVENT_FORGET, false);
 }
 
 void axis_remember(axis_t *self, int32_t position_ticks)
 {
     set_position(self, position_ticks);
+    axis_break_place(self);
 }
 
 bool axis_confirm(axis_t *self, const axis_config_t *config)
@@ -245,7 +261,7 @@ bool axis_confirm(axis_t *self, const axis_config_t *config)
     (void)dispatch(self, config, AXIS_EVENT_CONFIRM, 0);
     const bool is_confirmed = axis_is_homed(self) && !was_homed;
     if (is_confirmed) {
-        self->has_place = 1U;
+        self->place = AXIS_PLACE_COUNTED;
         self->elsewhere_ticks = 0;
         homing_forget(&self->homing);
         supervision_settle(&self->supervision);
@@ -263,6 +279,7 @@ void axis_distrust(axis_t *self)
     const axis_chart_t chart = self->chart;
     axis_init(self);
     self->chart = chart;
+    self->place = AXIS_PLACE_BROKEN;
     tell(self, AXIS_EVENT_FAILED, false);
     axis_forget(self);
     axis_lose_reference(self);
@@ -386,6 +403,11 @@ void axis_guard(const axis_t *self, const axis_config_t *config, bool is_driven,
     const bool is_inverted = config->is_encoder_inverted != 0U;
     *minimum_reading = reading_at(self, config, is_inverted ? above : below);
     *maximum_reading = reading_at(self, config, is_inverted ? below : above);
+}
+
+bool axis_is_placed(const axis_t *self)
+{
+    return axis_is_homed(self) || is_unverified(self) || (self->place == AXIS_PLACE_COUNTED);
 }
 
 bool axis_is_confirmable(const axis_t *self, const axis_config_t *config)

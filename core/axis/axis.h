@@ -21,6 +21,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/** The counts have meant a place since the start. */
+#define AXIS_PLACE_COUNTED UINT32_C(1)
+/** A place was known, and the counts since then cannot be believed. */
+#define AXIS_PLACE_BROKEN UINT32_C(2)
+
 typedef struct {
     axis_chart_t chart;
     encoder_t encoder;
@@ -30,7 +35,7 @@ typedef struct {
     homing_t homing;
     drift_audit_t drift;
     int32_t home_correction_ticks; /**< Shift of the position at the last homing. */
-    uint32_t has_place;            /**< Its counts have meant something since the start: 0 or 1. */
+    uint32_t place;                /**< What its counts say of where it is: AXIS_PLACE_ bits. */
     int32_t elsewhere_ticks; /**< How far it was shifted against what its counts knew, until that
                                 is resolved. */
     int32_t contradiction_ticks; /**< From home to where the counts were at a fault of the two, for
@@ -136,6 +141,18 @@ void axis_stop_homing(axis_t *self);
  */
 uint32_t axis_begin_homing(axis_t *self, const axis_config_t *config);
 
+/** What was known of where it is does not hold any more, whatever it counts from here on. */
+void axis_break_place(axis_t *self);
+
+/** It does not stand as it was parked. */
+void axis_refuse_parking(axis_t *self);
+
+/** Nothing has been known of where it is since the start: it stands as it was parked. */
+static inline bool axis_is_as_parked(const axis_t *self)
+{
+    return self->place == 0U;
+}
+
 /** No motion is wanted: the set-point is the position. */
 card_drive_t axis_rest(axis_t *self, uint32_t elapsed_us);
 
@@ -192,6 +209,14 @@ static inline bool axis_is_fresh(const axis_t *self)
 {
     return self->chart.reference == AXIS_REFERENCE_FRESH;
 }
+
+/**
+ * Its counts say where it is, also if that is not trusted: homed, unverified, or lost by a command
+ * and counted ever since. Of all others only their travel and the limits that they share are known.
+ *
+ * @satisfies SWR-AXIS-053
+ */
+bool axis_is_placed(const axis_t *self);
 
 /** axis_confirm() would verify it.
  *

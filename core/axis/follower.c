@@ -70,12 +70,11 @@ card_drive_t follower_step(axis_t *self, const axis_config_t *config, const axis
                        (int32_t)pace * leader->setpoint_speed_ticks_per_s_q8, elapsed_us);
 }
 
-/* A position in doubt is the best that is known of where the axis ends. */
-static bool is_driven_out(const axis_t *self, const axis_config_t *config,
-                          const card_drive_t *request)
+bool follower_is_at_end(const axis_t *self, const axis_config_t *config,
+                        const card_drive_t *request)
 {
-    const bool is_in_doubt = self->chart.reference == AXIS_REFERENCE_UNVERIFIED;
-    return (axis_is_homed(self) || is_in_doubt) && axis_is_driven_out(self, config, request);
+    return axis_is_towards_switch(self, config, request) ||
+           (axis_is_placed(self) && axis_is_driven_out(self, config, request));
 }
 
 bool follower_is_stuck(const axis_t *self, const axis_config_t *config, const axis_t *leader,
@@ -84,5 +83,5 @@ bool follower_is_stuck(const axis_t *self, const axis_config_t *config, const ax
     const int64_t apart = (int64_t)follower_apart_ticks(self, leader, pace);
     return joints_is_beyond(config, (apart < 0) ? -apart : apart, LIMIT_FOLLOWER_WAY_NM,
                             LIMIT_FOLLOWER_WAY_BAM) ||
-           axis_is_towards_switch(self, config, request) || is_driven_out(self, config, request);
+           follower_is_at_end(self, config, request);
 }

@@ -50,12 +50,20 @@ card_drive_t follower_step(axis_t *self, const axis_config_t *config, const axis
                            uint32_t pace, uint32_t elapsed_us);
 
 /**
- * @return true when it cannot follow: it is LIMIT_FOLLOWER_WAY_NM or LIMIT_FOLLOWER_WAY_BAM from
- * where its leader has it, or `request` is towards its active switch or beyond a soft limit, by a
- * position in doubt as well
+ * @return true when `request` is towards its active switch, or beyond a soft limit by what its
+ * counts say of where it is
  *
  * @satisfies SWR-AXIS-029
  * @satisfies SWR-AXIS-053
+ */
+bool follower_is_at_end(const axis_t *self, const axis_config_t *config,
+                        const card_drive_t *request);
+
+/**
+ * @return true when it cannot follow: it is LIMIT_FOLLOWER_WAY_NM or LIMIT_FOLLOWER_WAY_BAM from
+ * where its leader has it, or at its end
+ *
+ * @satisfies SWR-AXIS-029
  */
 bool follower_is_stuck(const axis_t *self, const axis_config_t *config, const axis_t *leader,
                        uint32_t pace, const card_drive_t *request);

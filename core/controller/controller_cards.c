@@ -49,6 +49,7 @@ void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t ind
         axis_doubt(axis);
     } else {
         axis_lose_reference(axis);
+        axis_break_place(axis);
     }
     axis_disable(axis);
     plan_forget_target(&self->plan);

@@ -3,7 +3,7 @@
 
 #include "controller/controller_facts.h"
 
-#include "axis/follower.h"
+#include "mode/homing_mode.h"
 #include "safety/coupled_guard.h"
 
 /* The card of an axis that is not used, and would not be after START_UP either. */
@@ -83,16 +83,8 @@ static named_step_t find_heat(const controller_t *self, const robot_t *robot)
     return found;
 }
 
-/* In doubt, and not alone: START_UP would home its whole block, for which there may be no room. */
-static bool is_one_of_several(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
-                              uint32_t index)
-{
-    return follower_is_in_block(robot, index) && !coupled_guard_is_last(robot, axes, index);
-}
-
 /* What START_UP alone does not help: an axis whose switch and counts contradict each other, and one
- * that must not be homed. One in doubt that has left the target need not be homed, and of several
- * in a block none. */
+ * that must not be homed. One in doubt that has left the target need not be homed. */
 static named_step_t find_vain_homing(const controller_t *self, const robot_t *robot, uint32_t index)
 {
     const axis_t *const axis = &self->axes[index];
@@ -108,8 +100,6 @@ static named_step_t find_vain_homing(const controller_t *self, const robot_t *ro
                         EVENT_HOMING_BARRED);
     } else if (is_in_doubt && (self->plan.has_target != 0U)) {
         found = of_axis(NEXT_STEP_CONFIRM, index, EVENT_AXIS_DRIFTED);
-    } else if (is_in_doubt && is_one_of_several(robot, self->axes, index)) {
-        found = of_axis(NEXT_STEP_CONFIRM, index, EVENT_AXIS_UNVERIFIED);
     } else {
         /* START_UP homes it. */
     }
@@ -133,6 +123,11 @@ static named_step_t find_doubt(const controller_t *self, const robot_t *robot)
     }
     for (uint32_t i = 0U; is_start_up(&found) && (i < self->axis_count); i++) {
         found = find_vain_homing(self, robot, i);
+    }
+    const uint32_t unplaced =
+        is_start_up(&found) ? homing_mode_unplaced(robot, self->axes) : self->axis_count;
+    if (unplaced < self->axis_count) {
+        found = of_axis(NEXT_STEP_PLACE, unplaced, EVENT_HOMING_UNPLACED);
     }
     return found;
 }

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Homing of the last axis of a linkage that is not homed: the others, which are, travel with it as
- * far as the limits that they share need it. Where the axis is, nobody knows; so a limit must hold
- * wherever it may be between its end and its switch, or its value must stay what it is. Its counts
- * are believed for the way that it goes, and for nothing else.
+ * Homing of one axis of a linkage: the others, of which the counts say where they are, travel with
+ * it as far as the limits that they share need it. Where the axis is, nobody knows; so a limit must
+ * hold wherever it may be between its end and its switch, or its value must stay what it is. Its
+ * counts are believed for the way that it goes, and for nothing else.
  *
  * Of each of the others: it rests, goes the same way, or twice of it. What of these is tried first
  * is that all rest; what holds is kept until the way ahead says that it does not hold any more.
@@ -44,8 +44,8 @@ typedef struct {
     uint32_t wait_cycles; /**< Until the way ahead is looked at again. */
 } escort_t;
 
-/** @return true when axis `index` is of a block and homes by its switch, and all that share a limit
- * with it are homed, but not itself */
+/** @return true when axis `index` is of a block, homes by its switch and is not homed, and the
+ * counts of all that share a limit with it say where these are */
 bool escort_is_for(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index);
 
 /** Axis `index` has begun to home. From its switch all leave together. */

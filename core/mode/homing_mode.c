@@ -54,46 +54,84 @@ static bool is_due(const mode_frame_t *frame, uint32_t index, uint8_t stage)
     return (frame->robot->axes[index].home_stage == stage) && !axis_is_homed(&frame->axes[index]);
 }
 
-/* Whoever leads in a stage homes with all that lead in it: half a block would turn. The last one of
- * a linkage homes with an escort instead. */
-static void call_leaders(const mode_frame_t *frame, uint8_t stage)
+static bool is_linked(const robot_t *robot, uint32_t index)
 {
-    bool is_beginning = false;
-    for (uint32_t i = 0U; i < frame->axis_count; i++) {
-        is_beginning =
-            is_beginning ||
-            (is_due(frame, i, stage) && !axis_is_homing(&frame->axes[i]) &&
-             follower_has_one(frame->robot, i) && !escort_is_for(frame->robot, frame->axes, i));
-    }
-    for (uint32_t i = 0U; is_beginning && (i < frame->axis_count); i++) {
-        axis_t *const axis = &frame->axes[i];
-        if ((frame->robot->axes[i].home_stage == stage) && axis_is_homed(axis) &&
-            follower_has_one(frame->robot, i)) {
-            axis_doubt(axis);
-        }
-    }
+    return (robot->axes[index].home_method == (uint8_t)HOME_BY_SWITCH) &&
+           follower_is_in_block(robot, index);
 }
 
-static void begin_due(const mode_frame_t *frame, escort_t *escort, uint32_t index,
-                      mode_result_t *result)
+static bool is_linkage_homing(const mode_frame_t *frame)
 {
-    axis_t *const axis = &frame->axes[index];
-    const bool is_escorted =
-        !axis_is_homing(axis) && escort_is_for(frame->robot, frame->axes, index);
-    begin(frame, index, result);
-    if (is_escorted && axis_is_homing(axis)) {
-        escort_begin(escort, frame->robot, frame->axes, index);
+    bool is_any = false;
+    for (uint32_t i = 0U; i < frame->axis_count; i++) {
+        is_any = is_any || (is_linked(frame->robot, i) && axis_is_homing(&frame->axes[i]));
+    }
+    return is_any;
+}
+
+/* Which axis of a linkage homes with an escort; the count of axes for none. */
+static uint32_t find_escorted(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
+{
+    uint32_t found = robot->axis_count;
+    for (uint32_t i = robot->axis_count; i > 0U; i--) {
+        found = escort_is_for(robot, axes, i - 1U) ? (i - 1U) : found;
+    }
+    return found;
+}
+
+uint32_t homing_mode_unplaced(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
+{
+    uint32_t found = robot->axis_count;
+    bool is_as_parked = find_escorted(robot, axes) < robot->axis_count;
+    for (uint32_t i = robot->axis_count; i > 0U; i--) {
+        const axis_t *const axis = &axes[i - 1U];
+        if (is_linked(robot, i - 1U)) {
+            is_as_parked = is_as_parked || axis_is_as_parked(axis);
+            found = axis_is_placed(axis) ? found : (i - 1U);
+        }
+    }
+    return is_as_parked ? robot->axis_count : found;
+}
+
+/* One axis of a linkage with an escort; or of one that stands as it was parked, of which no counts
+ * say where it is, the whole stage as a block. */
+static void begin_linkage(const mode_frame_t *frame, escort_t *escort, uint8_t stage,
+                          mode_result_t *result)
+{
+    const uint32_t escorted = find_escorted(frame->robot, frame->axes);
+    const uint32_t unplaced = homing_mode_unplaced(frame->robot, frame->axes);
+    if (unplaced < frame->axis_count) {
+        mode_fail(result, EVENT_HOMING_UNPLACED, unplaced, 0);
+    } else if (escorted < frame->axis_count) {
+        begin(frame, escorted, result);
+        if (axis_is_homing(&frame->axes[escorted])) {
+            escort_begin(escort, frame->robot, frame->axes, escorted);
+        }
+    } else {
+        for (uint32_t i = 0U; i < frame->axis_count; i++) {
+            if (is_linked(frame->robot, i) && is_due(frame, i, stage)) {
+                begin(frame, i, result);
+            }
+        }
     }
 }
 
 static void begin_stage(const mode_frame_t *frame, escort_t *escort, mode_result_t *result)
 {
     const uint8_t stage = present_stage(frame);
-    call_leaders(frame, stage);
+    bool is_linkage_due = false;
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
-        if (is_due(frame, i, stage) && (result->progress == MODE_RUNNING)) {
-            begin_due(frame, escort, i, result);
+        const bool is_due_now = is_due(frame, i, stage) && (result->progress == MODE_RUNNING);
+        if (is_due_now && is_linked(frame->robot, i)) {
+            is_linkage_due = true;
+        } else if (is_due_now) {
+            begin(frame, i, result);
+        } else {
+            /* Later, or never. */
         }
+    }
+    if (is_linkage_due && !is_linkage_homing(frame)) {
+        begin_linkage(frame, escort, stage, result);
     }
 }
 
@@ -110,6 +148,16 @@ static void doubt_leaders(const mode_frame_t *frame, mode_result_t *result)
     }
 }
 
+/* A block that meets an end stands otherwise than it was parked. */
+static void doubt_parking(const mode_frame_t *frame, bool is_at_end)
+{
+    for (uint32_t i = 0U; is_at_end && (i < frame->axis_count); i++) {
+        if (is_linked(frame->robot, i) && axis_is_as_parked(&frame->axes[i])) {
+            axis_refuse_parking(&frame->axes[i]);
+        }
+    }
+}
+
 static void follow(const mode_frame_t *frame, uint32_t index, const axis_t *leader, uint32_t pace,
                    mode_result_t *result)
 {
@@ -120,6 +168,7 @@ static void follow(const mode_frame_t *frame, uint32_t index, const axis_t *lead
     if ((result->progress == MODE_RUNNING) &&
         follower_is_stuck(axis, config, leader, pace, request)) {
         mode_fail(result, EVENT_FOLLOWER_STUCK, index, follower_apart_ticks(axis, leader, pace));
+        doubt_parking(frame, follower_is_at_end(axis, config, request));
     }
 }
 

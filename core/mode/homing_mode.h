@@ -31,7 +31,6 @@ bool homing_mode_is_done(const leg_t *leg, const mode_frame_t *frame);
  *
  * @satisfies SWR-AXIS-029
  * @satisfies SWR-AXIS-030
- * @satisfies SWR-AXIS-032
  * @satisfies SWR-AXIS-033
  * @satisfies SWR-AXIS-052
  * @satisfies SWR-COUPLE-003
@@ -41,6 +40,15 @@ bool homing_mode_is_done(const leg_t *leg, const mode_frame_t *frame);
  */
 void homing_mode_step(leg_t *leg, escort_t *escort, const mode_frame_t *frame,
                       mode_result_t *result);
+
+/**
+ * @return the axis of a linkage whose position must be said before any of these can be homed; the
+ * count of axes when there is none: of all but one the counts say where they are, or they stand as
+ * they were parked
+ *
+ * @satisfies SWR-AXIS-054
+ */
+uint32_t homing_mode_unplaced(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX]);
 
 /**
  * May axis `index` be homed alone?

@@ -173,7 +173,7 @@ static uint32_t leaving_axes(reach_t *self, uint32_t driven)
 }
 
 /* Whether another axis of the limit goes the same way as axis `index`, which homes or is about to:
- * the whole block does then (SWR-AXIS-032), and what is between its axes stays. */
+ * the whole block does then, and what is between its axes stays. */
 static bool is_in_block(const robot_t *robot, const coupled_limit_t *limit,
                         const axis_t axes[ROBOT_AXIS_MAX], uint32_t index, bool is_beginning)
 {
@@ -185,6 +185,18 @@ static bool is_in_block(const robot_t *robot, const coupled_limit_t *limit,
         is_in_one = is_in_one || ((i != index) && coupled_limit_has(limit, i) && comes_along);
     }
     return is_in_one;
+}
+
+/* Where it goes is planned by its counts, while another one of its linkage homes. */
+static bool is_planned(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
+{
+    bool is_any_homing = false;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        is_any_homing =
+            is_any_homing || (axis_is_homing(&axes[i]) && follower_is_in_block(robot, i));
+    }
+    return is_any_homing && !axis_is_homing(&axes[index]) && axis_is_placed(&axes[index]) &&
+           follower_is_in_block(robot, index);
 }
 
 /* What the limit would measure with axis `index` at home. */
@@ -205,7 +217,7 @@ static bool is_home_beyond(const robot_t *robot, uint32_t limit_index,
     const axis_config_t *const config = &robot->axes[index];
     if ((config->limit_switch == (uint8_t)LIMIT_SWITCH_NONE) ||
         (unknown_axes(robot, limit, axes) != ((uint32_t)1U << index)) ||
-        is_in_block(robot, limit, axes, index, is_beginning)) {
+        is_in_block(robot, limit, axes, index, is_beginning) || is_planned(robot, axes, index)) {
         return false;
     }
     const int64_t value = value_at_home(robot, limit_index, axes, index);
@@ -278,12 +290,18 @@ bool coupled_guard_is_missed(const robot_t *robot, const axis_t axes[ROBOT_AXIS_
 
 bool coupled_guard_is_last(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
 {
-    uint32_t unknown = 0U;
+    uint32_t sharing = 0U;
+    bool is_every_placed = !axis_is_homed(&axes[index]);
     for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
         const coupled_limit_t *const limit = &robot->coupled_limits[i];
-        unknown |= coupled_limit_has(limit, index) ? unknown_axes(robot, limit, axes) : 0U;
+        sharing |= coupled_limit_has(limit, index) ? limit->axes : 0U;
     }
-    return unknown == ((uint32_t)1U << index);
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const bool is_sharing = ((sharing >> i) & 1U) != 0U;
+        is_every_placed =
+            is_every_placed && ((i == index) || !is_sharing || axis_is_placed(&axes[i]));
+    }
+    return is_every_placed && (sharing != 0U);
 }
 
 bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)

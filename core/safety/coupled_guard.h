@@ -64,8 +64,8 @@ bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXI
 bool coupled_guard_is_missed(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                              uint32_t index);
 
-/** @return true when axis `index` shares a limit, and is the only one not homed of all that share
- * one with it */
+/** @return true when axis `index` is not homed and shares a limit, and the counts of all that share
+ * one with it say where these are */
 bool coupled_guard_is_last(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index);
 
 /** @return true when axis `index` and all that share a limit with it are homed */

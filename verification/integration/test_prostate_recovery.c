@@ -106,45 +106,84 @@ static bool is_inside(void)
     return is_in;
 }
 
-/* START_UP under the pedal until `axis` is homed. */
-static void expect_homed_again(uint32_t axis)
+static bool is_every_homed(uint32_t lost)
 {
-    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = axis};
+    bool is_every = true;
+    for (uint32_t i = 0U; i < CARRIAGES; i++) {
+        const bool is_meant = ((lost >> i) & 1U) != 0U;
+        is_every = is_every && (!is_meant || axis_is_homed(&rig.controller.axes[i]));
+    }
+    return is_every;
+}
+
+static void lose(uint32_t lost)
+{
+    for (uint32_t i = 0U; i < CARRIAGES; i++) {
+        const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = i};
+        if (((lost >> i) & 1U) != 0U) {
+            TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
+        }
+    }
+}
+
+/* START_UP under the pedal until the axes of `lost` are homed. */
+static void expect_homed_again(uint32_t lost)
+{
     uint32_t cycles = 0U;
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_press(&rig);
-    while (!axis_is_homed(&rig.controller.axes[axis]) && (cycles < MOST_CYCLES)) {
+    while (!is_every_homed(lost) && (cycles < MOST_CYCLES)) {
         rig_cycle(&rig);
         cycles++;
         TEST_ASSERT_TRUE_MESSAGE(((cycles % LOOK_CYCLES) != 0U) || is_inside(), "beyond a limit");
         TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig_count(&rig, EVENT_ORDER_DISCARDED), "discarded");
     }
     if (ARE_SCENES_WHOLE) {
-        TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[axis]));
+        TEST_ASSERT_TRUE(is_every_homed(lost));
     }
     rig_release(&rig);
 }
 
-static void play(uint32_t axis, uint32_t count)
+static void play(uint32_t lost, uint32_t count)
 {
     uint32_t scenes = 0U;
     while (scenes < count) {
         int32_t ticks[ROBOT_AXIS_MAX] = {[PROSTATE_AXIS_INSERTION] = 200};
         if (find_pose(ticks)) {
             start_at(ticks);
-            expect_homed_again(axis);
+            lose(lost);
+            expect_homed_again(lost);
             scenes++;
         }
     }
 }
 
-/* Both cards are out of sight for 30 ms: the positions are right, and in doubt. Homing them as a
- * block would take rear_right beyond its end. */
-static void doubt_two(void)
+/* Homing all carriages as a block would take rear_right beyond its end. */
+static const int32_t rear_at_its_end[ROBOT_AXIS_MAX] = {300000, -250000, 300000, -104000, 200};
+/* The right carriages as a block on their own would take alpha beyond its limit. */
+static const int32_t turned[ROBOT_AXIS_MAX] = {308800, -261747, 371967, -351676, 200};
+
+#define BIT(axis) ((uint32_t)1U << (uint32_t)(axis))
+
+void test_SWR_AXIS_053_two_lost_carriages_home_though_the_block_has_no_room(void)
 {
-    static const int32_t pose[ROBOT_AXIS_MAX] = {300000, -250000, 300000, -104000, 200};
-    start_at(pose);
+    start_at(rear_at_its_end);
+    lose(BIT(PROSTATE_AXIS_FRONT_LEFT) | BIT(PROSTATE_AXIS_REAR_RIGHT));
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
+    expect_homed_again(BIT(PROSTATE_AXIS_FRONT_LEFT) | BIT(PROSTATE_AXIS_REAR_RIGHT));
+}
+
+void test_SWR_AXIS_053_both_lost_right_carriages_home_and_alpha_keeps_its_limit(void)
+{
+    start_at(turned);
+    lose(BIT(PROSTATE_AXIS_FRONT_RIGHT) | BIT(PROSTATE_AXIS_REAR_RIGHT));
+    expect_homed_again(BIT(PROSTATE_AXIS_FRONT_RIGHT) | BIT(PROSTATE_AXIS_REAR_RIGHT));
+}
+
+/* Both cards are out of sight for 30 ms: the positions are right, and in doubt. */
+void test_SWR_AXIS_053_two_carriages_in_doubt_home_though_the_block_has_no_room(void)
+{
+    start_at(rear_at_its_end);
     rig_box(&rig, "card front_left silent");
     rig_box(&rig, "card rear_right silent");
     rig_cycles(&rig, 30U);
@@ -153,30 +192,52 @@ static void doubt_two(void)
     rig_cycles(&rig, 100U);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
                              rig.controller.axes[PROSTATE_AXIS_REAR_RIGHT].chart.reference);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
+    expect_homed_again(BIT(PROSTATE_AXIS_FRONT_LEFT) | BIT(PROSTATE_AXIS_REAR_RIGHT));
 }
 
-void test_SWR_AXIS_053_a_follower_in_doubt_is_not_driven_beyond_its_end(void)
+/* Both cards are others for a while: what these counted says nothing of where the carriages are. */
+static void break_two(void)
 {
-    doubt_two();
+    start_at(rear_at_its_end);
+    rig_box(&rig, "card front_left foreign");
+    rig_box(&rig, "card rear_right foreign");
+    rig_cycles(&rig, 30U);
+    rig_box(&rig, "card front_left normal");
+    rig_box(&rig, "card rear_right normal");
+    rig_cycles(&rig, 500U);
+}
+
+/* The needle guide may stand anywhere: nothing is driven. */
+void test_SWR_AXIS_054_two_whose_counts_have_broken_are_not_driven(void)
+{
+    double before[ROBOT_AXIS_MAX];
+    double after[ROBOT_AXIS_MAX];
+    break_two();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    box_true_positions(&rig.box, before);
     rig_press(&rig);
-    for (uint32_t i = 0U; (i < 10000U) && (rig_count(&rig, EVENT_ORDER_DISCARDED) == 0U); i++) {
-        rig_cycle(&rig);
-        TEST_ASSERT_TRUE_MESSAGE(((i % LOOK_CYCLES) != 0U) || is_inside(), "beyond a limit");
-    }
-    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_FOLLOWER_STUCK));
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_DISCARDED));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_HOMING_UNPLACED));
     rig_release(&rig);
+    box_true_positions(&rig.box, after);
+    for (uint32_t i = 0U; i < CARRIAGES; i++) {
+        TEST_ASSERT_EQUAL_INT32((int32_t)before[i], (int32_t)after[i]);
+    }
 }
 
-void test_SWR_NEXT_003_several_of_a_block_that_are_in_doubt_are_confirmed(void)
+void test_SWR_NEXT_003_of_two_whose_counts_have_broken_one_is_placed_and_both_home(void)
 {
-    doubt_two();
-    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_CONFIRM, rig.outputs.snapshot.next_step);
-    rig_box(&rig, "button press");
-    rig_cycles(&rig, HOLD_CYCLES + 1U);
-    rig_box(&rig, "button release");
+    command_t restore = {.kind = COMMAND_RESTORE, .argument = BIT(PROSTATE_AXIS_FRONT_LEFT)};
+    break_two();
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_PLACE, rig.outputs.snapshot.next_step);
+    TEST_ASSERT_EQUAL_UINT32(PROSTATE_AXIS_FRONT_LEFT, rig.outputs.snapshot.step_axis);
+    restore.ticks[PROSTATE_AXIS_FRONT_LEFT] = rear_at_its_end[PROSTATE_AXIS_FRONT_LEFT];
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, restore).status);
     rig_cycles(&rig, 2U);
-    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
+    expect_homed_again(BIT(PROSTATE_AXIS_FRONT_LEFT) | BIT(PROSTATE_AXIS_REAR_RIGHT));
 }
 
 /* Of how many poses; POSES=200 SEED=7 plays others. */
@@ -186,12 +247,21 @@ static uint32_t asked(const char *name, uint32_t otherwise)
     return (text != NULL) ? (uint32_t)strtoul(text, NULL, 10) : otherwise;
 }
 
-void test_SWR_AXIS_051_a_carriage_homes_again_from_any_legal_pose(void)
+/* One, two and three; which of them go on at the seed that POSES leaves. */
+void test_SWR_AXIS_051_lost_carriages_home_again_from_any_legal_pose(void)
 {
-    static const uint32_t carriages[] = {PROSTATE_AXIS_FRONT_LEFT, PROSTATE_AXIS_FRONT_RIGHT,
-                                         PROSTATE_AXIS_REAR_RIGHT};
+    static const uint32_t carriages[] = {
+        BIT(PROSTATE_AXIS_FRONT_LEFT),
+        BIT(PROSTATE_AXIS_FRONT_RIGHT) | BIT(PROSTATE_AXIS_REAR_RIGHT),
+        BIT(PROSTATE_AXIS_FRONT_LEFT) | BIT(PROSTATE_AXIS_FRONT_RIGHT) |
+            BIT(PROSTATE_AXIS_REAR_RIGHT),
+        BIT(PROSTATE_AXIS_FRONT_RIGHT),
+        BIT(PROSTATE_AXIS_REAR_RIGHT),
+        BIT(PROSTATE_AXIS_FRONT_LEFT) | BIT(PROSTATE_AXIS_FRONT_RIGHT),
+        BIT(PROSTATE_AXIS_FRONT_LEFT) | BIT(PROSTATE_AXIS_REAR_RIGHT)};
+    const uint32_t poses = asked("POSES", 1U);
     seed = asked("SEED", 1U);
-    for (uint32_t i = 0U; i < 3U; i++) {
-        play(carriages[i], asked("POSES", 1U));
+    for (uint32_t i = 0U; i < asked("SETS", 1U); i++) {
+        play(carriages[i], poses);
     }
 }

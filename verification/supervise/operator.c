@@ -285,6 +285,34 @@ static void compare(operator_t *self, rig_t *rig, uint32_t step)
     }
 }
 
+/* He measures where one with a switch stands, and says it, where that is obeyed. */
+static void place(operator_t *self, rig_t *rig, uint32_t step)
+{
+    const snapshot_t *const shown = &rig->outputs.snapshot;
+    const uint32_t heeding = ((uint32_t)1U << WORKPHASE_UNDEFINED) | (1U << WORKPHASE_MANUAL) |
+                             (1U << WORKPHASE_STOP) | (1U << WORKPHASE_EMERGENCY);
+    const uint32_t axis = shown->step_axis;
+    const authority_party_t party = commander(rig);
+    command_t restore = {.kind = (uint32_t)COMMAND_RESTORE,
+                         .id = ID,
+                         .argument = 1U << axis,
+                         .source = party.source,
+                         .peer = party.peer};
+    double truth[ROBOT_AXIS_MAX];
+    if (rig->box.robot->axes[axis].home_method != (uint8_t)HOME_BY_SWITCH) {
+        compare(self, rig, step);
+    } else if (!authority_is_held(&rig->controller.authority)) {
+        act_by_command(self, rig, (uint32_t)NEXT_STEP_AUTHORITY);
+    } else if (((heeding >> shown->workphase) & 1U) == 0U) {
+        act_by_command(self, rig, (uint32_t)NEXT_STEP_STOP);
+    } else {
+        box_true_positions(&rig->box, truth);
+        restore.ticks[axis] = (int32_t)lround(truth[axis]);
+        rig->commands[rig->command_count] = restore;
+        rig->command_count++;
+    }
+}
+
 /* He looks again, if what is named is not broken any more. */
 static void check_card(operator_t *self, const rig_t *rig)
 {
@@ -310,8 +338,10 @@ static void follow(operator_t *self, rig_t *rig, uint32_t step)
         rig_box(rig, "pedal release");
         hold_button(self, rig);
         break;
-    case NEXT_STEP_CONFIRM:
     case NEXT_STEP_PLACE:
+        place(self, rig, step);
+        break;
+    case NEXT_STEP_CONFIRM:
     case NEXT_STEP_COMPARE:
         compare(self, rig, step);
         break;

@@ -421,6 +421,40 @@ void test_SWR_REF_005_only_an_axis_without_switch_that_was_known_waits_for_the_o
     TEST_ASSERT_TRUE(axis_needs_confirmation(&axis, config));
 }
 
+void test_SWR_AXIS_053_counts_say_where_it_is_until_they_break(void)
+{
+    use_with(with_switch, AXIS_REFERENCE_VERIFIED);
+    TEST_ASSERT_TRUE(axis_is_placed(&axis));
+    use_with(with_switch, AXIS_REFERENCE_UNVERIFIED);
+    TEST_ASSERT_TRUE(axis_is_placed(&axis));
+    use_with(with_switch, AXIS_REFERENCE_LOST);
+    TEST_ASSERT_FALSE(axis_is_placed(&axis));
+    axis_remember(&axis, SOMEWHERE);
+    TEST_ASSERT_FALSE(axis_is_placed(&axis));
+    axis_place(&axis, config, SOMEWHERE);
+    axis_lose_reference(&axis);
+    TEST_ASSERT_TRUE(axis_is_placed(&axis));
+    axis_break_place(&axis);
+    TEST_ASSERT_FALSE(axis_is_placed(&axis));
+}
+
+void test_SWR_AXIS_054_it_stands_as_parked_until_more_is_known_of_it(void)
+{
+    use_with(with_switch, AXIS_REFERENCE_FRESH);
+    axis_break_place(&axis);
+    TEST_ASSERT_TRUE(axis_is_as_parked(&axis));
+    axis_forget(&axis);
+    TEST_ASSERT_FALSE(axis_is_as_parked(&axis));
+    use_with(with_switch, AXIS_REFERENCE_LOST);
+    axis.place = 0U;
+    axis_forget(&axis);
+    TEST_ASSERT_TRUE(axis_is_as_parked(&axis));
+    axis_distrust(&axis);
+    TEST_ASSERT_FALSE(axis_is_as_parked(&axis));
+    axis_place(&axis, config, SOMEWHERE);
+    TEST_ASSERT_FALSE(axis_is_as_parked(&axis));
+}
+
 void test_SWR_AXIS_040_it_says_what_a_confirmation_would_verify(void)
 {
     use_with(with_switch, AXIS_REFERENCE_FRESH);

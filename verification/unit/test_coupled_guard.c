@@ -264,6 +264,27 @@ void test_SWR_COUPLE_003_two_that_follow_a_third_are_not_barred(void)
     TEST_ASSERT_FALSE(is_blocked(NEURO_AXIS_HEAD));
 }
 
+/* The lateral axis homes with an escort of which the head is; its counts say where that is. */
+void test_SWR_COUPLE_003_one_of_an_escort_goes_where_its_counts_allow(void)
+{
+    put_feet_out(1);
+    robot.axes[NEURO_AXIS_HEAD].leaders[0] = 1U + NEURO_AXIS_YAW;
+    robot.axes[NEURO_AXIS_LATERAL].leaders[0] = 1U + NEURO_AXIS_YAW;
+    requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, true);
+    axes[NEURO_AXIS_HEAD].place = AXIS_PLACE_COUNTED;
+    TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_HEAD));
+    axes[NEURO_AXIS_LATERAL].chart.reference = AXIS_REFERENCE_APPROACH;
+    TEST_ASSERT_FALSE(is_blocked(NEURO_AXIS_HEAD));
+    axes[NEURO_AXIS_HEAD].place |= AXIS_PLACE_BROKEN;
+    TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_HEAD));
+    axes[NEURO_AXIS_HEAD].place = AXIS_PLACE_COUNTED;
+    axes[NEURO_AXIS_HEAD].chart.reference = AXIS_REFERENCE_APPROACH;
+    TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_HEAD));
+    axes[NEURO_AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
+    robot.axes[NEURO_AXIS_HEAD].leaders[0] = 0U;
+    TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_HEAD));
+}
+
 /* The limit of the head and the feet, which stand at `head_ticks` and 0, ends 100 ticks to each
  * side of home. */
 static bool is_missed(uint32_t axis, int32_t head_ticks)

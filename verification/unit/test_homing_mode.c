@@ -276,20 +276,6 @@ void test_SWR_AXIS_051_an_escort_at_the_double_makes_its_leader_half_as_fast(voi
     TEST_ASSERT_INT32_WITHIN(1, full, axes[NEURO_AXIS_FEET].setpoint_speed_ticks_per_s_q8);
 }
 
-/* Each ends alone, and nothing is homed anew for its sake. */
-void test_SWR_AXIS_032_the_last_of_a_block_calls_no_other_leader(void)
-{
-    start_with_escort();
-    robot.axes[NEURO_AXIS_LATERAL].home_stage = ROBOT_HOME_STAGES;
-    robot.axes[NEURO_AXIS_YAW].leaders[ROBOT_HOME_STAGES - 1U] = 1U + NEURO_AXIS_LATERAL;
-    step();
-    TEST_ASSERT_TRUE(axis_is_homed(&axes[NEURO_AXIS_LATERAL]));
-    axis_stop_homing(&axes[NEURO_AXIS_HEAD]);
-    robot.coupled_limit_count = 0U;
-    step();
-    TEST_ASSERT_FALSE(axis_is_homed(&axes[NEURO_AXIS_LATERAL]));
-}
-
 void test_SWR_AXIS_052_without_any_escort_it_fails_with_the_way_by_hand(void)
 {
     uint32_t cycles = 0U;
@@ -309,6 +295,59 @@ void test_SWR_AXIS_052_without_any_escort_it_fails_with_the_way_by_hand(void)
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         TEST_ASSERT_TRUE(world_rests(i));
     }
+}
+
+/* Head and lateral are of one linkage, and nothing that they count is believed any more. */
+static void start_with_two_unplaced(void)
+{
+    start_with_followers();
+    robot.axes[NEURO_AXIS_LATERAL].leaders[ROBOT_HOME_STAGES - 1U] = 1U + NEURO_AXIS_HEAD;
+    world_lose(NEURO_AXIS_LATERAL);
+    axes[NEURO_AXIS_HEAD].place = AXIS_PLACE_COUNTED | AXIS_PLACE_BROKEN;
+    axes[NEURO_AXIS_LATERAL].place = AXIS_PLACE_BROKEN;
+}
+
+void test_SWR_AXIS_054_a_linkage_with_two_that_nobody_can_place_is_not_driven(void)
+{
+    start_with_two_unplaced();
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_HEAD, homing_mode_unplaced(&robot, axes));
+    robot.axes[NEURO_AXIS_LATERAL].home_stage = ROBOT_HOME_STAGES;
+    step();
+    TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_HEAD, result.axis);
+    TEST_ASSERT_EQUAL(EVENT_HOMING_UNPLACED, result.notes[0].id);
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        TEST_ASSERT_FALSE(axis_is_homing(&axes[i]));
+        TEST_ASSERT_TRUE(world_rests(i));
+    }
+}
+
+void test_SWR_AXIS_054_one_that_stands_as_it_was_parked_has_the_block_driven(void)
+{
+    start_with_two_unplaced();
+    axes[NEURO_AXIS_LATERAL].place = 0U;
+    TEST_ASSERT_EQUAL_UINT32(robot.axis_count, homing_mode_unplaced(&robot, axes));
+    axes[NEURO_AXIS_LATERAL].place = AXIS_PLACE_COUNTED;
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_HEAD, homing_mode_unplaced(&robot, axes));
+    axes[NEURO_AXIS_HEAD].place = AXIS_PLACE_COUNTED;
+    TEST_ASSERT_EQUAL_UINT32(robot.axis_count, homing_mode_unplaced(&robot, axes));
+}
+
+/* The feet have no room: the block does not stand where it is parked. */
+void test_SWR_AXIS_054_a_block_that_meets_an_end_was_not_parked_there(void)
+{
+    uint32_t cycles = 0U;
+    start_with_followers();
+    robot.axes[NEURO_AXIS_FEET].minimum_ticks = 3000;
+    robot.axes[NEURO_AXIS_FEET].maximum_ticks = 3000;
+    TEST_ASSERT_TRUE(axis_is_as_parked(&axes[NEURO_AXIS_HEAD]));
+    do {
+        step();
+        TEST_ASSERT_LESS_THAN_UINT32(1000U, cycles);
+        cycles++;
+    } while (result.progress == MODE_RUNNING);
+    TEST_ASSERT_EQUAL(EVENT_FOLLOWER_STUCK, result.notes[0].id);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_HEAD, homing_mode_unplaced(&robot, axes));
 }
 
 static bool is_done(void)
