@@ -64,7 +64,7 @@ static bool is_linkage_homing(const mode_frame_t *frame)
 {
     bool is_any = false;
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
-        is_any = is_any || (is_linked(frame->robot, i) && axis_is_homing(&frame->axes[i]));
+        is_any = is_any || (axis_is_homing(&frame->axes[i]) && is_linked(frame->robot, i));
     }
     return is_any;
 }
