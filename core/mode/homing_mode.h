@@ -46,7 +46,7 @@ void homing_mode_step(leg_t *leg, escort_t *escort, const mode_frame_t *frame,
  * count of axes when there is none: of all but one the counts say where they are, or they stand as
  * they were parked
  *
- * @satisfies SWR-AXIS-054
+ * @satisfies SWR-AXIS-055
  */
 uint32_t homing_mode_unplaced(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX]);
 

@@ -216,7 +216,7 @@ static void break_two(void)
 }
 
 /* The needle guide may stand anywhere: nothing is driven. */
-void test_SWR_AXIS_054_two_whose_counts_have_broken_are_not_driven(void)
+void test_SWR_AXIS_055_two_whose_counts_have_broken_are_not_driven(void)
 {
     double before[ROBOT_AXIS_MAX];
     double after[ROBOT_AXIS_MAX];

@@ -438,7 +438,7 @@ void test_SWR_AXIS_053_counts_say_where_it_is_until_they_break(void)
     TEST_ASSERT_FALSE(axis_is_placed(&axis));
 }
 
-void test_SWR_AXIS_054_it_stands_as_parked_until_more_is_known_of_it(void)
+void test_SWR_AXIS_055_it_stands_as_parked_until_more_is_known_of_it(void)
 {
     use_with(with_switch, AXIS_REFERENCE_FRESH);
     axis_break_place(&axis);

@@ -307,7 +307,7 @@ static void start_with_two_unplaced(void)
     axes[NEURO_AXIS_LATERAL].place = AXIS_PLACE_BROKEN;
 }
 
-void test_SWR_AXIS_054_a_linkage_with_two_that_nobody_can_place_is_not_driven(void)
+void test_SWR_AXIS_055_a_linkage_with_two_that_nobody_can_place_is_not_driven(void)
 {
     start_with_two_unplaced();
     TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_HEAD, homing_mode_unplaced(&robot, axes));
@@ -322,7 +322,7 @@ void test_SWR_AXIS_054_a_linkage_with_two_that_nobody_can_place_is_not_driven(vo
     }
 }
 
-void test_SWR_AXIS_054_one_that_stands_as_it_was_parked_has_the_block_driven(void)
+void test_SWR_AXIS_055_one_that_stands_as_it_was_parked_has_the_block_driven(void)
 {
     start_with_two_unplaced();
     axes[NEURO_AXIS_LATERAL].place = 0U;
@@ -334,7 +334,7 @@ void test_SWR_AXIS_054_one_that_stands_as_it_was_parked_has_the_block_driven(voi
 }
 
 /* The feet have no room: the block does not stand where it is parked. */
-void test_SWR_AXIS_054_a_block_that_meets_an_end_was_not_parked_there(void)
+void test_SWR_AXIS_055_a_block_that_meets_an_end_was_not_parked_there(void)
 {
     uint32_t cycles = 0U;
     start_with_followers();
