@@ -19,13 +19,36 @@ static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
            (link->sent_before.mode == (uint32_t)CARD_DRIVE_OFF) && link_was_only_silent(link);
 }
 
+/* The loop was late, so that the card has switched off by itself; its counts go on. That it was not
+ * restarted is known, as its report was taken for the next one while it was used. */
+static bool has_only_waited(const link_t *link, const cycle_t *cycle)
+{
+    return (link->cause == (uint16_t)LINK_CAUSE_FAULT) && link_was_only_silent(link) &&
+           (cycle->inputs->reported_us > LIMIT_LOOP_SILENT_US);
+}
+
+static card_loss_t judge_loss(const controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    card_loss_t loss = CARD_LOSS_LOSES;
+    if (has_only_waited(controller_link(self, index), cycle)) {
+        loss = CARD_LOSS_KEEPS;
+    } else if (is_only_out_of_sight(self, index)) {
+        loss = CARD_LOSS_DOUBTS;
+    } else {
+        /* What it did last was not seen. */
+    }
+    return loss;
+}
+
 /* Why the card was lost; of one that was not heard also what became of its frame in this cycle. */
 static void note_loss(controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
     const link_t *const link = &self->links[slot];
     const uint32_t bit = (uint32_t)1U << slot;
     uint32_t cause = link->cause;
-    if (cause != (uint32_t)LINK_CAUSE_AGE) {
+    if (has_only_waited(link, cycle)) {
+        cause = (uint32_t)LINK_CAUSE_LOOP_LATE;
+    } else if (cause != (uint32_t)LINK_CAUSE_AGE) {
         /* It says it all. */
     } else if (link->last_error != (uint16_t)CARD_FRAME_OK) {
         cause = (uint32_t)LINK_CAUSE_REFUSED;
@@ -40,19 +63,22 @@ static void note_loss(controller_t *self, const cycle_t *cycle, uint32_t slot)
 }
 
 void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
-                          bool is_in_doubt)
+                          card_loss_t loss)
 {
     const uint32_t slot = self->cards.slots[index];
     axis_t *const axis = &self->axes[index];
     note_loss(self, cycle, slot);
-    if (is_in_doubt) {
+    if (loss == CARD_LOSS_DOUBTS) {
         axis_doubt(axis);
-    } else {
+    }
+    if (loss == CARD_LOSS_LOSES) {
         axis_lose_reference(axis);
         axis_break_place(axis);
     }
     axis_disable(axis);
-    plan_forget_target(&self->plan);
+    if (loss != CARD_LOSS_KEEPS) {
+        plan_forget_target(&self->plan);
+    }
     controller_fail_order(self, cycle, EVENT_CAUSE_CARD, slot);
 }
 
@@ -103,7 +129,7 @@ void controller_observe_card(controller_t *self, const cycle_t *cycle, uint32_t 
     const link_step_t step = step_link(self, cycle, slot);
     if (step.is_lost) {
         controller_lose_card(self, cycle, index,
-                             !step.is_damaged && is_only_out_of_sight(self, index));
+                             step.is_damaged ? CARD_LOSS_LOSES : judge_loss(self, cycle, index));
     }
     /* Also what was confirmed and fell silent again before START_UP. */
     if (self->links[slot].age_cycles >= LIMIT_LINK_AGE_CYCLES) {

@@ -8,20 +8,28 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/** What becomes of the trust in a position with its card. */
+typedef enum {
+    CARD_LOSS_KEEPS = 0, /**< It stays, as does the target. */
+    CARD_LOSS_DOUBTS = 1,
+    CARD_LOSS_LOSES = 2
+} card_loss_t;
+
 /**
- * The card of axis `index` was lost: so are the target, the order and, unless it is only
- * `is_in_doubt`, its reference.
+ * The card of axis `index` was lost, and with it the order; `loss` says what of its reference and
+ * of the target.
  *
  * @satisfies SWR-CARD-015
  */
 void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
-                          bool is_in_doubt);
+                          card_loss_t loss);
 
 /**
  * The card of axis `index`.
  *
  * @satisfies SWR-LINK-009
  * @satisfies SWR-REF-009
+ * @satisfies SWR-LOOP-010
  */
 void controller_observe_card(controller_t *self, const cycle_t *cycle, uint32_t index);
 

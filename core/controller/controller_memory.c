@@ -184,7 +184,7 @@ static void forget_card(controller_t *self, const cycle_t *cycle, uint32_t index
     controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_CARD, (int32_t)index);
     link_distrust(&self->links[self->cards.slots[index]],
                   (uint32_t)cycle->robot->axes[index].card_type, cycle->robot->card_firmware);
-    controller_lose_card(self, cycle, index, false);
+    controller_lose_card(self, cycle, index, CARD_LOSS_LOSES);
     controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }
 

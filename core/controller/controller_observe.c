@@ -144,6 +144,13 @@ static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index,
     }
 }
 
+/* A card applies a drive no longer than its watchdog lets it. */
+static uint32_t applied_us(const cycle_t *cycle)
+{
+    const uint32_t reported_us = cycle->inputs->reported_us;
+    return (reported_us < LIMIT_CARD_WATCHDOG_US) ? reported_us : LIMIT_CARD_WATCHDOG_US;
+}
+
 static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const axis_config_t *const config = &cycle->robot->axes[index];
@@ -160,7 +167,7 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     }
     notes |=
         axis_supervise(&self->axes[index], config, self->records[index].speed_cap_percent != 0U,
-                       &link->sent_before, cycle->inputs->reported_us);
+                       &link->sent_before, applied_us(cycle));
     note_axis(self, cycle, index, notes);
     note_grade(self, cycle, index, notes);
 }
@@ -264,6 +271,7 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
     controller_because(self, EVENT_CAUSE_NONE, 0U);
 }
 
+/** @satisfies SWR-LOOP-011 */
 static void observe_loop(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t overruns = self->loop.overruns;
@@ -271,14 +279,15 @@ static void observe_loop(controller_t *self, const cycle_t *cycle)
     if (loop_guard_check(&self->loop)) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_LOOP_GUARD, 0);
     }
-    loop_guard_step(&self->loop, cycle->inputs->elapsed_us);
+    loop_guard_step(&self->loop, cycle->inputs->elapsed_us, cycle->inputs->late_stage);
     if (self->loop.overruns != overruns) {
         controller_note(self, cycle, EVENT_OVERRUN, cycle->inputs->late_stage,
                         (int32_t)cycle->inputs->elapsed_us);
     }
     if ((self->loop.chart.state == LOOP_GUARD_STATE_STOPPED) &&
         (self->loop.chart.state != before)) {
-        controller_note(self, cycle, EVENT_LOOP_STOPPED, 0U, 0);
+        controller_note(self, cycle, EVENT_LOOP_STOPPED, self->loop.lateness.longest_stage,
+                        (int32_t)self->loop.lateness.longest_us);
         controller_fail_order(self, cycle, EVENT_CAUSE_LOOP, 0U);
     }
 }

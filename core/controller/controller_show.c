@@ -422,6 +422,16 @@ void controller_look_ahead(controller_t *self, const cycle_t *cycle, uint32_t gu
     }
 }
 
+/* Late or not: an interval is longer than a cycle by so much. */
+static void show_lateness(const loop_lateness_t *lateness, snapshot_t *shown)
+{
+    shown->late_stage = lateness->longest_stage;
+    shown->late_us =
+        (lateness->longest_us > LIMIT_CYCLE_US) ? (lateness->longest_us - LIMIT_CYCLE_US) : 0U;
+    shown->late_count = lateness->count;
+    shown->late_span_us = lateness->span_us;
+}
+
 void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t guards)
 {
     snapshot_t *const shown = &cycle->outputs->snapshot;
@@ -437,6 +447,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t gu
     shown->pedal = (uint32_t)self->pedal.chart.state;
     shown->estop = (uint32_t)self->estop.state;
     shown->loop = (uint32_t)self->loop.chart.state;
+    show_lateness(&self->loop.lateness, shown);
     shown->guards = guards;
     shown->is_homed = guards_have(guards, GUARD_HOMED) ? 1U : 0U;
     show_step(self, cycle, shown);

@@ -7,14 +7,51 @@ void loop_guard_init(loop_guard_t *self)
 {
     loop_guard_chart_init(&self->chart);
     self->overruns = 0U;
+    self->lateness = (loop_lateness_t){.count = 0U};
 }
 
-void loop_guard_step(loop_guard_t *self, uint32_t elapsed_us)
+static uint32_t add(uint32_t one, uint32_t other)
 {
+    return (one <= (UINT32_MAX - other)) ? (one + other) : UINT32_MAX;
+}
+
+/* While the loop is stopped, what has stopped it stands. */
+static void keep(loop_guard_t *self, uint32_t elapsed_us, uint32_t stage, bool is_late)
+{
+    loop_lateness_t *const lateness = &self->lateness;
+    if (self->chart.state == LOOP_GUARD_STATE_STOPPED) {
+        return;
+    }
+    if (self->chart.state == LOOP_GUARD_STATE_ON_TIME) {
+        *lateness = (loop_lateness_t){.count = 0U};
+    }
+    lateness->span_us = add(lateness->span_us, elapsed_us);
+    if (is_late) {
+        lateness->count = add(lateness->count, 1U);
+        if (elapsed_us > lateness->longest_us) {
+            lateness->longest_us = elapsed_us;
+            lateness->longest_stage = stage;
+        }
+    }
+}
+
+void loop_guard_step(loop_guard_t *self, uint32_t elapsed_us, uint32_t stage)
+{
+    const bool is_late = elapsed_us > LIMIT_OVERRUN_US;
     (void)loop_guard_chart_advance(&self->chart, elapsed_us);
-    const loop_guard_event_t event =
-        (elapsed_us > LIMIT_OVERRUN_US) ? LOOP_GUARD_EVENT_LATE : LOOP_GUARD_EVENT_PUNCTUAL;
-    const uint32_t actions = loop_guard_chart_dispatch(&self->chart, event);
+    if (is_late || (self->chart.state != LOOP_GUARD_STATE_ON_TIME)) {
+        keep(self, elapsed_us, stage, is_late);
+    }
+    if (!is_late) {
+        (void)loop_guard_chart_dispatch(&self->chart, LOOP_GUARD_EVENT_PUNCTUAL);
+        return;
+    }
+    /* What counts as many late ones is counted once. */
+    const uint32_t times = (elapsed_us > LIMIT_LOOP_SILENT_US) ? LIMIT_OVERRUNS_IN_A_ROW : 1U;
+    uint32_t actions = 0U;
+    for (uint32_t i = 0U; i < times; i++) {
+        actions = loop_guard_chart_dispatch(&self->chart, LOOP_GUARD_EVENT_LATE);
+    }
     if (((actions & LOOP_GUARD_ACTION_COUNT_OVERRUN) != 0U) && (self->overruns < UINT32_MAX)) {
         self->overruns++;
     }
