@@ -127,6 +127,34 @@ test("SWR-CON-049 names the axis and the card of the next step", () => {
   );
 });
 
+test.each([
+  [
+    3,
+    [{ name: "KERNEL" as const, text: "" }],
+    "3 times in 12 ms; this kernel is not a real-time kernel.",
+  ],
+  [1, [], "once in 12 ms."],
+])("SWR-CON-090 names what was late %i times", (late_count, computer, ends) => {
+  const next_step = { name: "START_UP", text: "Command START_UP." } as const;
+  const { loop } = makeRobot().status;
+  const stopped = {
+    ...loop,
+    state: "stopped" as const,
+    late_us: 4100,
+    late_span_us: 11600,
+    late_count,
+    computer,
+  };
+  render(
+    <Banner
+      view={{ ...live, robot: makeRobot({ next_step, loop: stopped }) }}
+    />,
+  );
+  expect(screen.getByRole("status").textContent).toContain(
+    `Command START_UP. Waking up was late by 4.1 ms, ${ends}`,
+  );
+});
+
 test("SWR-CON-049 names nothing where the next step is of nothing", () => {
   render(<Banner view={live} />);
   expect(screen.getByRole("status").textContent).not.toContain("STARTED");

@@ -128,13 +128,37 @@ function namedOf({ status, motors }: RobotState): string {
     : ` ${names.join(", ")}: ${words(status.step_event)}.`;
 }
 
+const stages: Record<Status["loop"]["late_stage"]["name"], string> = {
+  WAKE: "Waking up",
+  CARDS: "The exchange with the cards",
+  STEP: "The controller's step",
+  PUBLISH: "Publishing",
+};
+
+/**
+ * What has stopped a loop that was late too often.
+ *
+ * @satisfies SWR-CON-090
+ */
+function lateness({ loop }: Status): string {
+  if (loop.state !== "stopped") {
+    return "";
+  }
+  const late = `${(loop.late_us / 1000).toFixed(1)} ms`;
+  const times = loop.late_count === 1 ? "once" : `${loop.late_count} times`;
+  const span = `${Math.ceil(loop.late_span_us / 1000)} ms`;
+  const isOrdinary = loop.computer.some(({ name }) => name === "KERNEL");
+  const why = isOrdinary ? "; this kernel is not a real-time kernel" : "";
+  return ` ${stages[loop.late_stage.name]} was late by ${late}, ${times} in ${span}${why}.`;
+}
+
 /** There is no button for who is not logged in. */
 function nextOf(robot: RobotState, mayCommand: boolean): string {
   const { name, text } = robot.status.next_step;
   const isToLogIn = name === "AUTHORITY" && !mayCommand;
   return isToLogIn
     ? "Log in to take command here, or command from the navigation program."
-    : text + namedOf(robot);
+    : text + namedOf(robot) + lateness(robot.status);
 }
 
 function StateBanner({

@@ -166,6 +166,10 @@ export function makeStatus(change: Partial<Status> = {}): Status {
     time: { is_elastic: false, slowness: 1, speed_percent: 100 },
     loop: {
       state: "on_time",
+      late_stage: { name: "WAKE", text: "Waking up." },
+      late_us: 0,
+      late_count: 0,
+      late_span_us: 0,
       cycles: 1000,
       overruns: 0,
       wake_p50_us: 4,
