@@ -4,6 +4,7 @@
 #include "check/check.h"
 #include "check/realtime.h"
 #include "interface/app/names.h"
+#include "limits/requirement_limits.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -32,6 +33,7 @@ void computer_begin(computer_t *self, const char *root, uint32_t rights)
     facts.root = root;
     facts.rights = rights;
     self->lacks = 0U;
+    self->looks = 0U;
     realtime_tell(rights);
     for (uint32_t i = 0U; i < COMPUTER_CHECK_COUNT; i++) {
         const computer_check_t check = (computer_check_t)i;
@@ -65,4 +67,29 @@ void computer_look(computer_t *self, loop_figures_t *published)
     self->lacks &= ~bit(COMPUTER_CHECK_PAGE_FAULTS);
     self->lacks |= has_any ? bit(COMPUTER_CHECK_PAGE_FAULTS) : 0U;
     published->computer = self->lacks;
+}
+
+void computer_tell_wake_up(computer_t *self, const loop_figures_t *published)
+{
+    check_facts_t facts;
+    char found[CHECK_TEXT_SIZE];
+
+    self->looks += (self->looks <= LIMIT_START_LOOK_S) ? 1U : 0U;
+    if ((self->looks != LIMIT_START_LOOK_S) || (published->is_elastic != 0U)) {
+        return;
+    }
+    (void)memset(&facts, 0, sizeof facts);
+    facts.cycles = (uint32_t)published->cycles;
+    facts.wake_p99_us = published->wake_p99_us;
+    facts.wake_worst_us = published->wake_worst_us;
+    if (check_is_good(&facts, COMPUTER_CHECK_WAKE_UP, found)) {
+        (void)fprintf(stderr, "control: %s This computer can be expected to keep %u us.\n", found,
+                      LIMIT_CYCLE_US);
+    } else {
+        (void)fprintf(
+            stderr,
+            "control: %s This computer cannot be expected to keep %u us: motion will stop "
+            "now and then, START_UP goes on; boresight --check says what to do.\n",
+            found, LIMIT_CYCLE_US);
+    }
 }

@@ -11,6 +11,7 @@ typedef struct {
     uint32_t lacks; /**< Bits of computer_check_t. */
     uint64_t minor_faults;
     uint64_t major_faults; /**< Of this thread, when they were looked at last. */
+    uint32_t looks;        /**< Of computer_tell_wake_up(); it has said all after the last. */
 } computer_t;
 
 /**
@@ -28,5 +29,14 @@ void computer_begin(computer_t *self, const char *root, uint32_t rights);
  * @satisfies SWR-LOOP-008
  */
 void computer_look(computer_t *self, loop_figures_t *published);
+
+/**
+ * Once a second, after computer_look(): in the second that completes LIMIT_START_LOOK_S it says on
+ * standard error how late the loop woke up until then, and whether it can be expected to keep its
+ * cycle. Says nothing in elastic time, where nothing can be late.
+ *
+ * @satisfies SWR-LOOP-012
+ */
+void computer_tell_wake_up(computer_t *self, const loop_figures_t *published);
 
 #endif

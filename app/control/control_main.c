@@ -70,7 +70,7 @@ static loop_figures_t published;
 static uint64_t told_board_ns; /* When the figures were last published. */
 static uint64_t told_world_ns;
 static exchange_t *exchange;
-static uint64_t stage_ns[LOOP_STAGE_COUNT]; /* Of the last cycle. */
+static uint64_t stage_ns[LOOP_STAGE_COUNT]; /* To wake up for this cycle, the others of the last. */
 static sources_t sources;
 static computer_t computer;
 static cycle_lane_t lane;
@@ -226,6 +226,7 @@ static void publish_figures(void)
         published.cycles_lost = lane.lost;
         published.speed_permille = (uint32_t)(((board_ns - told_board_ns) * 1000U) / elapsed_ns);
         computer_look(&computer, &published);
+        computer_tell_wake_up(&computer, &published);
         exchange_publish_loop(exchange, &published);
         told_board_ns = board_ns;
         told_world_ns = world_ns;
@@ -251,6 +252,7 @@ static void run_cycle(uint64_t deadline_ns, uint64_t woken_ns, uint64_t elapsed_
 {
     const uint32_t cycle = controller.cycle;
     const bool is_resuming = cycle_lane_look(&lane, exchange);
+    stage_ns[LOOP_STAGE_WAKE] = woken_ns - deadline_ns; /* It is part of what has elapsed. */
     gather_inputs(elapsed_ns);
     record_checkpoint(is_resuming);
     const uint64_t gathered_ns = bsp_now_ns();
@@ -262,7 +264,6 @@ static void run_cycle(uint64_t deadline_ns, uint64_t woken_ns, uint64_t elapsed_
     bsp_set_lamps(lamps_of(&outputs.snapshot));
     publish(cycle);
     publish_figures();
-    stage_ns[LOOP_STAGE_WAKE] = woken_ns - deadline_ns;
     stage_ns[LOOP_STAGE_CARDS] = (gathered_ns - woken_ns) + (sent_ns - stepped_ns);
     stage_ns[LOOP_STAGE_STEP] = stepped_ns - gathered_ns;
     stage_ns[LOOP_STAGE_PUBLISH] = bsp_now_ns() - sent_ns;

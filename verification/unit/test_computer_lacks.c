@@ -10,6 +10,7 @@
 
 #include "exchange/exchange.h"
 #include "interface/app/names.h"
+#include "limits/requirement_limits.h"
 #include "mock_check.h"
 #include "mock_realtime.h"
 
@@ -70,21 +71,40 @@ void tearDown(void)
 {
 }
 
+typedef struct {
+    int from;
+    int kept;
+} hearing_t;
+
+/* What is said on standard error from now on is heard, */
+static hearing_t hear(void)
+{
+    int ends[2];
+    hearing_t hearing = {.kept = dup(STDERR_FILENO)};
+    TEST_ASSERT_EQUAL_INT(0, pipe(ends));
+    (void)dup2(ends[1], STDERR_FILENO);
+    (void)close(ends[1]);
+    hearing.from = ends[0];
+    return hearing;
+}
+
+/* until now: `said` is that. */
+static void end(const hearing_t *hearing)
+{
+    (void)dup2(hearing->kept, STDERR_FILENO);
+    (void)close(hearing->kept);
+    const ssize_t length = read(hearing->from, said, sizeof said - 1U);
+    said[(length > 0) ? length : 0] = '\0';
+    (void)close(hearing->from);
+}
+
 /* Begins with `wrong`; `said` is what it said. */
 static void begin(uint32_t wrong)
 {
-    int ends[2];
-    const int kept = dup(STDERR_FILENO);
-    TEST_ASSERT_EQUAL_INT(0, pipe(ends));
-    (void)dup2(ends[1], STDERR_FILENO);
+    const hearing_t hearing = hear();
     bad = wrong;
     computer_begin(&computer, "/root", GRANTED);
-    (void)dup2(kept, STDERR_FILENO);
-    (void)close(kept);
-    (void)close(ends[1]);
-    const ssize_t length = read(ends[0], said, sizeof said - 1U);
-    said[(length > 0) ? length : 0] = '\0';
-    (void)close(ends[0]);
+    end(&hearing);
 }
 
 void test_SWR_LOOP_007_a_fit_computer_lacks_nothing_and_nothing_is_said(void)
@@ -143,4 +163,53 @@ void test_SWR_LOOP_008_a_second_with_page_faults_counts_as_lacking_and_the_next_
     computer_look(&computer, &published);
     TEST_ASSERT_EQUAL_HEX32(KERNEL, computer.lacks);
     TEST_ASSERT_EQUAL_HEX32(KERNEL, published.computer);
+}
+
+static bool judge_wake_up(const check_facts_t *about, computer_check_t check,
+                          char found[CHECK_TEXT_SIZE], int calls)
+{
+    (void)calls;
+    TEST_ASSERT_EQUAL(COMPUTER_CHECK_WAKE_UP, check);
+    TEST_ASSERT_EQUAL_UINT32(2000U, about->cycles);
+    TEST_ASSERT_EQUAL_UINT32(90U, about->wake_p99_us);
+    (void)snprintf(found, CHECK_TEXT_SIZE, "Woke up.");
+    return about->wake_worst_us < 200U;
+}
+
+static void expect_said_of(uint32_t worst_us, const char *sentence)
+{
+    published = (loop_figures_t){.cycles = 2000U, .wake_p99_us = 90U, .wake_worst_us = worst_us};
+    begin(0U);
+    check_is_good_Stub(judge_wake_up);
+    for (uint32_t i = 1U; i <= (LIMIT_START_LOOK_S + 2U); i++) {
+        const hearing_t hearing = hear();
+        computer_tell_wake_up(&computer, &published);
+        end(&hearing);
+        TEST_ASSERT_EQUAL_STRING((i == LIMIT_START_LOOK_S) ? sentence : "", said);
+    }
+    check_is_good_Stub(judge);
+}
+
+void test_SWR_LOOP_012_a_punctual_computer_is_expected_to_keep_the_cycle(void)
+{
+    expect_said_of(199U, "control: Woke up. This computer can be expected to keep 1000 us.\n");
+}
+
+void test_SWR_LOOP_012_a_late_computer_is_said_to_stop_now_and_then(void)
+{
+    expect_said_of(200U, "control: Woke up. This computer cannot be expected to keep 1000 us: "
+                         "motion will stop now and then, START_UP goes on; boresight --check says "
+                         "what to do.\n");
+}
+
+void test_SWR_LOOP_012_elastic_time_needs_none(void)
+{
+    begin(0U);
+    published.is_elastic = 1U;
+    for (uint32_t i = 0U; i < (LIMIT_START_LOOK_S + 2U); i++) {
+        const hearing_t hearing = hear();
+        computer_tell_wake_up(&computer, &published);
+        end(&hearing);
+        TEST_ASSERT_EQUAL_STRING("", said);
+    }
 }

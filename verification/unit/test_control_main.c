@@ -66,8 +66,10 @@ typedef struct {
     uint32_t dialect;
     uint32_t is_dialect_accepted;
     uint32_t is_recorder_failing;
-    uint32_t cycles_lost; /* As the controller was told in the last cycle. */
-    uint64_t stood_ns;    /* The world's time in which control let the board stand still. */
+    uint32_t cycles_lost;   /* As the controller was told in the last cycle. */
+    uint32_t late_stage[2]; /* As it was told in the last two cycles, */
+    uint32_t elapsed_us[2]; /* the same. */
+    uint64_t stood_ns;      /* The world's time in which control let the board stand still. */
 } record_t;
 
 static char name[48];
@@ -85,6 +87,7 @@ static card_dialect_t dialect;
 static const char *accepted;
 static uint64_t late_ns;      /* How much later than asked for each cycle wakes up, */
 static bool is_late_at_times; /* or only every other one. */
+static uint64_t cards_ns;     /* How long its inputs take. */
 static uint64_t now_ns;
 static card_command_t before[CARD_SLOT_COUNT];
 static uint8_t reports[CARD_SLOT_COUNT][CARD_FRAME_BYTES]; /* On their way back. */
@@ -234,6 +237,8 @@ static void step(controller_t *self, const robot_t *robot, const controller_inpu
 {
     (void)calls;
     made->frames_to_send = 0U;
+    record->late_stage[self->cycle % 2U] = given->late_stage;
+    record->elapsed_us[self->cycle % 2U] = given->elapsed_us;
     read_all(self->cycle);
     if ((self->cycle == LAST_CYCLE) && (end == BY_CONTRACT)) {
         contract_broken("controller", 100U);
@@ -316,6 +321,7 @@ static void sample(bsp_inputs_t *levels, int calls)
 {
     (void)calls;
     *levels = (bsp_inputs_t){.levels = BSP_IN_ALL, .valid = BSP_IN_ALL};
+    now_ns += cards_ns;
 }
 
 static uint64_t tell_now(int calls)
@@ -374,6 +380,13 @@ static void look_at_computer(computer_t *self, loop_figures_t *figures_told, int
     figures_told->computer = self->lacks;
 }
 
+static void tell_wake_up(computer_t *self, const loop_figures_t *figures_told, int calls)
+{
+    (void)self;
+    (void)figures_told;
+    (void)calls;
+}
+
 void setUp(void)
 {
     char error[200] = "";
@@ -389,6 +402,7 @@ void setUp(void)
     accepted = "";
     late_ns = 0U;
     is_late_at_times = false;
+    cards_ns = 0U;
     (void)snprintf(name, sizeof name, "boresight-test-main-%d", (int)getpid());
     segment = exchange_create(name, LANE, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(segment, error);
@@ -415,6 +429,7 @@ void setUp(void)
     realtime_stay_awake_Stub(stay_awake);
     computer_begin_Stub(begin_computer);
     computer_look_Stub(look_at_computer);
+    computer_tell_wake_up_Stub(tell_wake_up);
     realtime_now_ns_Stub(tell_world);
 }
 
@@ -773,4 +788,19 @@ void test_SWR_LOOP_005_cycles_are_counted_by_how_long_each_stage_took(void)
     TEST_ASSERT_EQUAL_UINT32(5000U, told.stages[LOOP_STAGE_STEP].worst_us);
     TEST_ASSERT_EQUAL_UINT32(8U, told.stages[LOOP_STAGE_WAKE].counts[0]);
     TEST_ASSERT_EQUAL_UINT32(0U, told.stages[LOOP_STAGE_PUBLISH].worst_us);
+}
+
+/* Each second one is late, and what comes after waking up takes as long in each. */
+void test_SWR_LOOP_001_a_late_wake_up_is_named_in_the_cycle_that_it_made_late(void)
+{
+    late_ns = UINT64_C(1000) * (LIMIT_OVERRUN_US - LIMIT_CYCLE_US + 1U);
+    is_late_at_times = true;
+    cards_ns = UINT64_C(300000);
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    for (uint32_t i = 0U; i < 2U; i++) {
+        const bool is_late = record->elapsed_us[i] > LIMIT_OVERRUN_US;
+        TEST_ASSERT_EQUAL_UINT32(is_late ? LOOP_STAGE_WAKE : LOOP_STAGE_CARDS,
+                                 record->late_stage[i]);
+    }
+    TEST_ASSERT_NOT_EQUAL_UINT32(record->elapsed_us[0], record->elapsed_us[1]);
 }
