@@ -7,7 +7,9 @@ require_relative 'support'
 require_relative '../system/support/session_client'
 
 # What clients that crowd the HTTP server cost while the bench moves. Each crowd is met twice, for the same time: by the
-# control loop, and by cyclictest in its place, beside a whole system without the loop's rights.
+# control loop, and by cyclictest in its place, beside a whole system without the loop's rights. The crowd leaves the loop's
+# core both times, as who is at another computer: beside cyclictest the loop's own elastic substitute kept it away from there,
+# beside the loop nothing did, and its packets were received on the core that it ran on.
 class Crowds
   SECONDS = Integer(ENV.fetch('BENCH_SECONDS', '10'))
   CROWDS = { 'quiet' => {}, 'consoles' => { consoles: 8 }, 'lazy' => { lazy: 200 },
@@ -22,6 +24,12 @@ class Crowds
   PORTS = { 'STOP at its port' => :stop_port, 'STOP at the console\'s' => :console_port }.freeze
 
   def run
+    off_the_loops_core { tell }
+  end
+
+  private
+
+  def tell
     puts "Crowds at the HTTP server, #{CROWDS.size} times twice #{SECONDS} s of moves (BENCH_SECONDS changes that)"
     folder = Dir.mktmpdir('accounts')
     @accounts = Accounts.make(File.join(folder, 'accounts'))
@@ -32,7 +40,22 @@ class Crowds
     FileUtils.rm_rf(folder) if folder
   end
 
-  private
+  # This program and all that it starts; control, box and cyclictest take that core by themselves.
+  def off_the_loops_core
+    return yield if Cyclictest::LAST_CORE.zero?
+
+    pin("0-#{Cyclictest::LAST_CORE - 1}")
+    begin
+      yield
+    ensure
+      pin("0-#{Cyclictest::LAST_CORE}")
+    end
+  end
+
+  def pin(cores)
+    _, status = Open3.capture2e('taskset', '--all-tasks', '--pid', '--cpu-list', cores, Process.pid.to_s)
+    raise BenchFailed, "taskset #{cores} failed" unless status.success?
+  end
 
   def meet(name, counts)
     print "  #{name} ... "
@@ -51,9 +74,10 @@ class Crowds
     robot = start('--real-time')
     met = { before_kb: server_kb(robot, 'VmRSS') }
     seen = Crowd.around(robot.http_port, **counts) do
-      met.update(move_for(robot), stops_of(robot))
-      met[:after_kb] = server_kb(robot, 'VmRSS')
+      met.update(move_for(robot))
       met[:loop] = LOOP.transform_values { |key| robot.status.dig('loop', key) }
+      met.update(stops_of(robot))
+      met[:after_kb] = server_kb(robot, 'VmRSS')
     end
     met.merge(most_kb: server_kb(robot, 'VmHWM'), counts: robot.status['counts'], seen: seen)
   ensure
@@ -157,7 +181,8 @@ class Crowds
 
   def remarks
     lines = ["This is #{machine}, and the crowd ran on it: only the ratios say something about the program.",
-             'Both met the same crowd beside box, recorder and servers; cyclictest also beside a loop without its rights.']
+             'Both met the same crowd, off their core, beside box, recorder and servers; cyclictest also beside a loop without ' \
+             'its rights. The figures of the loop are from its start to the end of the moves, before the stops.']
     lines.concat(@met.filter_map { |name, met| "#{name}: a move did not end: #{met[:trouble]}" if met[:trouble] })
     lines << Neighbours::REMARK if @is_shared
     lines << "cyclictest could not run: #{@reference.refusal}" if @reference.refusal
