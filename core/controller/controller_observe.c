@@ -151,7 +151,8 @@ static uint32_t applied_us(const cycle_t *cycle)
     return (reported_us < LIMIT_CARD_WATCHDOG_US) ? reported_us : LIMIT_CARD_WATCHDOG_US;
 }
 
-static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t index)
+static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t index,
+                         uint32_t driven_us)
 {
     const axis_config_t *const config = &cycle->robot->axes[index];
     const link_t *const link = controller_link(self, index);
@@ -167,7 +168,7 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     }
     notes |=
         axis_supervise(&self->axes[index], config, self->records[index].speed_cap_percent != 0U,
-                       &link->sent_before, applied_us(cycle));
+                       &link->sent_before, driven_us);
     note_axis(self, cycle, index, notes);
     note_grade(self, cycle, index, notes);
 }
@@ -408,10 +409,11 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
     observe_estop(self, cycle);
     observe_scanner(self, cycle);
     observe_recording(self, cycle);
+    const uint32_t driven_us = applied_us(cycle);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         controller_observe_card(self, cycle, i);
         if (!controller_is_blind(self)) {
-            observe_axis(self, cycle, i);
+            observe_axis(self, cycle, i, driven_us);
         }
     }
     watch_axis(self, cycle);
