@@ -34,10 +34,14 @@ static bsp_exchange_t exchange(closed_loop_t *self)
     const uint8_t(*const frames)[CARD_FRAME_BYTES] =
         (const uint8_t(*)[CARD_FRAME_BYTES])self->outputs.frames;
 
-    return (bsp_exchange_t){.started_ns = now_ns,
-                            .finished_ns = now_ns,
-                            .received = box_exchange(&self->box, self->outputs.frames_to_send,
-                                                     frames, self->inputs.frames)};
+    bsp_exchange_t exchanged = {.started_ns = now_ns,
+                                .finished_ns = now_ns,
+                                .received = box_exchange(&self->box, self->outputs.frames_to_send,
+                                                         frames, self->inputs.frames)};
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        exchanged.sampled_ns[slot] = now_ns;
+    }
+    return exchanged;
 }
 
 static void gather(closed_loop_t *self)
@@ -49,7 +53,8 @@ static void gather(closed_loop_t *self)
     const bsp_inputs_t sampled = box_sample(&self->box);
     self->inputs.elapsed_us = LIMIT_CYCLE_US;
     board_inputs_take(&self->board_inputs, &sampled, &self->inputs);
-    board_inputs_receive(&self->board_inputs, &exchanged, &self->inputs);
+    board_inputs_receive(&exchanged, &self->inputs);
+    self->inputs.samples.error_us = LIMIT_SAMPLE_ERROR_SIM_US;
     self->inputs.command_count = self->command_count;
     (void)memcpy(self->inputs.commands, self->commands, sizeof self->inputs.commands);
 }

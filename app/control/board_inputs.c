@@ -28,12 +28,6 @@ void board_inputs_take(board_inputs_t *self, const bsp_inputs_t *sampled,
     inputs->treatment_stopped = flag((low & BSP_IN_TREATMENT_MAY) != 0U);
 }
 
-/* 0: there was none. */
-static uint64_t time_of(const bsp_exchange_t *exchanged)
-{
-    return (exchanged->received != 0U) ? exchanged->finished_ns : exchanged->started_ns;
-}
-
 /* Bits of the slots with this result. */
 static uint32_t slots_of(const bsp_exchange_t *exchanged, bsp_slot_result_t result)
 {
@@ -45,23 +39,15 @@ static uint32_t slots_of(const bsp_exchange_t *exchanged, bsp_slot_result_t resu
     return slots;
 }
 
-void board_inputs_receive(board_inputs_t *self, const bsp_exchange_t *exchanged,
-                          controller_inputs_t *inputs)
+void board_inputs_receive(const bsp_exchange_t *exchanged, controller_inputs_t *inputs)
 {
-    const uint64_t now_ns = time_of(exchanged);
-    const uint64_t before_ns = self->exchanged_ns;
-    const bool is_known = (before_ns != 0U) && (now_ns > before_ns);
-
     inputs->frames_received = exchanged->received;
     inputs->frames_late =
         slots_of(exchanged, BSP_SLOT_LATE) | slots_of(exchanged, BSP_SLOT_NOT_IDLE);
     inputs->frames_failed = slots_of(exchanged, BSP_SLOT_BUS_ERROR);
-    inputs->reported_us = inputs->elapsed_us;
-    if (is_known) {
-        const uint64_t us = ((now_ns - before_ns) + (NS_PER_US / 2U)) / NS_PER_US;
-        inputs->reported_us = (us < UINT32_MAX) ? (uint32_t)us : UINT32_MAX;
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        inputs->samples.sampled_us[slot] = (uint32_t)(exchanged->sampled_ns[slot] / NS_PER_US);
     }
-    self->exchanged_ns = now_ns;
 }
 
 void board_inputs_note(const bsp_inputs_t *sampled, const bsp_exchange_t *exchanged,

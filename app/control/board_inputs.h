@@ -13,8 +13,6 @@
 /** At first all zero: nothing was read yet. */
 typedef struct {
     uint32_t known; /**< BSP_IN_ bits that were ever read: the box has them. */
-    uint32_t reserved;
-    uint64_t exchanged_ns; /**< When the last frames were exchanged; 0: never. */
 } board_inputs_t;
 
 /**
@@ -28,15 +26,12 @@ void board_inputs_take(board_inputs_t *self, const bsp_inputs_t *sampled,
                        controller_inputs_t *inputs);
 
 /**
- * Sets which frames were received, were late or failed, and between which exchanges what they tell
- * of has lasted; `elapsed_us` stands for that as long as there were no two. An exchange is at the
- * time of its end if something came back.
+ * Sets which frames were received, when each was sampled, and which were late or failed.
  *
  * @satisfies SWR-CTRL-014
  * @satisfies SWR-CARD-015
  */
-void board_inputs_receive(board_inputs_t *self, const bsp_exchange_t *exchanged,
-                          controller_inputs_t *inputs);
+void board_inputs_receive(const bsp_exchange_t *exchanged, controller_inputs_t *inputs);
 
 /**
  * What the board said in this cycle, for the record: `exchanged` is the exchange that was ended in

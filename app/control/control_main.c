@@ -175,7 +175,8 @@ static void gather_inputs(uint64_t elapsed_ns)
     board_inputs_take(&board_inputs, &sampled, &inputs);
     bsp_finish(bsp_now_ns() + (UINT64_C(1000) * LIMIT_EXCHANGE_TIMEOUT_US), inputs.frames,
                &exchanged);
-    board_inputs_receive(&board_inputs, &exchanged, &inputs);
+    board_inputs_receive(&exchanged, &inputs);
+    inputs.samples.error_us = board.sample_error_us;
     inputs.silent_sources = silent_sources();
     inputs.unfit = board.is_simulated ? 0U : computer.lacks;
     inputs.cycles_lost = lane.lost;

@@ -13,7 +13,6 @@ static const struct {
     uint32_t most;
 } inputs[] = {
     {"elapsed_us", offsetof(controller_inputs_t, elapsed_us), UINT32_MAX},
-    {"reported_us", offsetof(controller_inputs_t, reported_us), UINT32_MAX},
     {"late_stage", offsetof(controller_inputs_t, late_stage), UINT32_MAX},
     {"pedal_a", offsetof(controller_inputs_t, pedal_a), 1U},
     {"pedal_b", offsetof(controller_inputs_t, pedal_b), 1U},

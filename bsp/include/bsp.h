@@ -46,6 +46,9 @@ typedef struct {
     bool is_simulated; /**< No robot is connected: nobody is hurt by a late cycle. */
     uint32_t slowness; /**< Its time passes so many times slower, at best; 1 on a real board. */
     uint32_t dialect;  /**< card_dialect_t of all cards. */
+    /** Most by which the time between two samples of a card may be wrong, as the board measures
+     * it. */
+    uint32_t sample_error_us;
     /** Who accepts what cards of another dialect than our own lack, and when; "": nobody does. */
     char accepted[BSP_ACCEPTED_SIZE];
 } bsp_identity_t;
@@ -86,6 +89,7 @@ typedef struct {
     uint64_t started_ns;              /**< bsp_now_ns() of bsp_start(); 0 when there was none. */
     uint64_t finished_ns;             /**< When the last frame was back, or the deadline. */
     uint32_t received;                /**< Bit n: received[n] holds what came back from slot n. */
+    uint64_t sampled_ns[CARD_SLOT_COUNT]; /**< Of these: bsp_now_ns() when the card was selected. */
     uint8_t results[CARD_SLOT_COUNT]; /**< bsp_slot_result_t of each slot. */
     int32_t error;                    /**< errno, or the transport's own number; 0: none. */
 } bsp_exchange_t;

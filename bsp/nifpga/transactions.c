@@ -86,6 +86,7 @@ static void begin(transactions_t *self, uint32_t slot, const uint8_t frame[CARD_
             calls->write_words(self->fpga->session, card->outgoing, words, AIM32_FRAME_WORDS)) &&
         is_good(self, slot, calls->write_bool(self->fpga->session, card->transact, 1U))) {
         self->begun.results[slot] = (uint8_t)BSP_SLOT_LATE;
+        self->begun.sampled_ns[slot] = transactions_now_ns();
         self->awaited |= 1U << slot;
     }
 }

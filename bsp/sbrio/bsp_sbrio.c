@@ -6,6 +6,7 @@
  */
 #include "bsp.h"
 
+#include "limits/requirement_limits.h"
 #include "sbrio/card_buses.h"
 #include "sbrio/kernel_watchdog.h"
 #include "sbrio/pins.h"
@@ -40,7 +41,8 @@ static void identify(bsp_identity_t *identity)
                                               BSP_HAS_LAMPS | watchdog_ability,
                                  .power_on = number | 1U,
                                  .was_used = true,
-                                 .slowness = slowness};
+                                 .slowness = slowness,
+                                 .sample_error_us = LIMIT_SAMPLE_ERROR_SPI_US};
 }
 
 bool bsp_open(const char *address, bsp_identity_t *identity, char *error, uint32_t error_size)
@@ -105,6 +107,9 @@ void bsp_finish(uint64_t deadline_ns, uint8_t received[CARD_SLOT_COUNT][CARD_FRA
     card_buses_finish(&buses, deadline_ns * slowness, received, result);
     result->started_ns /= slowness;
     result->finished_ns /= slowness;
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        result->sampled_ns[slot] /= slowness;
+    }
 }
 
 void bsp_sample_inputs(bsp_inputs_t *inputs)

@@ -115,6 +115,7 @@ static void collect(card_buses_t *self, const spi_bus_t *bus,
             self->begun.error = spi_bus_error(bus, slot);
         } else if (result == BSP_SLOT_OK) {
             self->begun.received |= 1U << slot;
+            self->begun.sampled_ns[slot] = bus->sampled_ns[slot];
             (void)memcpy(received[slot], bus->received[slot], CARD_FRAME_BYTES);
         } else {
             /* Nobody is there. */

@@ -79,7 +79,7 @@ static void transfer(spi_bus_t *self)
         spi_device_t *const device = &self->devices[i];
         const uint32_t gap_us =
             (self->gap_us > device->wiring.gap_us) ? self->gap_us : device->wiring.gap_us;
-        spi_device_transfer(device, gap_us, self->sent, self->received);
+        spi_device_transfer(device, gap_us, self->sent, self->received, self->sampled_ns);
         self->needs_rest = self->needs_rest || (device->error != 0);
     }
     self->finished_ns = spi_bus_now_ns();

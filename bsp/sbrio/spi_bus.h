@@ -22,6 +22,7 @@ typedef struct {
     uint32_t device_count;
     uint8_t sent[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
     uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
+    uint64_t sampled_ns[CARD_SLOT_COUNT];
     uint32_t gap_us;      /**< At least, of the exchange under way. */
     uint64_t finished_ns; /**< Monotonic time of the last exchange's end. */
     bool needs_rest;      /**< Before the next exchange. */

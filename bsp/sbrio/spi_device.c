@@ -15,6 +15,7 @@
 /* The kernel's pause of the chip select between frames, and a system call with its interrupts. */
 #define PAUSE_US 10U
 #define CALL_US 20U
+#define NS_PER_S UINT64_C(1000000000)
 #define KERNEL_LIMIT "/sys/module/spidev/parameters/bufsiz"
 
 uint32_t spi_device_slots(const wiring_spi_t *wiring)
@@ -137,6 +138,20 @@ static int32_t send_message(const spi_device_t *self, struct spi_ioc_transfer *t
     return ((uint32_t)size == (count * CARD_FRAME_BYTES)) ? 0 : EIO;
 }
 
+/* The frames of a message follow each other at once. */
+static void note_times(const spi_device_t *self, uint32_t slot, uint32_t count,
+                       uint64_t sampled_ns[CARD_SLOT_COUNT])
+{
+    struct timespec now;
+
+    (void)clock_gettime(CLOCK_MONOTONIC, &now);
+    const uint64_t now_ns = ((uint64_t)now.tv_sec * NS_PER_S) + (uint64_t)now.tv_nsec;
+    const uint64_t frame_ns = (FRAME_BITS * NS_PER_S) / self->wiring.clock_hz;
+    for (uint32_t i = 0U; i < count; i++) {
+        sampled_ns[slot + i] = now_ns + (i * frame_ns);
+    }
+}
+
 static void pause_us(uint32_t time_us)
 {
     const struct timespec pause = {.tv_nsec = (long)time_us * 1000L};
@@ -146,7 +161,8 @@ static void pause_us(uint32_t time_us)
 
 void spi_device_transfer(spi_device_t *self, uint32_t gap_us,
                          uint8_t sent[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
-                         uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES])
+                         uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
+                         uint64_t sampled_ns[CARD_SLOT_COUNT])
 {
     struct spi_ioc_transfer transfers[CARD_SLOT_COUNT];
     const uint32_t count = self->wiring.slot_count;
@@ -162,11 +178,13 @@ void spi_device_transfer(spi_device_t *self, uint32_t gap_us,
         transfers[i].cs_change = 1U;
     }
     if (gap_us == 0U) {
+        note_times(self, self->wiring.first_slot, count, sampled_ns);
         self->error = send_message(self, transfers, count);
         return;
     }
     self->error = 0;
     for (uint32_t i = 0U; (i < count) && (self->error == 0); i++) {
+        note_times(self, self->wiring.first_slot + i, 1U, sampled_ns);
         self->error = send_message(self, &transfers[i], 1U);
         pause_us(gap_us);
     }

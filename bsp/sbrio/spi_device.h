@@ -39,13 +39,16 @@ bool spi_device_open(spi_device_t *self, const wiring_spi_t *wiring, char *error
 
 /**
  * Transfers the frames of all its slots and waits for that: as one message with the chip select
- * released between frames or, with a gap, each frame by itself. Then `error` tells.
+ * released between frames or, with a gap, each frame by itself. Then `error` tells, and
+ * `sampled_ns` when each card was selected.
  *
  * @satisfies SWR-SPI-003
+ * @satisfies SWR-BSP-007
  */
 void spi_device_transfer(spi_device_t *self, uint32_t gap_us,
                          uint8_t sent[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
-                         uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES]);
+                         uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
+                         uint64_t sampled_ns[CARD_SLOT_COUNT]);
 
 /** Closes the device. */
 void spi_device_close(spi_device_t *self);

@@ -37,7 +37,8 @@ static void identify(bsp_identity_t *identity)
                          .robot_crc = wire_load(&wire->robot_crc),
                          .is_elastic = board_time.is_elastic,
                          .is_simulated = true,
-                         .slowness = board_time.slowness};
+                         .slowness = board_time.slowness,
+                         .sample_error_us = LIMIT_SAMPLE_ERROR_SIM_US};
 }
 
 bool bsp_open(const char *address, bsp_identity_t *identity, char *error, uint32_t error_size)
@@ -136,6 +137,7 @@ static void collect(uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES])
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if ((answered & (1U << slot)) != 0U) {
             (void)memcpy(received[slot], wire->replies[slot], CARD_FRAME_BYTES);
+            begun.sampled_ns[slot] = wire->replied_us * NS_PER_US;
         }
     }
     begun.received = answered;

@@ -348,7 +348,7 @@ static uint32_t audit(axis_t *self, const axis_config_t *config, int64_t way, bo
 }
 
 uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,
-                        const card_drive_t *sent, uint32_t elapsed_us)
+                        const axis_sample_t *sample)
 {
     /* Before START_UP and after a fault nobody relies on where it is: hands may move it. */
     const bool is_relied_on = axis_is_enabled(self) || axis_is_homed(self) || is_unverified(self);
@@ -360,22 +360,23 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
                                .is_driven = is_driven,
                                .is_upwards = motor_model_is_upwards(config, &asked),
                                .is_relied_on = is_relied_on,
-                               .drive = *sent,
+                               .drive = *sample->applied,
                                .lost_q16 = self->heat.lost_q16,
-                               .edge_age_us = self->encoder.edge_age_us,
-                               .elapsed_us = elapsed_us};
+                               .edge_age_us = sample->is_timed ? self->encoder.edge_age_us
+                                                               : ENCODER_AGE_UNKNOWN,
+                               .elapsed_us = sample->elapsed_us};
     motor_heat_untune(&self->heat, &view.drive);
     const int64_t way = (int64_t)view.position_ticks - (int64_t)self->supervision.position_ticks;
     uint32_t found = supervision_step(&self->supervision, config, &view);
-    if (homing_is_too_long(&self->homing, config, leg, is_driven, elapsed_us)) {
+    if (homing_is_too_long(&self->homing, config, leg, is_driven, sample->elapsed_us)) {
         found |= AXIS_NOTE_HOME_TIMEOUT;
     }
     if (homing_is_leg(leg) && homing_is_too_far(&self->homing, config, leg, view.position_ticks)) {
         found |= AXIS_NOTE_SWITCH_FAULT;
     }
     const uint32_t faults = fail(self, found);
-    const bool is_off = sent->mode == (uint32_t)CARD_DRIVE_OFF;
-    return faults | audit(self, config, way, is_off, elapsed_us);
+    const bool is_off = sample->applied->mode == (uint32_t)CARD_DRIVE_OFF;
+    return faults | audit(self, config, way, is_off, sample->elapsed_us);
 }
 
 /* `way`: ticks, below 0 as their complement, as the reading wraps, too. */

@@ -45,6 +45,13 @@ typedef struct {
     supervision_t supervision;
 } axis_t;
 
+/** What the card of an axis says of the way up to its report. */
+typedef struct {
+    const card_drive_t *applied; /**< Its drive since the sample before. */
+    uint32_t elapsed_us;         /**< Since then; 0: there is no report in this cycle. */
+    bool is_timed;               /**< By its own clock, since the cycle before. */
+} axis_sample_t;
+
 /** Starts disabled and fresh: nothing is known of where it is. */
 void axis_init(axis_t *self);
 
@@ -165,7 +172,6 @@ card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elaps
 
 /**
  * The checks of supervision and homing. `is_driven`: the permit allowed the axis and a motion runs.
- * `sent`: what the card applied up to this position.
  *
  * @return AXIS_NOTE_ bits
  *
@@ -173,7 +179,7 @@ card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elaps
  * @satisfies SWR-AXIS-022
  */
 uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,
-                        const card_drive_t *sent, uint32_t elapsed_us);
+                        const axis_sample_t *sample);
 
 /**
  * The readings of the encoder between which the axis may be: about its position, and between

@@ -54,6 +54,19 @@ void count_account_settle(count_account_t *self)
     self->over_e2_q16 = 0;
 }
 
+void count_account_doubt(count_account_t *self)
+{
+    clear_window(self);
+    self->has_count = 0U;
+    self->unsure_us = LIMIT_RISING_TIME_US;
+}
+
+static void grow_sure(count_account_t *self, const count_cycle_t *cycle)
+{
+    const uint32_t driven_us = (cycle->model_q16 != 0) ? cycle->elapsed_us : 0U;
+    self->unsure_us -= (self->unsure_us < driven_us) ? self->unsure_us : driven_us;
+}
+
 /* Longer than a pause or a run is, a time needs not be known. */
 static uint32_t longer(uint32_t time_us, uint32_t elapsed_us)
 {
@@ -75,9 +88,9 @@ static void follow_drive(count_account_t *self, int64_t model_q16, uint32_t elap
     self->run_us = (direction == self->direction) ? longer(self->run_us, elapsed_us) : 0U;
     self->rest_us = 0U;
     self->direction = direction;
-    self->regime = (uint32_t)((self->run_us < LIMIT_RISING_TIME_US) ? COUNT_REGIME_RISING
+    self->regime = (uint16_t)((self->run_us < LIMIT_RISING_TIME_US) ? COUNT_REGIME_RISING
                                                                     : COUNT_REGIME_STEADY);
-    self->has_count = (self->regime == (uint32_t)COUNT_REGIME_STEADY) ? self->has_count : 0U;
+    self->has_count = (self->regime == (uint16_t)COUNT_REGIME_STEADY) ? self->has_count : 0U;
 }
 
 static bool is_calibrated(const count_calibration_t *shown)
@@ -138,7 +151,7 @@ static bool calibrate(count_account_t *self, uint32_t way_q16, int32_t counted_t
         return true;
     }
     shown->time_us += (way_q16 != 0U) ? cycle->elapsed_us : 0U;
-    if (self->regime == (uint32_t)COUNT_REGIME_STEADY) {
+    if (self->regime == (uint16_t)COUNT_REGIME_STEADY) {
         show_steady(self, shown, cycle->due_q16, counted_ticks);
     } else {
         add(shown, way_q16, counted_ticks);
@@ -188,6 +201,11 @@ bool count_account_step(count_account_t *self, const axis_config_t *config,
     follow_drive(self, model_q16, cycle->elapsed_us);
     /* Until the motor rests, counts are of its last drive. */
     if (self->rest_us > MOTOR_REST_US) {
+        self->unsure_us = 0U;
+        return false;
+    }
+    if (self->unsure_us != 0U) {
+        grow_sure(self, cycle);
         return false;
     }
     const count_calibration_t *const shown = &self->calibrations[self->regime];

@@ -36,8 +36,9 @@ typedef struct {
     int32_t direction;     /**< 1, or -1, of the last drive; 0: none yet. */
     uint32_t run_us;       /**< Driven this way for so long without a pause, saturates. */
     uint32_t rest_us;      /**< Not driven for so long, saturates. */
-    uint32_t regime;       /**< count_regime_t of the last drive. */
-    uint32_t has_count;    /**< 0 or 1: a way has ended since it runs steadily. */
+    uint16_t regime;       /**< count_regime_t of the last drive. */
+    uint16_t has_count;    /**< 0 or 1: a way has ended since it runs steadily. */
+    uint32_t unsure_us;    /**< Driven time until the model knows its speed again. */
     int32_t percent;       /**< Counts of the last window against the model, for the record. */
     count_calibration_t calibrations[COUNT_REGIMES];
 } count_account_t;
@@ -56,6 +57,10 @@ void count_account_init(count_account_t *self);
 
 /** The position is sure: both sums are empty. What the motor has shown of itself stays. */
 void count_account_settle(count_account_t *self);
+
+/** Nobody knows how fast the motor is, unless it rests: nothing is compared for
+ * LIMIT_RISING_TIME_US of drive. */
+void count_account_doubt(count_account_t *self);
 
 /**
  * One cycle.

@@ -12,6 +12,10 @@
 /* Between two of the places that are remembered: all of them are of the last second. */
 #define PLACE_US 100000U
 #define US_PER_S 1000000U
+/* Drives that a card may have applied. */
+#define DRIVE_OFF 1U
+#define DRIVE_DOWN 2U
+#define DRIVE_UP 4U
 
 /* How far the axis is from its set-point. */
 static uint32_t error_ticks(const supervision_view_t *view)
@@ -39,7 +43,7 @@ static int64_t way_ticks(const supervision_t *self, const supervision_view_t *vi
 
 static void watch_progress(supervision_t *self, const supervision_view_t *view)
 {
-    const uint32_t direction = view->is_upwards ? 1U : 0U;
+    const uint16_t direction = view->is_upwards ? 1U : 0U;
     const bool has_turned = direction != self->is_upwards;
     self->is_upwards = direction;
     if (has_turned || (way_ticks(self, view) >= (int64_t)LIMIT_STALL_PROGRESS_TICKS)) {
@@ -136,12 +140,24 @@ static uint32_t watch_counts(supervision_t *self, const axis_config_t *config,
                                                              : AXIS_NOTE_WRONG_SPEED;
 }
 
-/* Way of the model in the last `age_us` of a cycle at the start of which it had another speed. */
-static uint32_t way_after(int64_t before_q8, int64_t speed_q8, uint32_t age_us)
+/* Mean speed of the last `age_us` of a cycle at the start of which it had another one. What changes
+ * by less than a 32nd in a cycle is steady. */
+static int64_t mean_after(int64_t before_q8, int64_t speed_q8, uint32_t age_us, uint32_t elapsed_us)
 {
-    const uint32_t gaining_us = (age_us < LIMIT_CYCLE_US) ? age_us : LIMIT_CYCLE_US;
-    const int64_t gained_q8 = (speed_q8 - before_q8) * (int64_t)gaining_us;
-    const int64_t mean_q8 = speed_q8 - fixed_divide_by(gained_q8, 2U * LIMIT_CYCLE_US);
+    const int64_t gained_q8 = speed_q8 - before_q8;
+    if ((fixed_magnitude(gained_q8) * 32) < fixed_magnitude(speed_q8)) {
+        return speed_q8;
+    }
+    /* A cycle of drive is LIMIT_CARD_WATCHDOG_US at most: this is in 32 bits. */
+    const uint32_t gaining_us = (age_us < elapsed_us) ? age_us : elapsed_us;
+    const uint32_t share_q16 = (gaining_us * 65536U) / elapsed_us;
+    return speed_q8 - ((gained_q8 * (int64_t)share_q16) / 131072);
+}
+
+/* Way of the model in that time. */
+static uint32_t way_after(int64_t before_q8, int64_t speed_q8, uint32_t age_us, uint32_t elapsed_us)
+{
+    const int64_t mean_q8 = mean_after(before_q8, speed_q8, age_us, elapsed_us);
     const int64_t way_q16 = fixed_divide_by(mean_q8 * 4 * (int64_t)age_us, US_PER_S / 64U);
     return (uint32_t)((way_q16 < 0) ? -way_q16 : way_q16);
 }
@@ -167,7 +183,7 @@ static bool is_uneven(supervision_t *self, const supervision_view_t *view, int64
     const int64_t speed_q8 = motor_heat_slow(view->lost_q16, self->model.speed_ticks_per_s_q8);
     const edge_pace_view_t pace = {
         .way_q16 = (uint32_t)way_q16,
-        .after_q16 = (ticks > 0) ? way_after(before_q8, speed_q8, view->edge_age_us) : 0U,
+        .after_q16 = (ticks > 0) ? way_after(before_q8, speed_q8, view->edge_age_us, cycle->elapsed_us) : 0U,
         .ticks = (uint32_t)ticks,
     };
     return edge_pace_step(&self->pace, &pace);
@@ -269,8 +285,9 @@ void supervision_shift(supervision_t *self, int32_t ticks)
     self->highest_ticks = shifted(self->highest_ticks, ticks);
 }
 
-uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
-                          const supervision_view_t *view)
+/* What the motor made of its drive, against what was counted. */
+static uint32_t watch_motor(supervision_t *self, const axis_config_t *config,
+                            const supervision_view_t *view)
 {
     const uint32_t driven_us =
         (view->elapsed_us < LIMIT_CARD_WATCHDOG_US) ? view->elapsed_us : LIMIT_CARD_WATCHDOG_US;
@@ -282,20 +299,79 @@ uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
         .due_q16 = 0U,
         .elapsed_us = driven_us,
     };
-    uint32_t notes = 0U;
-    if (self->rest_ticks == 0) {
-        self->rest_ticks = supervision_rest_ticks(config);
-    }
-    notes |= note(is_stalled(self, config, view), AXIS_NOTE_STALLED);
-    notes |= note(is_astray(view), AXIS_NOTE_FOLLOWING_ERROR);
-    notes |= note(is_backwards(self, view), AXIS_NOTE_WRONG_WAY);
-    notes |= note(is_moving_while_off(self, config, view), AXIS_NOTE_MOVED_OFF);
     const uint32_t uneven = note(is_uneven(self, view, before_q8, &cycle), AXIS_NOTE_UNEVEN_COUNTS);
     cycle.due_q16 = (cycle.model_q16 != 0) ? self->pace.ended_q16 : 0U;
-    notes |= watch_counts(self, config, &cycle) | uneven;
+    const uint32_t notes = watch_counts(self, config, &cycle) | uneven;
     if (uneven != 0U) {
         supervision_settle(self);
     }
     self->position_ticks = view->position_ticks;
     return notes;
+}
+
+static uint32_t drive_of(const axis_config_t *config, const card_drive_t *drive)
+{
+    if (drive->mode == (uint32_t)CARD_DRIVE_OFF) {
+        return DRIVE_OFF;
+    }
+    return motor_model_is_upwards(config, drive) ? DRIVE_UP : DRIVE_DOWN;
+}
+
+/* By the motor as it runs. */
+static uint32_t drive_before(const motor_model_t *model)
+{
+    if (model->speed_ticks_per_s_q8 == 0) {
+        return DRIVE_OFF;
+    }
+    return (model->speed_ticks_per_s_q8 > 0) ? DRIVE_UP : DRIVE_DOWN;
+}
+
+static void miss_report(supervision_t *self, const axis_config_t *config,
+                        const supervision_view_t *view)
+{
+    const uint32_t drives = drive_before(&self->model) | drive_of(config, &view->drive);
+    self->drives = (uint16_t)(self->drives | drives);
+}
+
+/* Reports were missed, and not all of that time had the same drive. */
+static bool is_history_unknown(const supervision_t *self, const axis_config_t *config,
+                               const supervision_view_t *view)
+{
+    return (self->drives != 0U) && (self->drives != drive_of(config, &view->drive));
+}
+
+/* The motor runs on from here, whatever it did meanwhile. */
+static void pass_over(supervision_t *self, const axis_config_t *config,
+                      const supervision_view_t *view)
+{
+    (void)motor_model_step_q16(&self->model, config, &view->drive, LIMIT_CARD_WATCHDOG_US);
+    self->position_ticks = view->position_ticks;
+    self->mark_ticks = view->position_ticks;
+    self->off_us = 0U;
+    self->drives = 0U;
+    settle(self, view);
+    count_account_doubt(&self->account);
+    edge_pace_begin(&self->pace);
+}
+
+uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
+                          const supervision_view_t *view)
+{
+    if (self->rest_ticks == 0) {
+        self->rest_ticks = supervision_rest_ticks(config);
+    }
+    uint32_t notes = note(is_stalled(self, config, view), AXIS_NOTE_STALLED);
+    if (view->elapsed_us == 0U) {
+        miss_report(self, config, view);
+        return notes;
+    }
+    notes |= note(is_astray(view), AXIS_NOTE_FOLLOWING_ERROR);
+    if (is_history_unknown(self, config, view)) {
+        pass_over(self, config, view);
+        return notes;
+    }
+    self->drives = 0U;
+    notes |= note(is_backwards(self, view), AXIS_NOTE_WRONG_WAY);
+    notes |= note(is_moving_while_off(self, config, view), AXIS_NOTE_MOVED_OFF);
+    return notes | watch_motor(self, config, view);
 }

@@ -47,13 +47,15 @@ typedef struct {
     card_drive_t drive;   /**< What the card applied up to this position. */
     uint32_t lost_q16;    /**< Share of its speed that the motor has lost, being warm. */
     uint32_t edge_age_us; /**< Of its newest edge, as encoder_t: unknown, evenness is not judged. */
-    uint32_t elapsed_us;
+    uint32_t elapsed_us;  /**< Since the report before; 0: there is none in this cycle. */
 } supervision_view_t;
 
 typedef struct {
     int32_t rest_ticks; /**< supervision_rest_ticks(), from the first cycle on. */
     int32_t mark_ticks; /**< Position at the last progress in the direction of the drive. */
-    uint32_t is_upwards;
+    uint16_t is_upwards; /**< Direction of the last drive that was asked for: 0 or 1. */
+    uint16_t drives;     /**< What the card may have done since the last report, as bits; 0:
+                            none was missed. */
     int32_t backwards_ticks; /**< How far it has gone against its drive, for the record. */
     int32_t places_ticks[SUPERVISION_PLACES]; /**< While off, one each tenth of a second. */
     int32_t lowest_ticks;                     /**< Of these places. */
@@ -98,7 +100,8 @@ void supervision_settle(supervision_t *self);
 void supervision_shift(supervision_t *self, int32_t ticks);
 
 /**
- * One cycle.
+ * One cycle. Where reports were missed and the drive changed meanwhile, nobody knows when: the way
+ * of that time is left out.
  *
  * @return AXIS_NOTE_ bits of the checks that failed
  *
@@ -111,6 +114,7 @@ void supervision_shift(supervision_t *self, int32_t ticks);
  * @satisfies SWR-AXIS-021
  * @satisfies SWR-FLOW-002
  * @satisfies SWR-FLOW-003
+ * @satisfies SWR-AXIS-047
  */
 uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
                           const supervision_view_t *view);

@@ -81,7 +81,7 @@
 #define CARD_REPORT_ACCEPTED 2U
 /** 31..0 heartbeat: grows by one each report; any, wraps. */
 #define CARD_REPORT_HEARTBEAT 3U
-/** 31..0 time: of the card, us; any, wraps. */
+/** 31..0 time: of the card when it read the encoder, us; any, wraps. */
 #define CARD_REPORT_TIME 4U
 /**
  * 31..24 type: of the card; a card type.

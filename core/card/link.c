@@ -107,10 +107,34 @@ void link_judge(link_t *self, bool is_good)
     }
 }
 
-void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, uint32_t elapsed_us)
+/* A clock that stands still is never believed. */
+static bool is_clock_right(uint32_t card_us, uint32_t measured_us, uint32_t error_us)
 {
+    const uint32_t apart_us =
+        (card_us > measured_us) ? (card_us - measured_us) : (measured_us - card_us);
+    return (apart_us <= error_us) && (apart_us <= (measured_us / 2U));
+}
+
+static void time_report(link_t *self, uint32_t card_us, uint32_t measured_us, uint32_t error_us)
+{
+    const bool is_right = is_clock_right(card_us, measured_us, error_us);
+    self->reported_us = is_right ? card_us : measured_us;
+    self->is_timed = (is_right && (self->age_cycles == 0U)) ? 1U : 0U;
+}
+
+void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, const card_samples_t *samples,
+               uint32_t elapsed_us)
+{
+    const uint32_t before_us = self->report.time_us;
+    const uint32_t sampled_us = samples->sampled_us[slot];
+    const uint32_t measured_us = link_measured_us(self, sampled_us, elapsed_us);
     link_advance(self, elapsed_us);
     receive(self, slot, bytes);
+    self->reported_us = 0U;
+    if (self->is_fresh != 0U) {
+        time_report(self, self->report.time_us - before_us, measured_us, samples->error_us);
+        self->sampled_us = sampled_us;
+    }
     compare_echo(self);
     link_judge(self, link_is_well(self));
     if ((self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) != 0U)) {

@@ -19,6 +19,10 @@
 typedef struct {
     card_link_chart_t chart;
     card_report_t report;     /**< The last valid one; all zero before the first. */
+    uint32_t sampled_us;      /**< When that was sampled, as the board has it. */
+    uint32_t reported_us;     /**< From the sample before to that of this cycle; 0: none came. */
+    uint32_t is_timed;        /**< The card's clock says so, and no cycle was missed: 0 or 1. */
+    uint32_t reserved;
     uint16_t last_error;      /**< card_frame_result_t of this cycle's frame. */
     uint16_t is_fresh;        /**< A valid frame arrived in this cycle: 0 or 1. */
     card_drive_t sent;        /**< Drive of the last command. */
@@ -34,6 +38,12 @@ typedef struct {
     uint16_t cause;           /**< link_cause_t of the last loss. */
 } link_t;
 
+/** When the frames of a cycle were sampled by their cards, as the board measures it. */
+typedef struct {
+    uint32_t sampled_us[CARD_SLOT_COUNT]; /**< By slot, wraps; as the last one: nobody knows. */
+    uint32_t error_us; /**< Two of one slot are apart by so much more or less at most. */
+} card_samples_t;
+
 /** Starts absent; only a card of this type and firmware will be trusted. */
 void link_init(link_t *self, uint32_t card_type, uint32_t firmware);
 
@@ -46,7 +56,8 @@ static inline bool link_check(link_t *self)
 /**
  * One cycle; `elapsed_us` since the one before. `bytes` is this cycle's frame of `slot`, NULL when
  * none was received. While the card is usable, its heartbeat must be 1 to LIMIT_SEQUENCE_WINDOW
- * after the last one.
+ * after the last one. From one report to the next the card's own clock counts, unless it differs
+ * from the board's by more than that may be wrong.
  *
  * @satisfies SWR-LINK-001
  * @satisfies SWR-LINK-002
@@ -56,14 +67,38 @@ static inline bool link_check(link_t *self)
  * @satisfies SWR-LINK-006
  * @satisfies SWR-LINK-007
  * @satisfies SWR-LINK-008
+ * @satisfies SWR-LINK-012
  */
-void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, uint32_t elapsed_us);
+void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, const card_samples_t *samples,
+               uint32_t elapsed_us);
+
+/** From the last valid report to one of `sampled_us`, by the board's clock; `elapsed_us` before the
+ * first one, and when nobody knows. */
+static inline uint32_t link_measured_us(const link_t *self, uint32_t sampled_us,
+                                        uint32_t elapsed_us)
+{
+    const uint32_t measured_us = sampled_us - self->sampled_us;
+    return ((self->has_report == 0U) || (measured_us == 0U)) ? elapsed_us : measured_us;
+}
 
 /** What link_step() does for every dialect: time passes, before the report of the cycle is read. */
 void link_advance(link_t *self, uint32_t elapsed_us);
 
 /** The same, after it: the cycle had a report to count on, or had none, and none for too long. */
 void link_judge(link_t *self, bool is_good);
+
+/**
+ * What the card applied up to the sample of this cycle: by its own word, for it may have refused
+ * what was sent. A card that has tripped does not tell what it did until then.
+ *
+ * @satisfies SWR-LINK-013
+ */
+static inline const card_drive_t *link_applied(const link_t *self)
+{
+    const bool is_told =
+        (self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) == 0U);
+    return is_told ? &self->report.applied : &self->sent_before;
+}
 
 /** Remembers what goes out in this cycle, for the comparison with the card's read-back. */
 static inline void link_note_sent(link_t *self, uint32_t sequence, const card_drive_t *drive)

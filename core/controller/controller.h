@@ -42,9 +42,6 @@
 /** Everything the controller may know of one cycle. Fixed layout, no padding; recorded. */
 typedef struct {
     uint32_t elapsed_us; /**< Measured since the wake-up before; LIMIT_CYCLE_US nominally. */
-    /** Between the exchange that this cycle's reports are of and the one before: how long the
-     * drives have lasted that they tell of. */
-    uint32_t reported_us;
     /** Stage that took longest in the cycle before, as control numbers them. */
     uint32_t late_stage;
     uint32_t pedal_a; /**< Channel A is closed (pressed): 0 or 1. */
@@ -70,6 +67,7 @@ typedef struct {
     uint32_t frames_received; /**< Bit n: frames[n] was received in this cycle. */
     uint32_t frames_late;     /**< Bit n: it was not there in time. */
     uint32_t frames_failed;   /**< Bit n: the bus has failed. */
+    card_samples_t samples;   /**< Of frames[]. */
     uint32_t command_count;   /**< 0..CONTROLLER_COMMANDS. */
     command_t commands[CONTROLLER_COMMANDS];
     uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES];

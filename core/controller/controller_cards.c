@@ -89,9 +89,9 @@ static inline void hear(link_t *link, const cycle_t *cycle, uint32_t slot)
     const bool is_received = (inputs->frames_received & ((uint32_t)1U << slot)) != 0U;
     const uint8_t *const bytes = is_received ? inputs->frames[slot] : NULL;
     if (inputs->dialect == (uint32_t)CARD_DIALECT_OWN) {
-        link_step(link, slot, bytes, inputs->elapsed_us);
+        link_step(link, slot, bytes, &inputs->samples, inputs->elapsed_us);
     } else {
-        link_aim32_step(link, slot, bytes, inputs->elapsed_us);
+        link_aim32_step(link, slot, bytes, &inputs->samples, inputs->elapsed_us);
     }
 }
 

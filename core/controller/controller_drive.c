@@ -94,7 +94,7 @@ static bool is_too_fast(controller_t *self, const cycle_t *cycle, uint32_t index
 {
     return speed_cap_step(&self->records[index].speed_cap, &cycle->robot->axes[index],
                           permit_cap_percent(is_homed), self->axes[index].encoder.position_ticks,
-                          cycle->inputs->reported_us);
+                          controller_link(self, index)->reported_us);
 }
 
 static uint32_t control_of(const link_t *link, uint32_t state)

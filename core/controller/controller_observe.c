@@ -145,14 +145,17 @@ static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index,
 }
 
 /* A card applies a drive no longer than its watchdog lets it. */
-static uint32_t applied_us(const cycle_t *cycle)
+static axis_sample_t sample_of(const link_t *link)
 {
-    const uint32_t reported_us = cycle->inputs->reported_us;
-    return (reported_us < LIMIT_CARD_WATCHDOG_US) ? reported_us : LIMIT_CARD_WATCHDOG_US;
+    const bool is_whole = link->reported_us < LIMIT_CARD_WATCHDOG_US;
+    const axis_sample_t sample = {.applied = link_applied(link),
+                                  .elapsed_us =
+                                      is_whole ? link->reported_us : LIMIT_CARD_WATCHDOG_US,
+                                  .is_timed = is_whole && (link->is_timed != 0U)};
+    return sample;
 }
 
-static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t index,
-                         uint32_t driven_us)
+static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const axis_config_t *const config = &cycle->robot->axes[index];
     const link_t *const link = controller_link(self, index);
@@ -166,9 +169,9 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     if (self->awaited != 0U) {
         controller_compare(self, cycle, index);
     }
-    notes |=
-        axis_supervise(&self->axes[index], config, self->records[index].speed_cap_percent != 0U,
-                       &link->sent_before, driven_us);
+    const axis_sample_t sample = sample_of(link);
+    notes |= axis_supervise(&self->axes[index], config,
+                            self->records[index].speed_cap_percent != 0U, &sample);
     note_axis(self, cycle, index, notes);
     note_grade(self, cycle, index, notes);
 }
@@ -409,11 +412,10 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
     observe_estop(self, cycle);
     observe_scanner(self, cycle);
     observe_recording(self, cycle);
-    const uint32_t driven_us = applied_us(cycle);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         controller_observe_card(self, cycle, i);
         if (!controller_is_blind(self)) {
-            observe_axis(self, cycle, i, driven_us);
+            observe_axis(self, cycle, i);
         }
     }
     watch_axis(self, cycle);

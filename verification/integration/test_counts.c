@@ -10,7 +10,9 @@
 #include "unity.h"
 
 #include "controller/controller.h"
+#include "robot/robot_bench2.h"
 #include "robot/robot_neuro.h"
+#include "robot/robot_prostate.h"
 
 #include <stdio.h>
 
@@ -267,4 +269,50 @@ void test_SWR_CTRL_014_cycles_that_come_late_make_no_sound_encoder_uneven(void)
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_UNEVEN_COUNTS));
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig.answers[0].kind);
     TEST_ASSERT_GREATER_THAN_UINT32(10U, rig.outputs.snapshot.overruns);
+}
+
+/* START_UP under the pedal, each exchange so much later than the wake-up at most. */
+static void expect_even(const robot_t *robot, uint32_t jitter_us)
+{
+    rig_start_robot(&rig, robot);
+    rig.jitter_us = jitter_us;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, MOST_CYCLES).kind);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_UNEVEN_COUNTS));
+}
+
+void test_SWR_CTRL_014_exchanges_apart_from_the_wake_ups_make_no_sound_encoder_uneven(void)
+{
+    static robot_t near;
+    near = robot_neuro;
+    rig_put_near_switches(&near);
+    expect_even(&near, 400U);
+    near = robot_prostate;
+    rig_put_near_switches(&near);
+    expect_even(&near, 400U);
+    near = robot_bench2;
+    rig_put_near_switches(&near);
+    expect_even(&near, 400U);
+}
+
+/* What was sent while the box stood has not gone out; its first command took effect late. */
+void test_SWR_AXIS_047_a_box_that_stands_for_some_cycles_makes_no_count_wrong(void)
+{
+    static robot_t near;
+    near = robot_neuro;
+    rig_put_near_switches(&near);
+    rig_start_robot(&rig, &near);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    rig_forget(&rig);
+    while (rig.answer_count == 0U) {
+        rig.held_cycles = ((rig.controller.cycle % 97U) == 0U) ? 3U : rig.held_cycles;
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig.answers[0].kind);
+    for (uint32_t i = 0U; i < near.axis_count; i++) {
+        TEST_ASSERT_FALSE(axis_is_faulty(&rig.controller.axes[i]));
+    }
 }

@@ -154,6 +154,26 @@ void test_SWR_CARD_013_a_noisy_wire_is_told_while_motion_goes_on(void)
     TEST_ASSERT_GREATER_THAN_UINT32(1U, shown(robot.axes[NEURO_AXIS_LATERAL].slot)->rx_crc_errors);
 }
 
+/* A command of fifty does not reach its card, which goes on with the one before. */
+void test_SWR_LINK_013_a_command_that_was_refused_makes_no_count_wrong(void)
+{
+    static const uint32_t axes[] = {NEURO_AXIS_HEAD, NEURO_AXIS_FEET, NEURO_AXIS_PITCH};
+    static const char *const orders[] = {"card head noisy", "card feet noisy", "card pitch noisy"};
+    static const int32_t ends[] = {-4000, 3000, -300};
+    for (uint32_t i = 0U; i < (sizeof axes / sizeof axes[0]); i++) {
+        rig_start_robot_homed(&rig, &robot_neuro);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+        rig_box(&rig, orders[i]);
+        const command_t jog = {.kind = COMMAND_JOG,
+                               .argument = axes[i],
+                               .value = ends[i]};
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+        rig_press(&rig);
+        TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 20000U).kind);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_UNEVEN_COUNTS));
+    }
+}
+
 void test_SWR_CARD_013_a_card_that_hears_nothing_trips_and_is_lost(void)
 {
     rig_box(&rig, "card 8 deaf");

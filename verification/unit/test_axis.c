@@ -230,12 +230,13 @@ void test_SWR_AXIS_021_a_faster_axis_may_lag_more(void)
     const int32_t most = needle->following_error_ticks +
                          ((needle->speed_ticks_per_s * needle->following_time_ms) / 1000);
     const card_drive_t off = {0};
+    const axis_sample_t sample = {.applied = &off, .elapsed_us = CYCLE_US, .is_timed = true};
     axis_enable(&axis, false);
     (void)axis_follow(&axis, needle, most, -speed_q8, CYCLE_US);
-    TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, needle, true, &off, CYCLE_US));
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, needle, true, &sample));
     (void)axis_follow(&axis, needle, most, speed_q8 / 2, CYCLE_US);
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_FOLLOWING_ERROR,
-                            axis_supervise(&axis, needle, true, &off, CYCLE_US));
+                            axis_supervise(&axis, needle, true, &sample));
 }
 
 void test_SWR_AXIS_009_an_axis_that_is_not_driven_has_no_following_error(void)

@@ -429,3 +429,86 @@ void test_SWR_AXIS_019_a_new_reference_empties_the_sums_and_the_motor_stays_know
     TEST_ASSERT_FALSE(axis_confirm(&axis, head));
     expect_kept(&axis.supervision, true);
 }
+
+static const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U, 0U};
+
+/* Cycles of the motor without a report, and one with it: their whole way comes at once. */
+static uint32_t missed(card_drive_t sent, uint32_t cycles, int32_t percent)
+{
+    const int32_t before_ticks = position_ticks;
+    for (uint32_t i = 0U; i < cycles; i++) {
+        way_q16 += (motor_model_step_q16(&motor, config, &sent, CYCLE_US) * percent) / 100;
+        TEST_ASSERT_EQUAL_HEX32(0U, step(sent, 0, 0U));
+    }
+    way_q16 += (motor_model_step_q16(&motor, config, &sent, CYCLE_US) * percent) / 100;
+    edge_age_us = ENCODER_AGE_UNKNOWN;
+    return step(sent, (int32_t)(way_q16 / 65536) - before_ticks, (cycles + 1U) * CYCLE_US);
+}
+
+/* Of three reports one comes. */
+static uint32_t run_missed(int32_t percent, uint32_t reports)
+{
+    uint32_t notes = 0U;
+    for (uint32_t i = 0U; (i < reports) && (notes == 0U); i++) {
+        notes = missed(drive(true), 2U, percent);
+    }
+    return notes;
+}
+
+void test_SWR_AXIS_047_reports_that_are_missed_under_one_drive_leave_nothing_out(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 2U * SHORT_CYCLES));
+    TEST_ASSERT_EQUAL_HEX32(0U, run_missed(100, LONG_CYCLES));
+    TEST_ASSERT_EQUAL_INT64(0, supervision.account.short_e2_q16);
+    TEST_ASSERT_EQUAL_INT64(0, supervision.account.over_e2_q16);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, run_missed(50, LONG_CYCLES));
+}
+
+/* A motor that was off and on again meanwhile begins anew. */
+void test_SWR_AXIS_047_what_a_changed_drive_made_unheard_is_left_out(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 2U * SHORT_CYCLES));
+    for (uint32_t i = 0U; i < LONG_CYCLES; i++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, step(off, 0, 0U));
+        TEST_ASSERT_EQUAL_HEX32(0U, step(drive(true), 0, 2U * CYCLE_US));
+        TEST_ASSERT_EQUAL_UINT32(LIMIT_RISING_TIME_US, supervision.account.unsure_us);
+        TEST_ASSERT_EQUAL_UINT32(0U, supervision.off_us);
+        TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 60, 10U));
+    }
+    TEST_ASSERT_EQUAL_INT64(0, supervision.account.short_e2_q16);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, run(drive(true), 50, 6U * SHORT_CYCLES));
+}
+
+void test_SWR_AXIS_047_a_reversal_unheard_is_left_out(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 2U * SHORT_CYCLES));
+    TEST_ASSERT_EQUAL_HEX32(0U, step(drive(false), 0, 0U));
+    TEST_ASSERT_EQUAL_HEX32(0U, step(drive(false), 0, 2U * CYCLE_US));
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_RISING_TIME_US, supervision.account.unsure_us);
+}
+
+void test_SWR_AXIS_047_a_motor_that_rests_is_known_again(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 2U * SHORT_CYCLES));
+    TEST_ASSERT_EQUAL_HEX32(0U, step(drive(true), 0, 0U));
+    TEST_ASSERT_EQUAL_HEX32(0U, step(off, 0, 2U * CYCLE_US));
+    TEST_ASSERT_EQUAL_HEX32(0U, rest((MOTOR_REST_US / CYCLE_US) + 1U));
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.account.unsure_us);
+}
+
+/* Gaining speed for 4 ms, with an edge after half of them: the mean of the rest is a quarter of the
+ * gain below the end. */
+void test_SWR_AXIS_027_the_way_after_a_count_is_that_of_a_cycle_as_long_as_it_is(void)
+{
+    use(needle);
+    (void)cycle(drive(true), 100);
+    const int64_t before_q8 = motor.speed_ticks_per_s_q8;
+    const card_drive_t sent = drive(true);
+    (void)motor_model_step_q16(&motor, config, &sent, 4U * CYCLE_US);
+    const int64_t gained_q8 = motor.speed_ticks_per_s_q8 - before_q8;
+    const int64_t mean_q8 = motor.speed_ticks_per_s_q8 - (gained_q8 / 4);
+    edge_age_us = 2U * CYCLE_US;
+    TEST_ASSERT_EQUAL_HEX32(0U, step(sent, 2, 4U * CYCLE_US));
+    TEST_ASSERT_UINT32_WITHIN(4U, (uint32_t)((mean_q8 * 256 * 2) / 1000),
+                              supervision.pace.since_q16);
+}

@@ -40,6 +40,7 @@ static card_report_t report;
 static uint32_t rest_cycle(int32_t ticks)
 {
     const card_drive_t off = {.mode = CARD_DRIVE_OFF};
+    const axis_sample_t sample = {.applied = &off, .elapsed_us = CYCLE_US, .is_timed = true};
     report.time_us += CYCLE_US;
     if (ticks != 0) {
         report.last_edge_us = report.time_us;
@@ -47,16 +48,17 @@ static uint32_t rest_cycle(int32_t ticks)
     report.encoder_count += ticks;
     const uint32_t notes = axis_observe(&axis, config, &report, CYCLE_US);
     (void)axis_rest(&axis, CYCLE_US);
-    return notes | axis_supervise(&axis, config, false, &off, CYCLE_US);
+    return notes | axis_supervise(&axis, config, false, &sample);
 }
 
 /* Cycles in which the card is silent. */
 static void silent_cycles(uint32_t cycles)
 {
     const card_drive_t off = {.mode = CARD_DRIVE_OFF};
+    const axis_sample_t sample = {.applied = &off, .elapsed_us = 0U, .is_timed = false};
     for (uint32_t i = 0U; i < cycles; i++) {
         TEST_ASSERT_EQUAL_HEX32(0U, axis_observe(&axis, config, NULL, CYCLE_US));
-        TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, config, false, &off, CYCLE_US));
+        TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, config, false, &sample));
     }
 }
 

@@ -114,8 +114,9 @@ static uint32_t creeping_cycle(bool is_pulse, int32_t ticks)
 {
     const card_drive_t sent = {.mode = is_pulse ? CARD_DRIVE_NON_PWM : CARD_DRIVE_OFF,
                                .direction = (config->is_motor_inverted != 0U) ? 0U : 1U};
+    const axis_sample_t sample = {.applied = &sent, .elapsed_us = CYCLE_US, .is_timed = true};
     (void)axis_follow(&axis, config, setpoint_ticks, 0, CYCLE_US);
-    return observe_way(ticks) | axis_supervise(&axis, config, true, &sent, CYCLE_US);
+    return observe_way(ticks) | axis_supervise(&axis, config, true, &sample);
 }
 
 /* A pulse of a cycle makes the motor go 0.035 ticks: two in the time of a stall. */

@@ -126,31 +126,19 @@ void test_SWR_CARD_015_what_became_of_a_frame_that_did_not_come_is_told(void)
                                                   [3] = BSP_SLOT_LATE,
                                                   [4] = BSP_SLOT_NOT_IDLE,
                                                   [9] = BSP_SLOT_BUS_ERROR}};
-    board_inputs_receive(&board, &exchanged, &inputs);
+    board_inputs_receive(&exchanged, &inputs);
     TEST_ASSERT_EQUAL_HEX32(4U, inputs.frames_received);
     TEST_ASSERT_EQUAL_HEX32(0x18U, inputs.frames_late);
     TEST_ASSERT_EQUAL_HEX32(0x200U, inputs.frames_failed);
 }
 
-static void receive(uint64_t started_us, uint64_t finished_us, uint32_t received)
+void test_SWR_CTRL_014_each_report_has_the_time_of_its_sample(void)
 {
     const bsp_exchange_t exchanged = {
-        .started_ns = started_us * 1000U, .finished_ns = finished_us * 1000U, .received = received};
-    inputs.elapsed_us = 1234U;
-    board_inputs_receive(&board, &exchanged, &inputs);
-    TEST_ASSERT_EQUAL_HEX32(received, inputs.frames_received);
-}
-
-void test_SWR_CTRL_014_reports_are_timed_by_the_exchanges_that_they_are_of(void)
-{
-    receive(0U, 0U, 0U); /* Nothing was begun before the first cycle. */
-    TEST_ASSERT_EQUAL_UINT32(1234U, inputs.reported_us);
-    receive(5000U, 5400U, 0xFEU);
-    TEST_ASSERT_EQUAL_UINT32(1234U, inputs.reported_us); /* There is but one. */
-    receive(6700U, 7200U, 0xFEU);
-    TEST_ASSERT_EQUAL_UINT32(1800U, inputs.reported_us);
-    receive(8000U, 8700U, 0U); /* The deadline says nothing. */
-    TEST_ASSERT_EQUAL_UINT32(800U, inputs.reported_us);
-    receive(7900U, 7900U, 0U); /* No time goes back. */
-    TEST_ASSERT_EQUAL_UINT32(1234U, inputs.reported_us);
+        .received = 6U, .sampled_ns = {[1] = UINT64_C(5000999), [2] = UINT64_C(4294967297000)}};
+    board_inputs_receive(&exchanged, &inputs);
+    TEST_ASSERT_EQUAL_HEX32(6U, inputs.frames_received);
+    TEST_ASSERT_EQUAL_UINT32(0U, inputs.samples.sampled_us[0]);
+    TEST_ASSERT_EQUAL_UINT32(5000U, inputs.samples.sampled_us[1]);
+    TEST_ASSERT_EQUAL_UINT32(1U, inputs.samples.sampled_us[2]); /* It wraps. */
 }

@@ -402,6 +402,17 @@ void test_SWR_NI_010_closing_resets_the_fpga(void)
     TEST_ASSERT_EQUAL_UINT32(0U, fpga_world.libraries);
 }
 
+void test_SWR_BSP_007_each_report_has_the_time_at_which_its_packet_began(void)
+{
+    open_good_box();
+    start(OUR_SLOTS);
+    finish();
+    for (uint32_t slot = FPGA_WORLD_FIRST_SLOT; slot < FPGA_WORLD_END_SLOT; slot++) {
+        TEST_ASSERT_TRUE((result.sampled_ns[slot] >= result.started_ns) &&
+                         (result.sampled_ns[slot] <= result.finished_ns));
+    }
+}
+
 void test_SWR_NI_011_each_card_gets_its_packet_and_is_heard(void)
 {
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {

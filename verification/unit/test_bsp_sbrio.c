@@ -134,6 +134,37 @@ static void assert_heard(uint32_t sequence)
     }
 }
 
+/* One after the other, as they go over the wire. */
+static void expect_times(uint64_t least_ns)
+{
+    uint64_t before_ns = result.started_ns;
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        if (((result.received >> slot) & 1U) != 0U) {
+            TEST_ASSERT_TRUE(result.sampled_ns[slot] >= (before_ns + least_ns));
+            before_ns = result.sampled_ns[slot];
+        } else {
+            TEST_ASSERT_EQUAL_UINT64(0U, result.sampled_ns[slot]);
+        }
+    }
+}
+
+void test_SWR_BSP_007_each_report_has_the_time_of_its_chip_select(void)
+{
+    open_board(ONE_BUS LINES);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_SAMPLE_ERROR_SPI_US, identity.sample_error_us);
+    exchange(1U);
+    TEST_ASSERT_EQUAL_HEX32(OUR_SLOTS, result.received);
+    expect_times(1U);
+}
+
+void test_SWR_BSP_007_with_a_gap_each_frame_has_its_own_time(void)
+{
+    open_board("spidev:/dev/spidev1.0,slots=0-4,clock=100000000,gap=1;" LINES);
+    exchange(1U);
+    TEST_ASSERT_NOT_EQUAL_HEX32(0U, result.received);
+    expect_times(0U);
+}
+
 void test_SWR_SPI_003_frames_of_all_slots_are_exchanged_in_one_message(void)
 {
     open_board(ONE_BUS LINES);

@@ -246,6 +246,21 @@ void test_SWR_BSP_004_beginning_an_exchange_waits_for_nobody(void)
     bsp_close();
 }
 
+void test_SWR_BSP_007_each_report_has_the_time_of_its_exchange(void)
+{
+    pthread_t answering;
+
+    TEST_ASSERT_TRUE(bsp_open(name, &identity, error, sizeof error));
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_SAMPLE_ERROR_SIM_US, identity.sample_error_us);
+    served.wire->replied_us = 4711U;
+    TEST_ASSERT_EQUAL_INT(0, pthread_create(&answering, NULL, answer_once, NULL));
+    TEST_ASSERT_EQUAL_HEX32(0x008U, exchange(0x3FDU, LONG_TIMEOUT_US));
+    TEST_ASSERT_EQUAL_INT(0, pthread_join(answering, NULL));
+    TEST_ASSERT_EQUAL_UINT64(4711000U, result.sampled_ns[3]);
+    TEST_ASSERT_EQUAL_UINT64(0U, result.sampled_ns[1]);
+    bsp_close();
+}
+
 static void expect_inputs(bool a, bool b, bool is_estop_closed, bool is_scanner_idle)
 {
     const bsp_inputs_t inputs = sample();

@@ -19,6 +19,7 @@
 #define SLOT 4U
 #define FIRMWARE 0x010200U
 #define FIRST_SEQUENCE 100U
+#define ERROR_US 300U /* Of the board. */
 #define HISTORY 3U
 
 static const uint32_t fault_bits[] = {CARD_STATUS_DRIVER_FAULT, CARD_STATUS_WATCHDOG,
@@ -28,6 +29,8 @@ static const uint32_t harmless_bits[] = {CARD_STATUS_AMPLIFIER_ON, CARD_STATUS_M
                                          CARD_STATUS_ILLEGAL_EDGE, CARD_STATUS_RX_CRC};
 
 static link_t card;
+static card_samples_t samples;
+static uint32_t elapsed_us;
 static uint8_t bytes[CARD_FRAME_BYTES];
 static card_report_t report;       /* The card's next one. */
 static card_drive_t drive;         /* What is commanded from now on. */
@@ -54,7 +57,7 @@ static void make_report(void)
 static void receive(void)
 {
     card_frame_encode_report(&report, bytes);
-    link_step(&card, SLOT, bytes, LIMIT_CYCLE_US);
+    link_step(&card, SLOT, bytes, &samples, elapsed_us);
 }
 
 static void good_cycle(void)
@@ -67,7 +70,7 @@ static void good_cycle(void)
 static void silent_cycle(void)
 {
     make_report();
-    link_step(&card, SLOT, NULL, LIMIT_CYCLE_US);
+    link_step(&card, SLOT, NULL, &samples, elapsed_us);
     command();
 }
 
@@ -90,7 +93,7 @@ static void expect_discarded(card_frame_result_t result)
     const card_report_t before = card.report;
     const uint32_t errors = card.frame_errors;
 
-    link_step(&card, SLOT, bytes, LIMIT_CYCLE_US);
+    link_step(&card, SLOT, bytes, &samples, elapsed_us);
     TEST_ASSERT_EQUAL_UINT32(result, card.last_error);
     TEST_ASSERT_EQUAL_UINT32(errors + 1U, card.frame_errors);
     TEST_ASSERT_EQUAL_UINT32(0U, card.is_fresh);
@@ -100,6 +103,8 @@ static void expect_discarded(card_frame_result_t result)
 
 void setUp(void)
 {
+    samples = (card_samples_t){.error_us = ERROR_US};
+    elapsed_us = LIMIT_CYCLE_US;
     (void)memset(&report, 0, sizeof report);
     (void)memset(&drive, 0, sizeof drive);
     (void)memset(sent, 0, sizeof sent);
@@ -161,7 +166,7 @@ void test_SWR_LINK_001_discarded_frames_count_as_silence(void)
         make_report();
         card_frame_encode_report(&report, bytes);
         bytes[100] ^= 1U;
-        link_step(&card, SLOT, bytes, LIMIT_CYCLE_US);
+        link_step(&card, SLOT, bytes, &samples, elapsed_us);
     }
     TEST_ASSERT_FALSE(link_is_usable(&card));
 }
@@ -492,7 +497,7 @@ void test_SWR_LINK_007_a_report_from_before_or_far_ahead_is_discarded(void)
         expect_discarded(CARD_FRAME_REPEATED);
     }
     receive_with_heartbeat(last + LIMIT_SEQUENCE_WINDOW);
-    link_step(&card, SLOT, bytes, LIMIT_CYCLE_US);
+    link_step(&card, SLOT, bytes, &samples, elapsed_us);
     TEST_ASSERT_EQUAL_UINT32(1U, card.is_fresh);
 }
 
@@ -509,7 +514,7 @@ void test_SWR_LINK_007_a_lost_card_may_have_begun_to_count_anew(void)
 {
     lose_by_silence();
     receive_with_heartbeat(1U);
-    link_step(&card, SLOT, bytes, LIMIT_CYCLE_US);
+    link_step(&card, SLOT, bytes, &samples, elapsed_us);
     TEST_ASSERT_EQUAL_UINT32(1U, card.is_fresh);
     link_reset(&card);
     TEST_ASSERT_TRUE(link_is_usable(&card));
@@ -542,4 +547,93 @@ void test_SWR_LINK_008_a_wrong_card_at_the_start_is_lost_too(void)
     report.firmware--;
     good_cycle();
     expect_wrong_card();
+}
+
+/* The next report is sampled so much later by the board, and by the card. */
+static void sample(uint32_t board_us, uint32_t card_us)
+{
+    samples.sampled_us[SLOT] += board_us;
+    report.time_us += card_us;
+    good_cycle();
+}
+
+void test_SWR_LINK_012_the_time_of_a_report_is_that_of_the_card(void)
+{
+    repeat(good_cycle, 3U);
+    sample(1000U, 1000U);
+    TEST_ASSERT_EQUAL_UINT32(1000U, card.reported_us);
+    TEST_ASSERT_EQUAL_UINT32(1U, card.is_timed);
+    sample(1000U, 1000U + ERROR_US);
+    TEST_ASSERT_EQUAL_UINT32(1000U + ERROR_US, card.reported_us);
+    sample(1000U, 1000U - ERROR_US);
+    TEST_ASSERT_EQUAL_UINT32(1000U - ERROR_US, card.reported_us);
+    TEST_ASSERT_EQUAL_UINT32(1U, card.is_timed);
+}
+
+void test_SWR_LINK_012_a_clock_that_the_board_contradicts_is_not_believed(void)
+{
+    repeat(good_cycle, 3U);
+    sample(1000U, 1000U);
+    sample(1000U, 1001U + ERROR_US);
+    TEST_ASSERT_EQUAL_UINT32(1000U, card.reported_us);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.is_timed);
+    sample(1000U, 999U - ERROR_US);
+    TEST_ASSERT_EQUAL_UINT32(1000U, card.reported_us);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.is_timed);
+    sample(1000U, 1000U);
+    TEST_ASSERT_EQUAL_UINT32(1U, card.is_timed);
+}
+
+void test_SWR_LINK_012_a_clock_that_stands_still_is_never_believed(void)
+{
+    samples.error_us = UINT32_MAX;
+    repeat(good_cycle, 3U);
+    sample(1000U, 499U);
+    TEST_ASSERT_EQUAL_UINT32(1000U, card.reported_us);
+    sample(1000U, 0U);
+    TEST_ASSERT_EQUAL_UINT32(1000U, card.reported_us);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.is_timed);
+    sample(1000U, 500U);
+    TEST_ASSERT_EQUAL_UINT32(500U, card.reported_us);
+}
+
+void test_SWR_LINK_012_a_board_that_does_not_tell_leaves_the_wake_ups(void)
+{
+    link_init(&card, CARD_TYPE_PWM, FIRMWARE);
+    sample(5000U, 70U);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_CYCLE_US, card.reported_us); /* There was none before. */
+    elapsed_us = 1234U;
+    sample(0U, 0U);
+    TEST_ASSERT_EQUAL_UINT32(1234U, card.reported_us);
+}
+
+void test_SWR_LINK_012_after_missed_reports_all_their_time_counts(void)
+{
+    repeat(good_cycle, 3U);
+    sample(1000U, 1000U);
+    silent_cycle();
+    TEST_ASSERT_EQUAL_UINT32(0U, card.reported_us);
+    silent_cycle();
+    sample(3000U, 3010U);
+    TEST_ASSERT_EQUAL_UINT32(3010U, card.reported_us);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.is_timed);
+    sample(1000U, 1000U);
+    TEST_ASSERT_EQUAL_UINT32(1U, card.is_timed);
+}
+
+void test_SWR_LINK_013_what_a_card_applies_is_what_it_says(void)
+{
+    repeat(good_cycle, 3U);
+    drive = (card_drive_t){.mode = CARD_DRIVE_PWM, .direction = 1U, .duty = 1000U};
+    repeat(command, 2U);
+    make_report();
+    report.applied.duty = 77U;
+    receive();
+    TEST_ASSERT_EQUAL_UINT32(77U, link_applied(&card)->duty);
+    report.status = CARD_STATUS_WATCHDOG;
+    report.heartbeat++;
+    receive();
+    TEST_ASSERT_EQUAL_PTR(&card.sent_before, link_applied(&card));
+    link_step(&card, SLOT, NULL, &samples, elapsed_us);
+    TEST_ASSERT_EQUAL_PTR(&card.sent_before, link_applied(&card));
 }

@@ -19,6 +19,7 @@
 #define FIRMWARE 0x010200U
 
 static link_t card;
+static card_samples_t samples;
 static uint8_t bytes[CARD_FRAME_BYTES];
 
 static void put(uint32_t index, uint32_t word)
@@ -36,16 +37,23 @@ static void report(uint32_t count)
     put(31U, ~(CARD_FRAME_START + count));
 }
 
+/* A cycle with the sample of its frame, or without any. */
+static void step(const uint8_t *frame)
+{
+    samples.sampled_us[SLOT] += 1000U;
+    link_aim32_step(&card, SLOT, frame, &samples, 1000U);
+}
+
 static void hear(uint32_t count)
 {
     report(count);
-    link_aim32_step(&card, SLOT, bytes, 1000U);
+    step(bytes);
 }
 
 static void miss(uint32_t cycles)
 {
     for (uint32_t i = 0U; i < cycles; i++) {
-        link_aim32_step(&card, SLOT, NULL, 1000U);
+        step(NULL);
     }
 }
 
@@ -90,7 +98,7 @@ void test_SWR_NI_004_a_refused_frame_is_counted_and_is_none(void)
 {
     report(11U);
     bytes[4] ^= 1U;
-    link_aim32_step(&card, SLOT, bytes, 1000U);
+    step(bytes);
     TEST_ASSERT_EQUAL_UINT32(CARD_FRAME_BAD_CRC, card.last_error);
     TEST_ASSERT_EQUAL_UINT32(1U, card.frame_errors);
     TEST_ASSERT_EQUAL_UINT32(1U, card.age_cycles);
@@ -98,7 +106,7 @@ void test_SWR_NI_004_a_refused_frame_is_counted_and_is_none(void)
     TEST_ASSERT_FALSE(link_is_healthy_now(&card));
     card.frame_errors = UINT32_MAX;
     card.age_cycles = UINT32_MAX;
-    link_aim32_step(&card, SLOT, bytes, 1000U);
+    step(bytes);
     TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.frame_errors);
     TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.age_cycles);
     hear(12U);
@@ -129,4 +137,27 @@ void test_SWR_NI_004_heartbeat_time_and_edges_are_counted_by_the_cycle(void)
     TEST_ASSERT_EQUAL_UINT32(4000U, card.report.last_edge_us);
     hear(11U);
     TEST_ASSERT_EQUAL_UINT32(4000U, card.report.last_edge_us);
+}
+
+void test_SWR_NI_004_the_time_of_its_reports_is_that_of_the_board(void)
+{
+    hear(10U);
+    TEST_ASSERT_EQUAL_UINT32(1000U, card.reported_us);
+    samples.sampled_us[SLOT] += 250U;
+    hear(10U);
+    TEST_ASSERT_EQUAL_UINT32(1250U, card.reported_us);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.is_timed);
+    miss(2U);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.reported_us);
+    hear(10U);
+    TEST_ASSERT_EQUAL_UINT32(3000U, card.reported_us);
+}
+
+void test_SWR_NI_004_it_is_believed_to_apply_what_was_sent(void)
+{
+    const card_drive_t on = {.mode = CARD_DRIVE_PWM, .direction = 1U, .duty = 100U};
+    link_note_sent(&card, 1U, &on);
+    link_note_sent(&card, 2U, &on);
+    hear(10U);
+    TEST_ASSERT_EQUAL_UINT32(100U, link_applied(&card)->duty);
 }

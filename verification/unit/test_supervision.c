@@ -43,6 +43,7 @@ void tearDown(void)
 static uint32_t scan(const axis_config_t *config, uint32_t seed)
 {
     const card_drive_t off = {.mode = CARD_DRIVE_OFF};
+    const axis_sample_t sample = {.applied = &off, .elapsed_us = CYCLE_US, .is_timed = true};
     card_report_t report;
     uint32_t notes = 0U;
 
@@ -58,7 +59,7 @@ static uint32_t scan(const axis_config_t *config, uint32_t seed)
         report.encoder_count = sim_encoder_count(&encoder);
         notes |= axis_observe(&axis, config, &report, CYCLE_US);
         (void)axis_rest(&axis, CYCLE_US);
-        notes |= axis_supervise(&axis, config, false, &off, CYCLE_US);
+        notes |= axis_supervise(&axis, config, false, &sample);
     }
     return notes;
 }

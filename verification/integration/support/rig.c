@@ -92,16 +92,9 @@ static void keep_authority(rig_t *self)
     self->command_count++;
 }
 
-/* What the last cycle has made leaves in it; a test acts just before. */
-static void gather(rig_t *self)
+/* What the cards make of the frames of the cycle before. */
+static void exchange(rig_t *self)
 {
-    keep_authority(self);
-    for (uint32_t i = 0U; (i < self->command_count) && !self->is_page_away; i++) {
-        sign(&self->commands[i]);
-    }
-    (void)memset(&self->inputs, 0, sizeof self->inputs);
-    self->inputs.dialect = self->dialect;
-    self->inputs.is_dialect_accepted = self->is_dialect_accepted;
     self->inputs.frames_received =
         (self->dialect == (uint32_t)CARD_DIALECT_OWN)
             ? box_exchange(&self->box, self->outputs.frames_to_send,
@@ -112,11 +105,57 @@ static void gather(rig_t *self)
     self->inputs.frames_received &= ~(self->frames_late | self->frames_failed);
     self->inputs.frames_late = self->frames_late;
     self->inputs.frames_failed = self->frames_failed;
-    box_advance(&self->box, 1000U + self->late_us);
+}
+
+/* A box that stands sends nothing in time, and what was sent meanwhile but for the first is not
+ * sent at all. */
+static void exchange_held(rig_t *self)
+{
+    static uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
+    if (self->held_cycles == 0U) {
+        exchange(self);
+        return;
+    }
+    if (!self->is_held) {
+        (void)memcpy(self->held_frames, self->outputs.frames, sizeof frames);
+    }
+    self->held_cycles--;
+    self->is_held = self->held_cycles > 0U;
+    if (!self->is_held) {
+        (void)box_exchange(&self->box, self->outputs.frames_to_send,
+                           (const uint8_t(*)[CARD_FRAME_BYTES])self->held_frames, frames);
+    }
+    self->inputs.frames_late = self->outputs.frames_to_send;
+}
+
+/* How much later the exchange comes than in the cycle before, beside what the cycle lasts. */
+static int32_t next_shift(rig_t *self)
+{
+    const uint32_t before_us = self->shift_us;
+    self->shift_us = sim_random_below(&self->random, self->jitter_us + 1U);
+    return (int32_t)self->shift_us - (int32_t)before_us;
+}
+
+/* What the last cycle has made leaves in it; a test acts just before. */
+static void gather(rig_t *self)
+{
+    keep_authority(self);
+    for (uint32_t i = 0U; (i < self->command_count) && !self->is_page_away; i++) {
+        sign(&self->commands[i]);
+    }
+    (void)memset(&self->inputs, 0, sizeof self->inputs);
+    self->inputs.dialect = self->dialect;
+    self->inputs.is_dialect_accepted = self->is_dialect_accepted;
+    exchange_held(self);
+    box_advance(&self->box, (uint32_t)((int32_t)(1000U + self->late_us) + next_shift(self)));
     const bsp_inputs_t sampled = box_sample(&self->box);
     self->inputs.elapsed_us = self->elapsed_us + self->late_us;
-    self->inputs.reported_us = 1000U + self->was_late_us;
+    self->exchanged_us += 1000U + self->was_late_us;
     self->was_late_us = self->late_us;
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        self->inputs.samples.sampled_us[slot] = self->exchanged_us;
+    }
+    self->inputs.samples.error_us = LIMIT_SAMPLE_ERROR_SIM_US;
     board_inputs_take(&self->board_inputs, &sampled, &self->inputs);
     self->inputs.has_button = self->has_no_button ? 0U : 1U;
     self->inputs.silent_sources = self->silent_sources;

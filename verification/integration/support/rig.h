@@ -8,6 +8,7 @@
 #include "controller/controller.h"
 #include "robot/robot.h"
 #include "sim/box.h"
+#include "sim/sim_random.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -30,6 +31,16 @@ typedef struct {
     uint32_t
         late_us; /**< So much longer than 1000 us lasts the next cycle, in the world as well. */
     uint32_t was_late_us;
+    uint32_t exchanged_us; /**< When the last exchange was, by the wake-ups. */
+    /** The exchange comes by a random part of this later than the wake-up of its cycle says. */
+    uint32_t jitter_us;
+    uint32_t shift_us; /**< So much later it comes in this cycle. */
+    /** Cycles left in which the box stands: what was sent last is exchanged when it goes on, and
+     * that answer comes too late. */
+    uint32_t held_cycles;
+    bool is_held;        /**< It stands. */
+    sim_random_t random; /**< Of the jitter. */
+    uint8_t held_frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES]; /**< What was sent last. */
     board_inputs_t board_inputs;
     uint32_t next_id;
     uint32_t silent_sources;       /**< As controller_inputs_t. */

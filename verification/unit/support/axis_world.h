@@ -76,7 +76,8 @@ static inline uint32_t supervise(bool is_driven, uint32_t elapsed_us)
     const bool is_pulse = is_driven && (elapsed_us == CYCLE_US) && ((cycle % 8U) == 0U);
     const card_drive_t sent = {.mode = is_pulse ? CARD_DRIVE_NON_PWM : CARD_DRIVE_OFF,
                                .direction = (cycle / 8U) % 2U};
-    return axis_supervise(&axis, config, is_driven, &sent, elapsed_us);
+    const axis_sample_t sample = {.applied = &sent, .elapsed_us = elapsed_us, .is_timed = true};
+    return axis_supervise(&axis, config, is_driven, &sample);
 }
 
 /* One cycle in which the motor was driven towards the set-point and moved by `ticks`. */
