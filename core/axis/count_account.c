@@ -61,10 +61,11 @@ void count_account_doubt(count_account_t *self)
     self->unsure_us = LIMIT_RISING_TIME_US;
 }
 
+/* A motor that is off has no speed to be unsure of. */
 static void grow_sure(count_account_t *self, const count_cycle_t *cycle)
 {
-    const uint32_t driven_us = (cycle->model_q16 != 0) ? cycle->elapsed_us : 0U;
-    self->unsure_us -= (self->unsure_us < driven_us) ? self->unsure_us : driven_us;
+    const bool is_sure = (cycle->model_q16 == 0) || (self->unsure_us < cycle->elapsed_us);
+    self->unsure_us -= is_sure ? self->unsure_us : cycle->elapsed_us;
 }
 
 /* Longer than a pause or a run is, a time needs not be known. */
@@ -200,12 +201,11 @@ bool count_account_step(count_account_t *self, const axis_config_t *config,
     const int64_t model_q16 = cycle->model_q16;
     follow_drive(self, model_q16, cycle->elapsed_us);
     /* Until the motor rests, counts are of its last drive. */
-    if (self->rest_us > MOTOR_REST_US) {
-        self->unsure_us = 0U;
-        return false;
-    }
     if (self->unsure_us != 0U) {
         grow_sure(self, cycle);
+        return false;
+    }
+    if (self->rest_us > MOTOR_REST_US) {
         return false;
     }
     const count_calibration_t *const shown = &self->calibrations[self->regime];

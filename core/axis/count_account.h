@@ -58,8 +58,8 @@ void count_account_init(count_account_t *self);
 /** The position is sure: both sums are empty. What the motor has shown of itself stays. */
 void count_account_settle(count_account_t *self);
 
-/** Nobody knows how fast the motor is, unless it rests: nothing is compared for
- * LIMIT_RISING_TIME_US of drive. */
+/** Nobody knows how fast the motor is: nothing is compared for LIMIT_RISING_TIME_US of drive, or
+ * until it is off. */
 void count_account_doubt(count_account_t *self);
 
 /**

@@ -176,7 +176,7 @@ static bool is_uneven(supervision_t *self, const supervision_view_t *view, int64
     const int64_t way_q16 = is_upwards ? cycle->model_q16 : -cycle->model_q16;
     const int32_t ticks = fixed_saturate(is_upwards ? cycle->counted_ticks : -cycle->counted_ticks);
     if ((ticks < 0) || ((self->account.direction > 0) != is_upwards) ||
-        (view->edge_age_us == ENCODER_AGE_UNKNOWN)) {
+        (view->edge_age_us == ENCODER_AGE_UNKNOWN) || (self->account.unsure_us != 0U)) {
         edge_pace_begin(&self->pace);
         return false;
     }

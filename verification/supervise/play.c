@@ -55,7 +55,7 @@ command_kind_t play_theme(play_t play)
 
 bool play_is_of_orders(play_t play)
 {
-    return (play == PLAY_MODES) || (play_theme(play) != COMMAND_NONE);
+    return (play == PLAY_MODES) || (play == PLAY_LATE) || (play_theme(play) != COMMAND_NONE);
 }
 
 bool play_is_of_scenes(play_t play)

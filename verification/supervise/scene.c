@@ -13,5 +13,6 @@ void scene_cycle(scene_t *self)
     stage_play(&self->stage, &self->rig);
     box_true_positions(&self->rig.box, truth);
     rig_cycle(&self->rig);
+    self->witness.is_sound = stage_is_sound(&self->stage);
     witness_look(&self->witness, &self->rig, truth, stage_is_disturbed(&self->stage));
 }

@@ -21,6 +21,7 @@
 #define DEAD_ZONE_SPREAD 0.005 /* Of all words. */
 #define OTHER_PARTS 6U         /* One of so many orders is not of the theme of the play. */
 #define BREAK_PARTS 40000U     /* In one of so many cycles of motion something breaks... */
+#define BREAK_LATE_PARTS 3000U /* The same where time is the enemy... */
 #define REPAIR_CYCLES 6000U    /* ...and is repaired after these at the latest. */
 #define GATE_CYCLES 900U
 #define NEEDLE_PARTS 12    /* Of its way, the needle goes in before a sweep. */
@@ -77,6 +78,16 @@ static void spread_motors(stage_t *self, rig_t *rig)
     }
 }
 
+static void begin_late(stage_t *self, rig_t *rig, uint32_t seed)
+{
+    if ((seed % 3U) == 0U) {
+        rig_start_robot(rig, self->robot);
+    } else {
+        start_targeted(self, rig);
+    }
+    lateness_begin(&self->lateness, rig, seed);
+}
+
 void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, uint32_t seed)
 {
     *self = (stage_t){.play = play,
@@ -84,7 +95,8 @@ void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, u
                       .whim = (seed * 3266489917U) | 1U,
                       .fault_cycle = UINT32_MAX,
                       .robot = robot};
-    self->is_brittle = ((play_theme(play) != COMMAND_NONE) && ((seed % 2U) == 0U)) ? 1U : 0U;
+    const bool is_of_faults = (play_theme(play) != COMMAND_NONE) || (play == PLAY_LATE);
+    self->is_brittle = (is_of_faults && ((seed % 2U) == 0U)) ? 1U : 0U;
     self->wish = (play == PLAY_SWEEPS) ? (uint32_t)WORKPHASE_MANUAL : 0U;
     watcher_begin(&self->watcher, seed);
     for (uint32_t i = 0U; i < 8U; i++) {
@@ -104,6 +116,8 @@ void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, u
         spread_motors(self, rig);
     } else if (play == PLAY_TAPS) {
         foe_begin(&self->foe, rig, robot, seed);
+    } else if (play == PLAY_LATE) {
+        begin_late(self, rig, seed);
     } else {
         start_targeted(self, rig);
     }
@@ -111,7 +125,12 @@ void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, u
 
 bool stage_is_disturbed(const stage_t *self)
 {
-    return self->has_fault != 0U;
+    return (self->has_fault != 0U) || (self->play == PLAY_LATE);
+}
+
+bool stage_is_sound(const stage_t *self)
+{
+    return self->has_fault == 0U;
 }
 
 /* One of the words between bars: "silent|corrupt|normal". */
@@ -732,12 +751,30 @@ static void repair(rig_t *rig)
     rig_box(rig, "scanner off");
 }
 
-/* In the middle of an order, in a play with a theme. */
+/* An encoder or a motor, of any axis. */
+static void break_axis(stage_t *self, rig_t *rig)
+{
+    static const char *const faults[] = {"encoder %s stuck", "encoder %s reversed",
+                                         "encoder %s half",  "motor %s stuck",
+                                         "motor %s half",    "motor %s twice"};
+    const char *const fault = faults[random_below(self, sizeof faults / sizeof faults[0])];
+    const uint32_t axis = random_below(self, self->robot->axis_count);
+    char order[ORDER_SIZE];
+    (void)snprintf(order, sizeof order, fault, self->robot->axes[axis].name);
+    rig_box(rig, order);
+}
+
+/* In the middle of an order, in a play with a theme or of time. */
 static void break_and_repair(stage_t *self, rig_t *rig)
 {
+    const bool is_late = self->play == PLAY_LATE;
     if ((rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING) &&
-        has_whim(self, BREAK_PARTS)) {
-        disturb(self, rig);
+        has_whim(self, is_late ? BREAK_LATE_PARTS : BREAK_PARTS)) {
+        if (is_late) {
+            break_axis(self, rig);
+        } else {
+            disturb(self, rig);
+        }
         part_hidden_pairs(rig);
         self->has_fault = 1U;
         self->fault_cycle = self->cycle + 1U + chance_below(&self->whim, REPAIR_CYCLES);
@@ -750,7 +787,7 @@ static void break_and_repair(stage_t *self, rig_t *rig)
 
 static void let_things_break(stage_t *self, rig_t *rig)
 {
-    if (play_theme(self->play) == COMMAND_NONE) {
+    if ((play_theme(self->play) == COMMAND_NONE) && (self->play != PLAY_LATE)) {
         if (self->cycle == self->fault_cycle) {
             disturb(self, rig);
             part_hidden_pairs(rig);
@@ -808,4 +845,7 @@ void stage_play(stage_t *self, rig_t *rig)
     let_watch(self, rig);
     let_rivals_play(self, rig);
     let_foe_play(self, rig);
+    if (self->play == PLAY_LATE) {
+        lateness_play(&self->lateness, rig);
+    }
 }

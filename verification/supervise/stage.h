@@ -5,6 +5,7 @@
 
 #include "integration/support/rig.h"
 #include "supervise/foe.h"
+#include "supervise/lateness.h"
 #include "supervise/orders.h"
 #include "supervise/play.h"
 #include "supervise/rivals.h"
@@ -31,6 +32,7 @@ typedef struct {
     uint32_t is_brittle;  /**< 0 or 1: of a play with a theme; in motion something may break. */
     foe_t foe;            /**< Of PLAY_TAPS. */
     rivals_t rivals;      /**< Of PLAY_RIVALS. */
+    lateness_t lateness;  /**< Of PLAY_LATE. */
     const robot_t *robot;
     robot_t magnitude_robot; /**< Of PLAY_MAGNITUDE. */
 } stage_t;
@@ -39,8 +41,11 @@ typedef struct {
  * an operator and what may break. */
 void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, uint32_t seed);
 
-/** A fault was or is in the scene. */
+/** A fault was or is in the scene, or time is. */
 bool stage_is_disturbed(const stage_t *self);
+
+/** Nothing of an axis was broken. */
+bool stage_is_sound(const stage_t *self);
 
 /** What the players do before the next cycle. */
 void stage_play(stage_t *self, rig_t *rig);

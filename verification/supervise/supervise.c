@@ -68,7 +68,7 @@ static uint32_t slowness(void)
 static uint32_t cycles_of(play_t play)
 {
     const bool is_short = play_is_of_scenes(play) && !play_is_of_orders(play);
-    const uint32_t cycles = is_short ? SCENE_CYCLES : MOVES_CYCLES;
+    const uint32_t cycles = (is_short || (play == PLAY_LATE)) ? SCENE_CYCLES : MOVES_CYCLES;
     return slowness() * ((play == PLAY_TAPS) ? TAPS_CYCLES : cycles);
 }
 
@@ -127,6 +127,20 @@ static void report_orders(void)
     printf("\n");
 }
 
+/* What time and faults have done, beside the sentences. */
+static void report_found(void)
+{
+    static const event_id_t ids[] = {EVENT_LOOP_STOPPED,     EVENT_CARD_LOST,
+                                     EVENT_CARD_UNWELL,      EVENT_AXIS_REFERENCE_LOST,
+                                     EVENT_AXIS_NO_COUNTS,   EVENT_AXIS_WRONG_WAY,
+                                     EVENT_AXIS_WRONG_SPEED, EVENT_AXIS_UNEVEN_COUNTS};
+    for (uint32_t i = 0U; i < (sizeof ids / sizeof ids[0]); i++) {
+        printf("%s %u %s", (i == 0U) ? "events:" : ",", (unsigned)scene.witness.found[ids[i]],
+               event_id_name((int32_t)ids[i]));
+    }
+    printf("\n");
+}
+
 static bool has_run_and_stop(void)
 {
     bool has_it = false;
@@ -153,6 +167,9 @@ static bool report(play_t play, uint32_t count)
     printf("%u scenes\n", (unsigned)count);
     report_losses();
     report_orders();
+    if (play == PLAY_LATE) {
+        report_found();
+    }
     report_endings(ENDING_MOVE, "moves");
     if (has_run_and_stop()) {
         report_endings(ENDING_NON_PWM, "legs with axes without pwm");

@@ -5,7 +5,8 @@
 # any time, a world, a fault now and then; an enemy at the pedal and the fault keyboard; jogs; moves into the corners of
 # the workspace, under a pedal that is released again and again, or of motors that are not as the robot's table says,
 # with run and stop or magnitudes for cards without pwm; pages and connections that all want to command; one order of any
-# mode after the other; treatment programs with their gate; sweeps; an operator who follows the next step alone) does the controller of any robot break one of the
+# mode after the other; treatment programs with their gate; sweeps; an operator who follows the next step alone; cycles that come late,
+# exchanges apart from them, a box that stands and wires that damage frames) does the controller of any robot break one of the
 # sentences of the witness, who knows where the simulated axes truly stand.
 # `make supervise COUNT=n SEED=n PLAY=name ROBOT=name` plays more.
 
@@ -19,9 +20,9 @@ class TestSupervise < Minitest::Test
   ROBOTS = { 'neuro' => 1.0, 'bench2' => 0.25, 'prostate' => 0.05 }.freeze
   # How many scenes, or moves; and flips of bits for each.
   PLAYS = { random: 80, corners: 24, interrupted: 24, spread: 30, magnitude: 30, jogs: 30, taps: 50,
-            rivals: 50, modes: 14, programs: 6, sweeps: 60, operator: 40 }.freeze
+            rivals: 50, modes: 14, programs: 6, sweeps: 60, operator: 40, late: 40 }.freeze
   # Those of scenes, whether or not a move comes about.
-  SCENES = %i[random jogs taps rivals modes programs sweeps operator].freeze
+  SCENES = %i[random jogs taps rivals modes programs sweeps operator late].freeze
   # What an axis of the robot must have, a card, for a play; and why else not.
   NEEDS = { magnitude: ['non_pwm', 'no axis of it takes run and stop'],
             sweeps: ['high_frequency', 'no axis of it takes waves'] }.freeze
@@ -56,6 +57,7 @@ class TestSupervise < Minitest::Test
     SWR_PROG_006_a_step_ends_at_its_place_after_its_dwell_or_by_its_dose: /A step ends at its place/,
     SWR_PROG_011_a_program_is_done_once_its_steps_are: /treatment program is done once/,
     SWR_AXIS_019_no_fault_is_found_where_there_is_none: /nothing is broken, no fault/,
+    SWR_CTRL_014_no_axis_is_called_faulty_for_time_or_wires: /of which nothing is broken is not called faulty/,
     SWR_MOTION_007_no_axis_goes_beyond_its_end: /beyond its end/,
     SWR_MOTION_007_no_axis_is_faster_than_its_speed: /faster than its speed/,
     SWR_AUTH_001_one_commands_and_none_before_the_axes_rest: /One commands: between two/,

@@ -42,6 +42,7 @@ const char *witness_sentence(sentence_t sentence)
         "What is proposed changes no target that was accepted",
         "A retraction drives the needle outwards only",
         "Lengths of the probe are those that were told last, or none",
+        "An axis of which nothing is broken is not called faulty (event)",
         "To a pose the needle is not driven",
         "To line up the needle is not driven in",
         "An insertion moves no other axis",
@@ -75,6 +76,7 @@ void witness_begin(witness_t *self, uint32_t seed)
         self->armed[i] = kept.armed[i] + kept.order_watch.armed[i];
         self->done[i] = kept.done[i] + kept.order_watch.done[i];
     }
+    (void)memcpy(self->found, kept.found, sizeof kept.found);
     self->losses_in_motion = kept.losses_in_motion + kept.reign.losses_in_motion;
     for (uint32_t i = 0U; i < REIGN_LOSSES; i++) {
         self->losses[i] = kept.losses[i] + kept.reign.losses[i];
@@ -520,12 +522,36 @@ static void judge_endings(witness_t *self, const rig_t *rig, bool is_done)
     self->is_non_pwm_over = is_over && has_non_pwm_way(rig, profile);
 }
 
+/* Each says of an axis that something of it is broken. */
+static bool is_accusation(uint32_t id)
+{
+    static const event_id_t accusations[] = {
+        EVENT_AXIS_ENCODER_FAULT,   EVENT_AXIS_STALLED,      EVENT_AXIS_FOLLOWING_ERROR,
+        EVENT_AXIS_HOME_TIMEOUT,    EVENT_AXIS_SWITCH_FAULT, EVENT_AXIS_WRONG_WAY,
+        EVENT_AXIS_MOVED_OFF,       EVENT_AXIS_NO_COUNTS,    EVENT_AXIS_WRONG_SPEED,
+        EVENT_AXIS_SWITCH_ELSEWHERE, EVENT_AXIS_UNEVEN_COUNTS};
+    bool is_one = false;
+    for (uint32_t i = 0U; i < (sizeof accusations / sizeof accusations[0]); i++) {
+        is_one = is_one || (id == (uint32_t)accusations[i]);
+    }
+    return is_one;
+}
+
+static void judge_accusation(witness_t *self, const rig_t *rig, const event_t *event)
+{
+    self->found[event->id % EVENT_ID_COUNT]++;
+    if (self->is_sound && is_accusation(event->id)) {
+        complain(self, rig, SENTENCE_ACCUSED, event->subject, event->id);
+    }
+}
+
 static void judge_events(witness_t *self, const rig_t *rig, bool is_disturbed)
 {
     bool is_done = false;
     for (uint32_t i = 0U; i < rig->outputs.event_count; i++) {
         const event_t *const event = &rig->outputs.events[i];
         is_done = is_done || (event->id == (uint32_t)EVENT_ORDER_DONE);
+        judge_accusation(self, rig, event);
         /* What is not homed may be jogged against its switch. */
         const bool is_jog_blocked = (event->id == (uint32_t)EVENT_ORDER_OVERDUE) &&
                                     !homing_part_is_homed(rig, event->subject);

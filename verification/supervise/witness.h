@@ -40,7 +40,8 @@ typedef enum {
     SENTENCE_TARGET = 13,  /**< What is proposed changes no target that was accepted. */
     SENTENCE_OUT = 14,     /**< A retraction drives the needle outwards only. */
     SENTENCE_PROBE = 15,   /**< Lengths of the probe are those told last, or none. */
-    SENTENCE_ORDER = 16,   /**< From here on: those of order_rule_t. */
+    SENTENCE_ACCUSED = 16, /**< An axis of which nothing is broken is not called faulty. */
+    SENTENCE_ORDER = 17,   /**< From here on: those of order_rule_t. */
     /** From here on: those of sweep_rule_t. */
     SENTENCE_SWEEP = SENTENCE_ORDER + (int)ORDER_RULES,
     /** From here on: those of program_rule_t. */
@@ -77,6 +78,8 @@ typedef struct {
 /** State of the witness; one episode at a time. */
 typedef struct {
     uint32_t seed;
+    bool is_sound; /**< Nothing of an axis was broken, whatever the time and the wires do. */
+    uint32_t found[EVENT_ID_COUNT]; /**< Events in all episodes. */
     endings_t endings[ENDING_COUNT];
     verdict_t verdicts[SENTENCE_COUNT];
     bool is_broken[SENTENCE_COUNT];              /**< In this episode. */
