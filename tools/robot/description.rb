@@ -20,7 +20,8 @@ module Robot
     # What homing may go away from its switch beyond over-travel and hysteresis, and the needle in all.
     HOME_MARGIN = { true => Rational('0.1'), false => Rational('0.005236') }.freeze # 0.1 mm or 0.3 degrees
     LARGEST_NEEDLE_WAY_MM = Rational('0.2')
-    # A switch may be active up to so far beyond its hysteresis.
+    # A switch may be active up to so far beyond its hysteresis: 0.01 mm or 0.06 degrees, and what two counts make.
+    SWITCH_SLACK = { true => Rational('0.01'), false => Rational('0.001047') }.freeze
     SWITCH_SLACK_TICKS = 2
     POSITION = (-1_000_000..1_000_000)
     SPEED = (1..1_000_000)
@@ -78,7 +79,8 @@ module Robot
 
     # The positions that a target may have: where the switch is surely free.
     def targets
-      zone = self['switch_hysteresis_ticks'] + SWITCH_SLACK_TICKS
+      slack = (SWITCH_SLACK[linear?] * self['ticks_per_unit']).ceil
+      zone = self['switch_hysteresis_ticks'] + [slack, SWITCH_SLACK_TICKS].max
       low, high = self['minimum_ticks'], self['maximum_ticks']
       low = [low, self['home_ticks'] + zone].max if self['limit_switch'] == 'lower'
       high = [high, self['home_ticks'] - zone].min if self['limit_switch'] == 'upper'

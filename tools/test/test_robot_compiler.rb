@@ -250,8 +250,10 @@ class TestRobotCompiler < Minitest::Test
 
   def test_SWR_AXIS_020_targets_keep_clear_of_the_switch_and_its_hysteresis
     table = compile(TEXT).last
-    assert_equal [-11_418, -5512, -2337, 336, -8073, -370, -1222], ticks(table, 'target_minimum')
+    assert_equal [-11_418, -5512, -2337, 368, -8073, -370, -1222], ticks(table, 'target_minimum')
     assert_equal [-10, 5906, -7, 133_334, 8073, 508, 0], ticks(table, 'target_maximum')
+    fine = with('ticks_per_mm: 3333.34', 'ticks_per_mm: 4000')
+    assert_includes compile(fine).last, ".target_minimum_ticks = #{334 + 40}," # 0.01 mm, whatever a tick is
   end
 
   def ticks(table, name)
@@ -530,7 +532,7 @@ class TestRobotCompiler < Minitest::Test
     table = compile(with_pose(HOME)).last
     assert_includes table, '.pose_mask = 1U'
     assert_includes table, '[POSE_HOME] = {.ticks = {[0] = -1575, [1] = -1575, [2] = -7, [3] = 2083, [4] = 0, [5] = 80, [6] = -300}, .seal = 0x'
-    assert_equal 0, compile(with_pose(HOME.merge(insertion: '336 ticks'))).first
+    assert_equal 0, compile(with_pose(HOME.merge(insertion: '368 ticks'))).first
   end
 
   def test_SWR_ROBOT_023_a_pose_of_other_axes_or_another_name_is_refused
@@ -551,11 +553,11 @@ class TestRobotCompiler < Minitest::Test
   def test_SWR_ROBOT_023_a_place_beyond_a_limit_or_at_a_switch_is_refused
     assert_no_pose(:feet, '-5513 ticks', '-5513 ticks; expected -5512 to 5906')
     assert_no_pose(:lateral, '-6 ticks', '-6 ticks; expected -2337 to -7')
-    assert_no_pose(:insertion, '335 ticks', '335 ticks; expected 336 to 2083')
+    assert_no_pose(:insertion, '367 ticks', '367 ticks; expected 368 to 2083')
   end
 
   def test_SWR_ROBOT_023_a_pose_with_the_needle_in_is_refused
-    assert_no_pose(:insertion, '2084 ticks', '2084 ticks; expected 336 to 2083')
+    assert_no_pose(:insertion, '2084 ticks', '2084 ticks; expected 368 to 2083')
   end
 
   def test_SWR_POSE_005_the_needle_has_no_part_in_a_pose_but_that_of_start_up
