@@ -86,12 +86,12 @@ typedef enum {
 
 /** What became of one exchange. */
 typedef struct {
-    uint64_t started_ns;              /**< bsp_now_ns() of bsp_start(); 0 when there was none. */
-    uint64_t finished_ns;             /**< When the last frame was back, or the deadline. */
-    uint32_t received;                /**< Bit n: received[n] holds what came back from slot n. */
+    uint64_t started_ns;  /**< bsp_now_ns() of bsp_start(); 0 when there was none. */
+    uint64_t finished_ns; /**< When the last frame was back, or the deadline. */
+    uint32_t received;    /**< Bit n: received[n] holds what came back from slot n. */
     uint64_t sampled_ns[CARD_SLOT_COUNT]; /**< Of these: bsp_now_ns() when the card was selected. */
-    uint8_t results[CARD_SLOT_COUNT]; /**< bsp_slot_result_t of each slot. */
-    int32_t error;                    /**< errno, or the transport's own number; 0: none. */
+    uint8_t results[CARD_SLOT_COUNT];     /**< bsp_slot_result_t of each slot. */
+    int32_t error;                        /**< errno, or the transport's own number; 0: none. */
 } bsp_exchange_t;
 
 /** Lamps of the box. */

@@ -183,7 +183,8 @@ static bool is_uneven(supervision_t *self, const supervision_view_t *view, int64
     const int64_t speed_q8 = motor_heat_slow(view->lost_q16, self->model.speed_ticks_per_s_q8);
     const edge_pace_view_t pace = {
         .way_q16 = (uint32_t)way_q16,
-        .after_q16 = (ticks > 0) ? way_after(before_q8, speed_q8, view->edge_age_us, cycle->elapsed_us) : 0U,
+        .after_q16 =
+            (ticks > 0) ? way_after(before_q8, speed_q8, view->edge_age_us, cycle->elapsed_us) : 0U,
         .ticks = (uint32_t)ticks,
     };
     return edge_pace_step(&self->pace, &pace);

@@ -51,11 +51,11 @@ typedef struct {
 } supervision_view_t;
 
 typedef struct {
-    int32_t rest_ticks; /**< supervision_rest_ticks(), from the first cycle on. */
-    int32_t mark_ticks; /**< Position at the last progress in the direction of the drive. */
-    uint16_t is_upwards; /**< Direction of the last drive that was asked for: 0 or 1. */
-    uint16_t drives;     /**< What the card may have done since the last report, as bits; 0:
-                            none was missed. */
+    int32_t rest_ticks;      /**< supervision_rest_ticks(), from the first cycle on. */
+    int32_t mark_ticks;      /**< Position at the last progress in the direction of the drive. */
+    uint16_t is_upwards;     /**< Direction of the last drive that was asked for: 0 or 1. */
+    uint16_t drives;         /**< What the card may have done since the last report, as bits; 0:
+                                none was missed. */
     int32_t backwards_ticks; /**< How far it has gone against its drive, for the record. */
     int32_t places_ticks[SUPERVISION_PLACES]; /**< While off, one each tenth of a second. */
     int32_t lowest_ticks;                     /**< Of these places. */

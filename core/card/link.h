@@ -18,10 +18,10 @@
 /** From `sent` on sixteen words, which cost the seal least. */
 typedef struct {
     card_link_chart_t chart;
-    card_report_t report;     /**< The last valid one; all zero before the first. */
-    uint32_t sampled_us;      /**< When that was sampled, as the board has it. */
-    uint32_t reported_us;     /**< From the sample before to that of this cycle; 0: none came. */
-    uint32_t is_timed;        /**< The card's clock says so, and no cycle was missed: 0 or 1. */
+    card_report_t report; /**< The last valid one; all zero before the first. */
+    uint32_t sampled_us;  /**< When that was sampled, as the board has it. */
+    uint32_t reported_us; /**< From the sample before to that of this cycle; 0: none came. */
+    uint32_t is_timed;    /**< The card's clock says so, and no cycle was missed: 0 or 1. */
     uint32_t reserved;
     uint16_t last_error;      /**< card_frame_result_t of this cycle's frame. */
     uint16_t is_fresh;        /**< A valid frame arrived in this cycle: 0 or 1. */

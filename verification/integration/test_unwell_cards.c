@@ -164,9 +164,7 @@ void test_SWR_LINK_013_a_command_that_was_refused_makes_no_count_wrong(void)
         rig_start_robot_homed(&rig, &robot_neuro);
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
         rig_box(&rig, orders[i]);
-        const command_t jog = {.kind = COMMAND_JOG,
-                               .argument = axes[i],
-                               .value = ends[i]};
+        const command_t jog = {.kind = COMMAND_JOG, .argument = axes[i], .value = ends[i]};
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
         rig_press(&rig);
         TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 20000U).kind);

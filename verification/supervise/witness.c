@@ -526,9 +526,9 @@ static void judge_endings(witness_t *self, const rig_t *rig, bool is_done)
 static bool is_accusation(uint32_t id)
 {
     static const event_id_t accusations[] = {
-        EVENT_AXIS_ENCODER_FAULT,   EVENT_AXIS_STALLED,      EVENT_AXIS_FOLLOWING_ERROR,
-        EVENT_AXIS_HOME_TIMEOUT,    EVENT_AXIS_SWITCH_FAULT, EVENT_AXIS_WRONG_WAY,
-        EVENT_AXIS_MOVED_OFF,       EVENT_AXIS_NO_COUNTS,    EVENT_AXIS_WRONG_SPEED,
+        EVENT_AXIS_ENCODER_FAULT,    EVENT_AXIS_STALLED,      EVENT_AXIS_FOLLOWING_ERROR,
+        EVENT_AXIS_HOME_TIMEOUT,     EVENT_AXIS_SWITCH_FAULT, EVENT_AXIS_WRONG_WAY,
+        EVENT_AXIS_MOVED_OFF,        EVENT_AXIS_NO_COUNTS,    EVENT_AXIS_WRONG_SPEED,
         EVENT_AXIS_SWITCH_ELSEWHERE, EVENT_AXIS_UNEVEN_COUNTS};
     bool is_one = false;
     for (uint32_t i = 0U; i < (sizeof accusations / sizeof accusations[0]); i++) {

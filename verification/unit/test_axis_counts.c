@@ -481,10 +481,14 @@ void test_SWR_AXIS_047_what_a_changed_drive_made_unheard_is_left_out(void)
 
 void test_SWR_AXIS_047_a_reversal_unheard_is_left_out(void)
 {
-    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 2U * SHORT_CYCLES));
-    TEST_ASSERT_EQUAL_HEX32(0U, step(drive(false), 0, 0U));
-    TEST_ASSERT_EQUAL_HEX32(0U, step(drive(false), 0, 2U * CYCLE_US));
-    TEST_ASSERT_EQUAL_UINT32(LIMIT_RISING_TIME_US, supervision.account.unsure_us);
+    for (uint32_t i = 0U; i < 2U; i++) {
+        const bool is_upwards = i == 0U;
+        use(head);
+        TEST_ASSERT_EQUAL_HEX32(0U, run(drive(is_upwards), 100, 2U * SHORT_CYCLES));
+        TEST_ASSERT_EQUAL_HEX32(0U, step(drive(!is_upwards), 0, 0U));
+        TEST_ASSERT_EQUAL_HEX32(0U, step(drive(!is_upwards), 0, 2U * CYCLE_US));
+        TEST_ASSERT_EQUAL_UINT32(LIMIT_RISING_TIME_US, supervision.account.unsure_us);
+    }
 }
 
 void test_SWR_AXIS_047_a_motor_that_is_off_is_known_again(void)
@@ -526,4 +530,8 @@ void test_SWR_AXIS_027_the_way_after_a_count_is_that_of_a_cycle_as_long_as_it_is
     TEST_ASSERT_EQUAL_HEX32(0U, step(sent, 2, 4U * CYCLE_US));
     TEST_ASSERT_UINT32_WITHIN(4U, (uint32_t)((mean_q8 * 256 * 2) / 1000),
                               supervision.pace.since_q16);
+    edge_age_us = 9U * CYCLE_US; /* Older than the cycle: all of its way came after it. */
+    TEST_ASSERT_EQUAL_HEX32(0U, step(sent, 2, 4U * CYCLE_US));
+    TEST_ASSERT_EQUAL_UINT32((uint32_t)motor_model_step_q16(&motor, config, &sent, 4U * CYCLE_US),
+                             supervision.pace.since_q16);
 }

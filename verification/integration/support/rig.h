@@ -38,8 +38,8 @@ typedef struct {
     /** Cycles left in which the box stands: what was sent last is exchanged when it goes on, and
      * that answer comes too late. */
     uint32_t held_cycles;
-    bool is_held;        /**< It stands. */
-    sim_random_t random; /**< Of the jitter. */
+    bool is_held;                                           /**< It stands. */
+    sim_random_t random;                                    /**< Of the jitter. */
     uint8_t held_frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES]; /**< What was sent last. */
     board_inputs_t board_inputs;
     uint32_t next_id;
