@@ -156,6 +156,9 @@ static uint32_t follow_switch(axis_t *self, const axis_config_t *config)
     uint32_t notes = 0U;
     switch (see_switch(self, config)) {
     case HOMING_SWITCH:
+        if (leg == AXIS_REFERENCE_APPROACH) {
+            homing_meet(&self->homing, config, self->supervision.position_ticks);
+        }
         notes = (leg == AXIS_REFERENCE_LATCH)
                     ? arrive(self, config)
                     : dispatch(self, config, AXIS_EVENT_SWITCH_ON, config->home_ticks);

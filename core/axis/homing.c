@@ -34,6 +34,12 @@ void homing_renew(homing_t *self)
     self->leg_us = 0U;
 }
 
+void homing_meet(homing_t *self, const axis_config_t *config, int32_t free_ticks)
+{
+    const int64_t way = fixed_magnitude(homing_way(config, self->edge_ticks, free_ticks));
+    self->edge_ticks = (way <= edge_spread_ticks(config)) ? free_ticks : self->edge_ticks;
+}
+
 void homing_forget(homing_t *self)
 {
     self->has_nearest = 0U;

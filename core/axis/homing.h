@@ -64,6 +64,13 @@ void homing_begin(homing_t *self, int32_t position_ticks);
 /** The leg goes on in other company, at another speed: its time counts from here on. */
 void homing_renew(homing_t *self);
 
+/** The approach has met the switch since the report at which it stood at `free_ticks`: its edge is
+ * there, if that is as near as the motor goes while a switch is debounced, however late it was seen.
+ *
+ * @satisfies SWR-AXIS-048
+ */
+void homing_meet(homing_t *self, const axis_config_t *config, int32_t free_ticks);
+
 /** The axis is homed, or its counts have broken: the next homing has its whole way. */
 void homing_forget(homing_t *self);
 

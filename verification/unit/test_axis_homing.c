@@ -418,3 +418,16 @@ void test_SWR_AXIS_003_a_new_homing_has_its_full_time(void)
     begin_homing();
     TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(true, config->home_time_us - 1U));
 }
+
+/* The debouncing takes 10 ms at most, and the counts are true to two. */
+void test_SWR_AXIS_048_an_edge_that_was_seen_late_is_where_the_switch_was_free_before(void)
+{
+    const axis_config_t *const needle = &robot_neuro.axes[NEURO_AXIS_INSERTION];
+    const int32_t most = (needle->home_speed_ticks_per_s / 100) + 2;
+    homing_t homing = {.edge_ticks = -30};
+    homing_meet(&homing, needle, most - 30);
+    TEST_ASSERT_EQUAL_INT32(most - 30, homing.edge_ticks);
+    homing.edge_ticks = -30;
+    homing_meet(&homing, needle, most - 29);
+    TEST_ASSERT_EQUAL_INT32(-30, homing.edge_ticks);
+}
