@@ -65,7 +65,8 @@ void homing_begin(homing_t *self, int32_t position_ticks);
 void homing_renew(homing_t *self);
 
 /** The approach has met the switch since the report at which it stood at `free_ticks`: its edge is
- * there, if that is as near as the motor goes while a switch is debounced, however late it was seen.
+ * there, if that is as near as the motor goes while a switch is debounced, however late it was
+ * seen.
  *
  * @satisfies SWR-AXIS-048
  */
