@@ -751,7 +751,7 @@ static void repair(rig_t *rig)
     rig_box(rig, "scanner off");
 }
 
-/* An encoder or a motor, of any axis. */
+/* An encoder or a motor of any axis, and nothing else any more: two faults may hide each other. */
 static void break_axis(stage_t *self, rig_t *rig)
 {
     static const char *const faults[] = {"encoder %s stuck", "encoder %s reversed",
@@ -761,6 +761,7 @@ static void break_axis(stage_t *self, rig_t *rig)
     const uint32_t axis = random_below(self, self->robot->axis_count);
     char order[ORDER_SIZE];
     (void)snprintf(order, sizeof order, fault, self->robot->axes[axis].name);
+    repair(rig);
     rig_box(rig, order);
 }
 
