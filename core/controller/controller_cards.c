@@ -21,16 +21,16 @@ static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
 
 /* The loop was late, so that the card has switched off by itself; its counts go on. That it was not
  * restarted is known, as its report was taken for the next one while it was used. */
-static bool has_only_waited(const link_t *link, const cycle_t *cycle)
+static bool has_only_waited(const link_t *link)
 {
     return (link->cause == (uint16_t)LINK_CAUSE_FAULT) && link_was_only_silent(link) &&
-           (cycle->inputs->reported_us > LIMIT_LOOP_SILENT_US);
+           (link->reported_us > LIMIT_LOOP_SILENT_US);
 }
 
-static card_loss_t judge_loss(const controller_t *self, const cycle_t *cycle, uint32_t index)
+static card_loss_t judge_loss(const controller_t *self, uint32_t index)
 {
     card_loss_t loss = CARD_LOSS_LOSES;
-    if (has_only_waited(controller_link(self, index), cycle)) {
+    if (has_only_waited(controller_link(self, index))) {
         loss = CARD_LOSS_KEEPS;
     } else if (is_only_out_of_sight(self, index)) {
         loss = CARD_LOSS_DOUBTS;
@@ -46,7 +46,7 @@ static void note_loss(controller_t *self, const cycle_t *cycle, uint32_t slot)
     const link_t *const link = &self->links[slot];
     const uint32_t bit = (uint32_t)1U << slot;
     uint32_t cause = link->cause;
-    if (has_only_waited(link, cycle)) {
+    if (has_only_waited(link)) {
         cause = (uint32_t)LINK_CAUSE_LOOP_LATE;
     } else if (cause != (uint32_t)LINK_CAUSE_AGE) {
         /* It says it all. */
@@ -129,7 +129,7 @@ void controller_observe_card(controller_t *self, const cycle_t *cycle, uint32_t 
     const link_step_t step = step_link(self, cycle, slot);
     if (step.is_lost) {
         controller_lose_card(self, cycle, index,
-                             step.is_damaged ? CARD_LOSS_LOSES : judge_loss(self, cycle, index));
+                             step.is_damaged ? CARD_LOSS_LOSES : judge_loss(self, index));
     }
     /* Also what was confirmed and fell silent again before START_UP. */
     if (self->links[slot].age_cycles >= LIMIT_LINK_AGE_CYCLES) {
