@@ -136,15 +136,13 @@ module Chart
         @document.actions.empty? ? '0U' : 'run.actions'
       end
 
+      # Of a chart without timers it stands in the header.
       def advance_function
-        head = "uint32_t #{@names.chart_function('advance')}"
-        body = @document.timers.empty? ? ['    self->now_us += elapsed_us;', '    return 0U;'] : advance_body
-        [count_function, call(head, @names.advance_parameters.split(', '), ''),
-         '{', unused_in_advance(body), body, '}', '']
-      end
+        return [] if @document.timers.empty?
 
-      def unused_in_advance(body)
-        @document.timers.empty? ? [] : unused('inputs', body)
+        head = "uint32_t #{@names.chart_function('advance')}"
+        [count_function, call(head, @names.advance_parameters.split(', '), ''),
+         '{', unused('inputs', advance_body), advance_body, '}', '']
       end
 
       def unused(parameter, lines)
@@ -161,8 +159,6 @@ module Chart
       end
 
       def count_function
-        return [] if @document.timers.empty?
-
         rows = @document.timers.map do |timer|
           time = "self->#{@names.time(timer)}"
           ["    if (self->#{@names.armed(timer)}) {",
