@@ -68,6 +68,7 @@ size_t http_head_write(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE
     add(head, "Content-Encoding", reply->encoding);
     add(head, "Vary", reply->is_chosen ? "Accept-Encoding" : NULL);
     add(head, "Set-Cookie", reply->cookie);
+    add(head, "Set-Cookie", reply->device);
     add(head, "Content-Disposition", (reply->file_name != NULL) ? disposition : NULL);
     add(head, "Retry-After", (reply->retry_after_s > 0U) ? again : NULL);
     add(head, "Connection", "close");

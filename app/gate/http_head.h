@@ -17,7 +17,7 @@
 #define HTTP_REPLY_PROBLEM "application/problem+json"
 #define HTTP_REPLY_NO_STORE "no-store"
 #define HTTP_REPLY_REVALIDATE "private, no-cache"
-#define HTTP_REPLY_HEAD_SIZE 1536 /**< Room for the head of every answer. */
+#define HTTP_REPLY_HEAD_SIZE 2048 /**< Room for the head of every answer. */
 
 /** What is particular to one answer. */
 typedef struct {
@@ -29,6 +29,7 @@ typedef struct {
     const char *etag;       /**< ETag with its quotes, or NULL. */
     const char *encoding;   /**< Content-Encoding, or NULL. */
     const char *cookie;     /**< Set-Cookie, or NULL. */
+    const char *device;     /**< A second Set-Cookie, or NULL. */
     const char *file_name;  /**< Under which to keep it; NULL: it is to be shown. */
     uint32_t retry_after_s; /**< Retry-After; 0: without. */
     bool is_chosen;         /**< Another client may get it in another encoding. */

@@ -10,8 +10,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#define COOKIE_NAME_SIZE 96U
-#define COOKIE_SIZE 256U
+#define COOKIE_NAME_SIZE 160U
+#define COOKIE_SIZE 384U
+#define SENTENCE_SIZE 96U
+#define ADDRESS_SIZE 64U
+#define LOGIN_PATH "/api/v1/session"
 #define NOT_SENT 499
 
 bool http_door_is_tls(const http_server_t *server, const struct mg_connection *connection)
@@ -42,6 +45,37 @@ static const char *find_id(const http_server_t *server, const struct mg_connecti
     name_cookie(server, http_door_is_tls(server, connection), name);
     const char *cookies = mg_get_header(connection, "Cookie");
     return request_headers_cookie(cookies, name, id, SESSION_TOKEN_SIZE) ? id : NULL;
+}
+
+/* Of each account one, that a shared browser knows them all. No name has a dot, and no session's
+ * cookie begins so. */
+static void name_mark(const http_server_t *server, bool is_tls, const char *who,
+                      char name[COOKIE_NAME_SIZE])
+{
+    (void)snprintf(name, COOKIE_NAME_SIZE, "%sboresight_device-%s.%s", is_tls ? "__Secure-" : "",
+                   server->instance, who);
+}
+
+/* What the browser shows as the mark of who logs in; NULL: nothing. */
+static const char *find_mark(const http_server_t *server, const struct mg_connection *connection,
+                             const login_t *login, char mark[DEVICE_MARK_SIZE])
+{
+    char name[COOKIE_NAME_SIZE];
+    if ((login->name == NULL) || !account_is_name(login->name)) {
+        return NULL;
+    }
+    name_mark(server, http_door_is_tls(server, connection), login->name, name);
+    const char *cookies = mg_get_header(connection, "Cookie");
+    return request_headers_cookie(cookies, name, mark, DEVICE_MARK_SIZE) ? mark : NULL;
+}
+
+/* All that comes by TLS has the address of the TLS program, which others have here as well. */
+static void write_address(const http_server_t *server, const struct mg_connection *connection,
+                          char address[ADDRESS_SIZE])
+{
+    (void)snprintf(address, ADDRESS_SIZE, "%s %s",
+                   http_door_is_tls(server, connection) ? "TLS" : "plain",
+                   mg_get_request_info(connection)->remote_addr);
 }
 
 static int refuse(struct mg_connection *connection, problem_t problem)
@@ -110,9 +144,14 @@ static const char *login_way(http_server_t *server, const struct mg_connection *
     return is_safe ? "password" : "none";
 }
 
-/* A session that is not open is none; `cookie` is set if it is not NULL. */
+typedef struct {
+    const char *session; /* NULL: it stays as it is. */
+    const char *device;  /* The same. */
+} cookies_t;
+
+/* A session that is not open is none. */
 static int send_session(http_server_t *server, struct mg_connection *connection,
-                        const session_t *session, const char *cookie)
+                        const session_t *session, cookies_t cookies)
 {
     const session_left_t none = {.idle_s = 0U};
     const bool is_open = session->is_open;
@@ -132,7 +171,8 @@ static int send_session(http_server_t *server, struct mg_connection *connection,
     const http_reply_t reply = {.status = 200,
                                 .type = HTTP_REPLY_JSON,
                                 .cache = HTTP_REPLY_NO_STORE,
-                                .cookie = cookie,
+                                .cookie = cookies.session,
+                                .device = cookies.device,
                                 .body = json,
                                 .size = strlen(json)};
     return is_whole ? http_reply_send(connection, &reply) : refuse(connection, PROBLEM_NO_MEMORY);
@@ -141,8 +181,9 @@ static int send_session(http_server_t *server, struct mg_connection *connection,
 int http_door_show(http_server_t *server, struct mg_connection *connection)
 {
     session_t session = {.is_open = false};
+    const cookies_t unchanged = {.session = NULL, .device = NULL};
     (void)http_door_find(server, connection, &session);
-    return send_session(server, connection, &session, NULL);
+    return send_session(server, connection, &session, unchanged);
 }
 
 /* `age_s` 0 takes it away. */
@@ -154,6 +195,24 @@ static void write_cookie(const http_server_t *server, const struct mg_connection
     name_cookie(server, is_tls, name);
     (void)snprintf(cookie, COOKIE_SIZE, "%s=%s; Path=/; Max-Age=%u; HttpOnly; SameSite=Strict%s",
                    name, id, age_s, is_tls ? "; Secure" : "");
+}
+
+/* It is sent where one logs in alone. NULL: there is none. */
+static const char *write_device_cookie(http_server_t *server,
+                                       const struct mg_connection *connection, const login_t *login,
+                                       char cookie[COOKIE_SIZE])
+{
+    char name[COOKIE_NAME_SIZE];
+    char mark[DEVICE_MARK_SIZE];
+    const bool is_tls = http_door_is_tls(server, connection);
+    if ((login->name == NULL) || !session_desk_write_mark(&server->desk, login->name, mark)) {
+        return NULL;
+    }
+    name_mark(server, is_tls, login->name, name);
+    (void)snprintf(cookie, COOKIE_SIZE,
+                   "%s=%s; Path=" LOGIN_PATH "; Max-Age=%u; HttpOnly; SameSite=Strict%s", name,
+                   mark, (unsigned)LIMIT_DEVICE_MARK_S, is_tls ? "; Secure" : "");
+    return cookie;
 }
 
 /* Name and password, or else a code. */
@@ -172,14 +231,25 @@ static bool read_login(const request_login_t *body, login_t *login, request_resu
     return is_by_name || is_by_code;
 }
 
+/* With the time to wait, for people. */
+static int refuse_for(struct mg_connection *connection, const char *why, uint32_t wait_s)
+{
+    char sentence[SENTENCE_SIZE];
+    http_problem_t problem = http_problem_of(PROBLEM_LOGIN_TOO_SOON);
+    (void)snprintf(sentence, sizeof sentence, "%s: wait %u s, then log in again.", why,
+                   (unsigned)wait_s);
+    problem.detail = sentence;
+    problem.retry_after_s = wait_s;
+    return http_reply_problem(connection, &problem, NULL);
+}
+
 static int refuse_login(struct mg_connection *connection, login_verdict_t verdict, uint32_t wait_s)
 {
     switch (verdict) {
-    case LOGIN_LATER: {
-        http_problem_t problem = http_problem_of(PROBLEM_LOGIN_TOO_SOON);
-        problem.retry_after_s = wait_s;
-        return http_reply_problem(connection, &problem, NULL);
-    }
+    case LOGIN_LATER:
+        return refuse_for(connection, "Too many logins failed", wait_s);
+    case LOGIN_BUSY:
+        return refuse_for(connection, "Another login is being judged", wait_s);
     case LOGIN_FULL:
         return refuse(connection, PROBLEM_SESSIONS_FULL);
     case LOGIN_REFUSED:
@@ -194,9 +264,13 @@ int http_door_log_in(http_server_t *server, const http_call_t *call)
     struct mg_connection *connection = call->connection;
     char id[SESSION_TOKEN_SIZE];
     char cookie[COOKIE_SIZE];
+    char device_cookie[COOKIE_SIZE];
+    char mark[DEVICE_MARK_SIZE];
+    char address[ADDRESS_SIZE];
     session_t session;
     uint32_t wait_s = 0U;
-    login_t login = {.id = find_id(server, connection, id)};
+    write_address(server, connection, address);
+    login_t login = {.id = find_id(server, connection, id), .address = address};
     request_result_t fault;
     if (!read_login(&call->body.login, &login, &fault)) {
         const http_problem_t problem = http_problem_of_body(&fault);
@@ -206,13 +280,17 @@ int http_door_log_in(http_server_t *server, const http_call_t *call)
     if (!is_near && ((login.code != NULL) || !http_door_is_tls(server, connection))) {
         return refuse(connection, PROBLEM_LOGIN_NOT_HERE);
     }
+    login.mark = find_mark(server, connection, &login, mark);
     const login_verdict_t verdict =
         session_desk_log_in(&server->desk, &login, telemetry_now_ms(), &session, &wait_s);
     if (verdict != LOGIN_OPENED) {
         return refuse_login(connection, verdict, wait_s);
     }
     write_cookie(server, connection, session.id, LIMIT_SESSION_MOST_S, cookie);
-    return send_session(server, connection, &session, cookie);
+    const cookies_t cookies = {.session = cookie,
+                               .device =
+                                   write_device_cookie(server, connection, &login, device_cookie)};
+    return send_session(server, connection, &session, cookies);
 }
 
 int http_door_log_out(http_server_t *server, struct mg_connection *connection)
@@ -224,5 +302,6 @@ int http_door_log_out(http_server_t *server, struct mg_connection *connection)
         session_desk_log_out(&server->desk, id, telemetry_now_ms());
     }
     write_cookie(server, connection, "", 0U, cookie);
-    return send_session(server, connection, &none, cookie);
+    const cookies_t cookies = {.session = cookie, .device = NULL};
+    return send_session(server, connection, &none, cookies);
 }

@@ -42,6 +42,7 @@ int http_door_show(http_server_t *server, struct mg_connection *connection);
  * @satisfies SWR-SESS-012
  * @satisfies SWR-SESS-015
  * @satisfies SWR-SESS-018
+ * @satisfies SWR-SESS-033
  */
 int http_door_log_in(http_server_t *server, const http_call_t *call);
 

@@ -4,20 +4,39 @@
 #include "limits/requirement_limits.h"
 #include "session/passed.h"
 
+#include <stddef.h>
+
 #define MS_PER_S 1000U
 #define DOUBLINGS_MOST 31U
 /* FNV-1a */
 #define HASH_START 2166136261U
 #define HASH_FACTOR 16777619U
 
-static uint32_t row_of(const char *name)
+static uint32_t hash_on(uint32_t hash, const char *text)
 {
-    uint32_t hash = HASH_START;
+    uint32_t more = hash;
 
-    for (const char *byte = name; *byte != '\0'; byte++) {
-        hash = (hash ^ (uint32_t)(unsigned char)*byte) * HASH_FACTOR;
+    for (const char *byte = text; *byte != '\0'; byte++) {
+        more = (more ^ (uint32_t)(unsigned char)*byte) * HASH_FACTOR;
+    }
+    return more * HASH_FACTOR; /* The end of the text counts as well. */
+}
+
+static uint32_t row_of(login_name_t who)
+{
+    uint32_t hash = hash_on(HASH_START, who.name);
+
+    if (!who.is_marked && (who.address != NULL)) {
+        hash = hash_on(hash, who.address);
     }
     return (hash ^ (hash >> 16U)) % LOGIN_DELAY_ROWS;
+}
+
+static uint32_t kind_of(login_name_t who)
+{
+    const login_kind_t unmarked = who.is_known ? LOGIN_KNOWN : LOGIN_INVENTED;
+
+    return (uint32_t)(who.is_marked ? LOGIN_MARKED : unmarked);
 }
 
 static bool is_forgotten(const login_failures_t *failures, uint64_t now_ms)
@@ -47,8 +66,8 @@ static uint64_t left_ms(const login_failures_t *failures, uint32_t free_failures
 
 uint32_t login_delay_left_s(const login_delay_t *self, login_name_t who, uint64_t now_ms)
 {
-    const login_failures_t *rows = who.is_known ? self->rows : self->invented;
-    const uint64_t own_ms = left_ms(&rows[row_of(who.name)], LIMIT_LOGIN_FREE_FAILURES, now_ms);
+    const login_failures_t *row = &self->rows[kind_of(who)][row_of(who)];
+    const uint64_t own_ms = left_ms(row, LIMIT_LOGIN_FREE_FAILURES, now_ms);
     const uint64_t all_ms =
         who.is_known ? 0U
                      : left_ms(&self->invented_in_all, LIMIT_LOGIN_FREE_FAILURES_IN_ALL, now_ms);
@@ -65,8 +84,7 @@ static void count(login_failures_t *failures, uint64_t now_ms)
 
 void login_delay_note(login_delay_t *self, login_name_t who, bool is_good, uint64_t now_ms)
 {
-    login_failures_t *row =
-        who.is_known ? &self->rows[row_of(who.name)] : &self->invented[row_of(who.name)];
+    login_failures_t *row = &self->rows[kind_of(who)][row_of(who)];
 
     if (is_good) {
         row->failures = 0U;

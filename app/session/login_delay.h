@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Makes guessing slow: counts failed logins of each name, and of names without an account in all.
- * Those have rows of their own, so that whoever invents names delays nobody who has an account; a
- * name for itself waits alike, whether there is one or not. Times are in ms, of a clock that never
- * goes back.
+ * Makes guessing slow: counts failed logins of each name at each address, and of names without an
+ * account in all. Those have rows of their own, so that whoever invents names delays nobody who has
+ * an account; a name for itself waits alike, whether there is one or not. Browsers that have logged
+ * in before are counted apart, by name alone: a user who has many marks delays only himself. Times
+ * are in ms, of a clock that never goes back.
  */
 #ifndef BORESIGHT_LOGIN_DELAY_H
 #define BORESIGHT_LOGIN_DELAY_H
@@ -12,24 +13,33 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define LOGIN_DELAY_ROWS 64U /**< Names that fall into one row share it. */
+#define LOGIN_DELAY_ROWS 64U /**< Those that fall into one row share it. */
 
 typedef struct {
     uint32_t failures;
     uint64_t failed_ms; /**< The last of them. */
 } login_failures_t;
 
+typedef enum {
+    LOGIN_KNOWN = 0,    /**< There is such an account. */
+    LOGIN_INVENTED = 1, /**< There is none. */
+    LOGIN_MARKED = 2    /**< The browser has logged in by this name before. */
+} login_kind_t;
+
+#define LOGIN_KINDS 3U
+
 /** All zero at first. */
 typedef struct {
     login_failures_t invented_in_all;
-    login_failures_t rows[LOGIN_DELAY_ROWS];
-    login_failures_t invented[LOGIN_DELAY_ROWS];
+    login_failures_t rows[LOGIN_KINDS][LOGIN_DELAY_ROWS]; /**< By login_kind_t. */
 } login_delay_t;
 
 /** Who wants to log in. */
 typedef struct {
     const char *name;
-    bool is_known; /**< There is such an account, or it is the code. */
+    const char *address; /**< NULL: not known. */
+    bool is_known;       /**< There is such an account. */
+    bool is_marked;      /**< The browser has logged in as `name` before. */
 } login_name_t;
 
 /**
@@ -37,6 +47,8 @@ typedef struct {
  *
  * @satisfies SWR-SESS-014
  * @satisfies SWR-SESS-028
+ * @satisfies SWR-SESS-031
+ * @satisfies SWR-SESS-032
  */
 uint32_t login_delay_left_s(const login_delay_t *self, login_name_t who, uint64_t now_ms);
 

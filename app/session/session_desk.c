@@ -41,6 +41,7 @@ void session_desk_init(session_desk_t *self, const char *accounts_file, session_
     self->accounts_file = accounts_file;
     self->witness = witness;
     self->witness_owner = owner;
+    device_key_make(&self->key);
 }
 
 bool session_desk_make_code(session_desk_t *self)
@@ -127,30 +128,43 @@ static bool find_account(const session_desk_t *self, const char *name, account_t
     return found != NULL;
 }
 
-/* Takes the right to look at a password. False: `wait_s` says when to come again. */
-static bool claim(session_desk_t *self, login_name_t who, uint64_t now_ms, uint32_t *wait_s)
+bool session_desk_write_mark(const session_desk_t *self, const char *name,
+                             char mark[DEVICE_MARK_SIZE])
 {
-    (void)pthread_mutex_lock(&self->lock);
-    *wait_s = login_delay_left_s(&self->delay, who, now_ms);
-    if (self->is_looking && (*wait_s == 0U)) {
-        *wait_s = BUSY_S;
-    }
-    const bool is_free = *wait_s == 0U;
-    self->is_looking = self->is_looking || is_free;
-    self->untold += is_free ? 0U : 1U;
-    (void)pthread_mutex_unlock(&self->lock);
-    return is_free;
+    return device_mark_make(&self->key, name, mark);
 }
 
-/* With the lock; the code is no more. */
-static bool take_code(session_desk_t *self, const char *code)
+/* How failures of this login are counted. Of the code they are not: nobody guesses 60 bits. */
+static login_name_t counted_as(const session_desk_t *self, const login_t *login, bool is_known)
 {
-    const bool is_right = (self->code[0] != '\0') && password_is_equal(code, self->code);
+    const login_name_t who = {.name = login->name,
+                              .address = login->address,
+                              .is_known = is_known,
+                              .is_marked = is_known &&
+                                           device_mark_fits(&self->key, login->name, login->mark)};
+    return who;
+}
 
-    if (is_right) {
-        explicit_bzero(self->code, sizeof self->code);
+/* Takes the right to look at a password: LOGIN_OPENED; otherwise `wait_s` says when to come again.
+ */
+static login_verdict_t claim(session_desk_t *self, login_name_t who, uint64_t now_ms,
+                             uint32_t *wait_s)
+{
+    login_verdict_t verdict = LOGIN_OPENED;
+
+    (void)pthread_mutex_lock(&self->lock);
+    *wait_s = login_delay_left_s(&self->delay, who, now_ms);
+    if (*wait_s > 0U) {
+        verdict = LOGIN_LATER;
+    } else if (self->is_looking) {
+        verdict = LOGIN_BUSY;
+        *wait_s = BUSY_S;
+    } else {
+        self->is_looking = true;
     }
-    return is_right;
+    self->untold += (verdict == LOGIN_OPENED) ? 0U : 1U;
+    (void)pthread_mutex_unlock(&self->lock);
+    return verdict;
 }
 
 /* With the lock. Opens one in the place of `gone`, if there is one, which stays when that makes no
@@ -210,38 +224,70 @@ static void tell_opened(const session_desk_t *self, const login_t *login, const 
          (login->name == NULL) ? "by the code of the first login" : "by password");
 }
 
+/* LOGIN_OPENED: it is right. `account` NULL: there is none of that name. */
+static login_verdict_t judge_password(session_desk_t *self, const login_t *login,
+                                      const account_t *account, uint64_t now_ms, uint32_t *wait_s)
+{
+    const login_name_t who = counted_as(self, login, account != NULL);
+    const login_verdict_t claimed = claim(self, who, now_ms, wait_s);
+
+    if (claimed != LOGIN_OPENED) {
+        return claimed;
+    }
+    const bool is_right =
+        password_matches(login->password, (account != NULL) ? account->hash : NULL);
+    (void)pthread_mutex_lock(&self->lock);
+    self->is_looking = false;
+    login_delay_note(&self->delay, who, is_right, now_ms);
+    (void)pthread_mutex_unlock(&self->lock);
+    return is_right ? LOGIN_OPENED : LOGIN_REFUSED;
+}
+
+/* The same. The code is no more. */
+static login_verdict_t judge_code(session_desk_t *self, const char *code)
+{
+    (void)pthread_mutex_lock(&self->lock);
+    const bool is_right =
+        (self->code[0] != '\0') && (code != NULL) && password_is_equal(code, self->code);
+    if (is_right) {
+        explicit_bzero(self->code, sizeof self->code);
+    }
+    (void)pthread_mutex_unlock(&self->lock);
+    return is_right ? LOGIN_OPENED : LOGIN_REFUSED;
+}
+
+static login_verdict_t let_in(session_desk_t *self, const login_t *login, const account_t *account,
+                              uint64_t now_ms, session_t *opened)
+{
+    session_t ended[ENDED_MOST] = {{.is_open = false}, {.is_open = false}};
+
+    (void)pthread_mutex_lock(&self->lock);
+    const login_verdict_t verdict = open_session(self, login, account, now_ms, opened, ended);
+    (void)pthread_mutex_unlock(&self->lock);
+    if (verdict == LOGIN_OPENED) {
+        tell_opened(self, login, opened, ended);
+    } else {
+        tell_refusal(self, login, "there are too many sessions, of it or in all.", now_ms);
+    }
+    return verdict;
+}
+
 login_verdict_t session_desk_log_in(session_desk_t *self, const login_t *login, uint64_t now_ms,
                                     session_t *opened, uint32_t *wait_s)
 {
     char why[SESSION_TEXT_SIZE] = "name, password or code is wrong.";
     account_t account = {.name = CODE_NAME, .role = ROLE_ENGINEER};
-    session_t ended[ENDED_MOST] = {{.is_open = false}, {.is_open = false}};
-    login_verdict_t verdict = LOGIN_REFUSED;
 
     session_desk_tick(self, now_ms);
     const bool is_named = login->name != NULL;
     const bool is_known = is_named && find_account(self, login->name, &account, why);
-    const login_name_t who = {.name = is_named ? login->name : "",
-                              .is_known = is_known || !is_named};
-    if (!claim(self, who, now_ms, wait_s)) {
-        return LOGIN_LATER;
+    const login_verdict_t verdict =
+        is_named ? judge_password(self, login, is_known ? &account : NULL, now_ms, wait_s)
+                 : judge_code(self, login->code);
+    if (verdict == LOGIN_REFUSED) {
+        tell_refusal(self, login, why, now_ms);
     }
-    bool is_right = is_named && password_matches(login->password, is_known ? account.hash : NULL);
-    (void)pthread_mutex_lock(&self->lock);
-    self->is_looking = false;
-    is_right = is_right || ((login->code != NULL) && take_code(self, login->code));
-    login_delay_note(&self->delay, who, is_right, now_ms);
-    if (is_right) {
-        verdict = open_session(self, login, &account, now_ms, opened, ended);
-    }
-    (void)pthread_mutex_unlock(&self->lock);
-    if (verdict == LOGIN_OPENED) {
-        tell_opened(self, login, opened, ended);
-    } else {
-        tell_refusal(self, login, is_right ? "there are too many sessions, of it or in all." : why,
-                     now_ms);
-    }
-    return verdict;
+    return (verdict == LOGIN_OPENED) ? let_in(self, login, &account, now_ms, opened) : verdict;
 }
 
 bool session_desk_find(session_desk_t *self, const char *id, uint64_t now_ms, session_t *session)

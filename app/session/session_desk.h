@@ -10,6 +10,7 @@
 
 #include "interface/note_kind.h"
 #include "session/account.h"
+#include "session/device_mark.h"
 #include "session/login_delay.h"
 #include "session/session_table.h"
 
@@ -36,6 +37,7 @@ typedef struct {
     uint64_t told_ms;             /**< The last one that was. */
     uint64_t compared_ms;         /**< The sessions with the accounts. */
     login_delay_t delay;
+    device_key_t key; /**< Of the marks; it ends with the process. */
     session_table_t table;
 } session_desk_t;
 
@@ -45,13 +47,16 @@ typedef struct {
     const char *password; /**< NULL with a code. */
     const char *code;     /**< NULL with a name. */
     const char *id;       /**< Of the session that it has, which ends; NULL: none. */
+    const char *address;  /**< Where it comes from, and by which listener; NULL: not known. */
+    const char *mark;     /**< What its browser shows as the mark of `name`; NULL: nothing. */
 } login_t;
 
 typedef enum {
     LOGIN_OPENED = 0,
     LOGIN_REFUSED = 1, /**< No such name, password or code. */
-    LOGIN_LATER = 2,   /**< It was not looked at. */
-    LOGIN_FULL = 3     /**< There are too many sessions. */
+    LOGIN_LATER = 2,   /**< It was not looked at: too many failed before it. */
+    LOGIN_FULL = 3,    /**< There are too many sessions. */
+    LOGIN_BUSY = 4     /**< It was not looked at: another is. */
 } login_verdict_t;
 
 typedef enum {
@@ -88,14 +93,19 @@ bool session_desk_has_code(session_desk_t *self);
  * Judges a login.
  *
  * @param opened  set with LOGIN_OPENED
- * @param wait_s  seconds to wait, set with LOGIN_LATER
+ * @param wait_s  seconds to wait, set with LOGIN_LATER and LOGIN_BUSY
  *
  * @satisfies SWR-SESS-003
  * @satisfies SWR-SESS-020
  * @satisfies SWR-SESS-030
+ * @satisfies SWR-SESS-034
  */
 login_verdict_t session_desk_log_in(session_desk_t *self, const login_t *login, uint64_t now_ms,
                                     session_t *opened, uint32_t *wait_s);
+
+/** Writes the mark for a browser in which `name` has logged in. False: there is none. */
+bool session_desk_write_mark(const session_desk_t *self, const char *name,
+                             char mark[DEVICE_MARK_SIZE]);
 
 /** Copies the open session with this id to `session`. False: there is none. `id` may be NULL. */
 bool session_desk_find(session_desk_t *self, const char *id, uint64_t now_ms, session_t *session);

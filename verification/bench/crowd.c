@@ -29,7 +29,7 @@
 #include <unistd.h>
 
 #define CROWD_MOST 1024U
-#define HEAD_SIZE 2048U
+#define HEAD_SIZE 2560U
 #define LINE_SIZE 16U
 #define PAUSE_MS 50U /* Before somebody who was refused or dropped comes again. */
 #define LAZY_BYTES 4096

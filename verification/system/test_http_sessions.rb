@@ -17,7 +17,7 @@ class TestHttpSessions < Minitest::Test
   def test_SWR_SESS_012_a_login_sets_a_cookie_that_no_script_reads_and_no_other_site_gets
     anna = client('anna')
     assert_match(/\Aboresight-#{boresight.instance}=\h{64}; Path=\/; Max-Age=43200; HttpOnly; SameSite=Strict\z/,
-                 anna.last['Set-Cookie'])
+                 anna.last.get_fields('Set-Cookie').first)
     assert_equal [true, 'anna', 'OPERATOR', anna.token, 120, 'password'],
                  anna.show.values_at('is_open', 'name', 'role', 'token', 'warn_s', 'login')
     assert_includes 43_100..43_200, anna.show.fetch('most_s')
@@ -238,6 +238,42 @@ class TestHttpSessionsAnew < Minitest::Test
     end
     assert_equal %w[429 LOGIN_TOO_SOON 1], [response.code, code(response), response['Retry-After']]
     wait_until('a login is looked at again') { client.log_in('anna').code == '200' }
+  end
+
+  # Logs in with the mark of another client, until it is not because another login is judged.
+  def log_in_marked(name, mark)
+    response = nil
+    wait_until('no other login is judged') do
+      one = client
+      one.cookie = mark
+      response = one.log_in(name)
+      !response.body.include?('Another login')
+    end
+    response
+  end
+
+  def test_SWR_SESS_032_a_browser_that_has_logged_in_before_gets_in_while_others_guess
+    mark = client('anna').mark
+    is_over = false
+    guessers = Array.new(4) { Thread.new { client.log_in('anna', 'guess') until is_over } }
+    wait_until('guessing has become slow') { client.log_in('anna').code == '429' }
+    3.times { assert_equal '200', log_in_marked('anna', mark).code }
+    refute_equal '200', log_in_marked('anna', mark.tr('0-9', '1-90')).code
+  ensure
+    is_over = true
+    guessers&.each(&:join)
+  end
+
+  def test_SWR_SESS_032_the_mark_is_a_cookie_that_no_script_reads
+    assert_match(%r{\Aboresight_device-#{boresight.instance}\.anna=\h{64}; Path=/api/v1/session; Max-Age=2592000; HttpOnly; SameSite=Strict\z},
+                 client('anna').last.get_fields('Set-Cookie').last)
+  end
+
+  def test_SWR_SESS_033_the_refusal_is_a_sentence_with_the_time_to_wait
+    response = nil
+    wait_until('one comes too soon') { (response = client.log_in('anna', 'x')).code == '429' }
+    assert_equal "Too many logins failed: wait #{response['Retry-After']} s, then log in again.",
+                 JSON.parse(response.body).fetch('detail')
   end
 
   def test_SWR_SESS_015_guessing_locks_out_no_session_and_no_stop

@@ -168,6 +168,8 @@ class TestHttpTls < Minitest::Test
     answer = log_in
     assert_match(/^Set-Cookie: __Host-boresight-\S+=\h{64}; Path=\/; Max-Age=\d+; HttpOnly; SameSite=Strict; Secure\r$/,
                  answer.head)
+    assert_match(%r{^Set-Cookie: __Secure-boresight_device-\S+\.anna=\h{64}; Path=/api/v1/session; \S+ HttpOnly; SameSite=Strict; Secure\r$},
+                 answer.head)
     plain = SessionClient.new(port)
     plain.cookie = cookie_of(answer)
     refute plain.show.fetch('is_open')

@@ -13,6 +13,7 @@
 #include "http/page_table.h"
 #include "gate/patience.h"
 #include "session/account.h"
+#include "session/device_mark.h"
 #include "session/login_delay.h"
 #include "session/password.h"
 #include "session/session_desk.h"

@@ -4,6 +4,7 @@
 #include "unity.h"
 
 #include "session/account.h"
+#include "session/device_mark.h"
 #include "session/login_delay.h"
 #include "session/password.h"
 #include "session/session_desk.h"
@@ -76,6 +77,21 @@ static login_verdict_t enter(const char *name, const char *password)
     return session_desk_log_in(&desk, &login, now_ms, &session, &wait_s);
 }
 
+/* From somewhere, with what the browser says of itself. */
+static login_verdict_t enter_from(const char *name, const char *password, const char *address,
+                                  const char *mark)
+{
+    const login_t login = {.name = name, .password = password, .address = address, .mark = mark};
+    return session_desk_log_in(&desk, &login, now_ms, &session, &wait_s);
+}
+
+/* Until logins of that name from there are not judged. */
+static void guess(const char *name, const char *address)
+{
+    while (enter_from(name, "wrong", address, NULL) != LOGIN_LATER) {
+    }
+}
+
 static login_verdict_t enter_by_code(const char *code)
 {
     const login_t login = {.code = code};
@@ -114,7 +130,7 @@ void test_SWR_SESS_003_nobodys_hash_takes_as_long_as_any(void)
 void test_SWR_SESS_003_one_password_at_a_time_is_looked_at(void)
 {
     desk.is_looking = true;
-    TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter("anna", "correct horse"));
+    TEST_ASSERT_EQUAL_INT(LOGIN_BUSY, enter("anna", "correct horse"));
     TEST_ASSERT_EQUAL_UINT32(1U, wait_s);
     desk.is_looking = false;
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
@@ -513,6 +529,70 @@ void test_SWR_SESS_014_the_right_password_is_not_looked_at_too_soon(void)
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
 }
 
+void test_SWR_SESS_031_guessing_elsewhere_does_not_keep_the_right_password_waiting(void)
+{
+    guess("anna", "10.0.0.7");
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter_from("anna", "correct horse", "10.0.0.8", NULL));
+    TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter_from("anna", "correct horse", "10.0.0.7", NULL));
+}
+
+void test_SWR_SESS_032_a_browser_that_has_logged_in_before_does_not_wait_for_guesses(void)
+{
+    char mark[DEVICE_MARK_SIZE];
+    TEST_ASSERT_TRUE(session_desk_write_mark(&desk, "anna", mark));
+    guess("anna", "127.0.0.1");
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter_from("anna", "correct horse", "127.0.0.1", mark));
+    TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter_from("anna", "correct horse", "127.0.0.1", NULL));
+}
+
+void test_SWR_SESS_032_marked_browsers_that_guess_wait_as_well_and_keep_no_stranger_out(void)
+{
+    char mark[DEVICE_MARK_SIZE];
+    TEST_ASSERT_TRUE(session_desk_write_mark(&desk, "anna", mark));
+    for (unsigned i = 0U; i <= LIMIT_LOGIN_FREE_FAILURES; i++) {
+        TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_from("anna", "wrong", "127.0.0.1", mark));
+    }
+    TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter_from("anna", "correct horse", "127.0.0.1", mark));
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter_from("anna", "correct horse", "127.0.0.1", NULL));
+}
+
+void test_SWR_SESS_032_a_mark_is_good_for_its_name_and_its_process_alone(void)
+{
+    static session_desk_t other;
+    char hers[DEVICE_MARK_SIZE];
+    char his[DEVICE_MARK_SIZE];
+    char old[DEVICE_MARK_SIZE];
+    session_desk_init(&other, file, witness, said);
+    TEST_ASSERT_TRUE(session_desk_write_mark(&desk, "anna", hers));
+    TEST_ASSERT_TRUE(session_desk_write_mark(&desk, "bert", his));
+    TEST_ASSERT_TRUE(session_desk_write_mark(&other, "anna", old));
+    TEST_ASSERT_EQUAL_UINT(DEVICE_MARK_SIZE - 1U, strlen(hers));
+    guess("anna", "127.0.0.1");
+    TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter_from("anna", "correct horse", "127.0.0.1", his));
+    TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter_from("anna", "correct horse", "127.0.0.1", old));
+    TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter_from("anna", "correct horse", "127.0.0.1", ""));
+    hers[0] = (hers[0] == '0') ? '1' : '0';
+    TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter_from("anna", "correct horse", "127.0.0.1", hers));
+}
+
+void test_SWR_SESS_032_without_a_key_there_is_no_mark(void)
+{
+    static const device_key_t none;
+    char mark[DEVICE_MARK_SIZE] = "";
+    TEST_ASSERT_FALSE(device_mark_make(&none, "anna", mark));
+    TEST_ASSERT_FALSE(device_mark_fits(&none, "anna", mark));
+}
+
+void test_SWR_SESS_034_wrong_codes_do_not_keep_the_right_one_waiting(void)
+{
+    session_desk_init(&desk, NULL, witness, said);
+    TEST_ASSERT_TRUE(session_desk_make_code(&desk));
+    for (unsigned i = 0U; i < (10U * LIMIT_LOGIN_FREE_FAILURES); i++) {
+        TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_by_code("ABCD-EFGH-2345"));
+    }
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter_by_code(desk.code));
+}
+
 void test_SWR_SESS_020_what_a_stranger_calls_himself_is_not_written(void)
 {
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("a\nroot logged in as service", "x"));
@@ -543,7 +623,7 @@ void test_SWR_SESS_021_a_flood_that_is_not_looked_at_is_a_line_now_and_then(void
     said[0] = '\0';
     desk.is_looking = true;
     for (; now_ms < (begin_ms + (LIMIT_REFUSALS_LINE_S * SECOND)); now_ms += 10U) {
-        TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter("anna", "wrong"));
+        TEST_ASSERT_NOT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "wrong"));
     }
     TEST_ASSERT_EQUAL_STRING("", said);
     session_desk_tick(&desk, now_ms);

@@ -22,9 +22,7 @@ type Method = "GET" | "POST" | "PUT" | "DELETE";
 
 async function reasonOf(response: Response): Promise<string> {
   const answer = (await response.json()) as Partial<Problem>;
-  const wait = response.headers.get("Retry-After");
-  const again = wait === null ? "" : ` Try again in ${wait} s.`;
-  return (answer.detail ?? response.statusText) + again;
+  return answer.detail ?? response.statusText;
 }
 
 async function readSession(response: Response): Promise<Session> {

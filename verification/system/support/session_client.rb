@@ -39,7 +39,7 @@ class SessionClient
   PAGE = 'X-Boresight-Page'
 
   attr_reader :port, :last
-  attr_accessor :cookie, :token, :page, :id
+  attr_accessor :cookie, :token, :page, :id, :mark
 
   def initialize(port)
     @port = port
@@ -82,7 +82,7 @@ class SessionClient
     @last = request('post', PATH, JSON.generate(body), headers)
     return @last unless @last.code == '200'
 
-    @cookie = @last['Set-Cookie'].split(';').first
+    @cookie, @mark = @last.get_fields('Set-Cookie').map { |set| set.split(';').first }
     @token = JSON.parse(@last.body).fetch('token')
     @last
   end
