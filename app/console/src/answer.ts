@@ -5,6 +5,9 @@ import type { Problem, Shape } from "@interface";
 import { refusalOf, type Address, type Method, type Page } from "./page";
 import { fitted } from "./shape";
 
+/** What is asked once is asked again so often until it is there. */
+export const RETRY_MS = 1000;
+
 /** Null when there is no answer, or none that this page can read. */
 export async function ask<Answer>(
   page: Page,
@@ -43,8 +46,10 @@ export async function change<Answer>(
 }
 
 /**
- * The answer, asked for at once, again every so many ms, and when `cause` changes; null while it is not known. The second one
- * puts a newer answer in its place.
+ * The answer, asked for at once, again every so many ms, and when `cause` changes; null while it is not known. Without
+ * `everyMs` it is asked for until it is there. The second one puts a newer answer in its place.
+ *
+ * @satisfies SWR-CON-060
  */
 export function useAnswer<Answer>(
   page: Page,
@@ -56,18 +61,22 @@ export function useAnswer<Answer>(
   const [answer, setAnswer] = useState<Answer | null>(null);
   useEffect(() => {
     let isWanted = true;
-    const askNow = () =>
-      void ask(page, address, shape).then(
-        (given) => isWanted && setAnswer(given),
-      );
-    askNow();
-    const timer = everyMs === null ? null : setInterval(askNow, everyMs);
-    return () => {
+    const end = () => {
       isWanted = false;
-      if (timer !== null) {
-        clearInterval(timer);
+      clearInterval(timer);
+    };
+    const askNow = async () => {
+      const given = await ask(page, address, shape);
+      if (isWanted) {
+        setAnswer(given);
+        if (everyMs === null && given !== null) {
+          end();
+        }
       }
     };
+    const timer = setInterval(() => void askNow(), everyMs ?? RETRY_MS);
+    void askNow();
+    return end;
   }, [page, address, shape, everyMs, cause]);
   return [answer, setAnswer];
 }

@@ -3,6 +3,7 @@
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, expect, test, vi } from "vitest";
 import type { RobotState, TargetPreview } from "@interface";
+import { RETRY_MS } from "../answer";
 import {
   makeCommander,
   makeOutlook,
@@ -163,6 +164,20 @@ test("SWR-CON-018 a proposed entry is accepted as it is shown", async () => {
       body: { id: 2, what: "proposed_entry" },
     },
   ]);
+});
+
+test("SWR-CON-060 a lost preview of a target is asked for again until it is there", async () => {
+  await show("TARGETING");
+  const body = { detail: "A target point needs an entry point." };
+  let lost = 2;
+  vi.stubGlobal("fetch", (path: string) =>
+    path === PREVIEW && lost-- > 0
+      ? Promise.reject(new Error("lost"))
+      : Promise.resolve(new Response(JSON.stringify(body))),
+  );
+  write("Target point, scanner", "1 2 3");
+  const wait = { timeout: 4 * RETRY_MS };
+  expect(await screen.findByText(body.detail, {}, wait)).toBeTruthy();
 });
 
 const unreachable: TargetPreview = {

@@ -2,6 +2,7 @@
 import { useEffect, useId, useState } from "react";
 import { TargetPreview } from "@interface";
 import type { Modes, Path, Problem, RobotState } from "@interface";
+import { RETRY_MS } from "../answer";
 import {
   formatNumber,
   formatOrigin,
@@ -95,10 +96,14 @@ function usePreview(page: Page, text: string, cause: string): string | null {
         );
       }
     };
-    const timer = setTimeout(
-      () => void ask().catch(() => undefined), // The server judges the target all the same.
-      PREVIEW_AFTER_MS,
-    );
+    let timer: ReturnType<typeof setTimeout>;
+    const askIn = (ms: number) => {
+      timer = setTimeout(
+        () => void ask().catch(() => isWanted && askIn(RETRY_MS)),
+        ms,
+      );
+    };
+    askIn(PREVIEW_AFTER_MS);
     return () => {
       isWanted = false;
       clearTimeout(timer);

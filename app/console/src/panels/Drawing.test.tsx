@@ -5,6 +5,7 @@ import { act, cleanup, render, screen, within } from "@testing-library/react";
 import { drawings } from "@drawings";
 import { afterEach, expect, test, vi } from "vitest";
 import type { RobotState, Targeting } from "@interface";
+import { RETRY_MS } from "../answer";
 import { Page } from "../page";
 import { makeAxis, makeRobot } from "../testing/robot";
 import { plainRobot } from "../testing/commander";
@@ -152,6 +153,26 @@ test("SWR-CON-030 points of the scanner are not drawn without a registration", a
   await show(makeNeuro({ entry_mm: [1, 2, 3] }));
   expect(said("Entry point □")).toBe("not drawn without registration");
   expect(mark("Side view", "entry")).toBeNull();
+});
+
+test("SWR-CON-060 a lost answer about the robot is asked for again until it is there", async () => {
+  vi.useFakeTimers();
+  let lost = 2;
+  const robot = { ...plainRobot, checksum: drawings.neuro?.checksum };
+  vi.stubGlobal("fetch", () =>
+    lost-- > 0
+      ? Promise.reject(new Error("lost"))
+      : Promise.resolve(new Response(JSON.stringify(robot))),
+  );
+  render(<Drawing robot={makeNeuro()} page={new Page(() => null)} />);
+  await act(() => vi.advanceTimersByTimeAsync(0));
+  expect(said("Not drawn")).toBe("the body: not known yet which robot it is");
+  await act(() => vi.advanceTimersByTimeAsync(2 * RETRY_MS));
+  expect(said("Not drawn")).toBe("–");
+  const asked = lost;
+  await act(() => vi.advanceTimersByTimeAsync(2 * RETRY_MS));
+  expect(lost).toBe(asked);
+  vi.useRealTimers();
 });
 
 test("SWR-CON-030 a body of another file is not drawn", async () => {

@@ -292,7 +292,10 @@ function planText(point: Point | null, isThere: boolean): string {
   return pointText(point, isThere ? "not drawn without registration" : "none");
 }
 
-function missingText({ missing }: Scene, hasDrawing: boolean): string {
+function missingText({ missing }: Scene, hasDrawing: boolean | null): string {
+  if (hasDrawing === null) {
+    return "the body: not known yet which robot it is";
+  }
   if (!hasDrawing) {
     return "the body: this page has no drawing of this robot's file";
   }
@@ -304,7 +307,8 @@ function missingText({ missing }: Scene, hasDrawing: boolean): string {
 interface FactsProperties {
   scene: Scene;
   targeting: Targeting;
-  hasDrawing: boolean;
+  /** Null while it is not known. */
+  hasDrawing: boolean | null;
 }
 
 function Facts({ scene, targeting, hasDrawing }: FactsProperties) {
@@ -359,7 +363,7 @@ export function DrawnRobot({
       <Facts
         scene={scene}
         targeting={targeting}
-        hasDrawing={drawing !== null}
+        hasDrawing={described && drawing !== null}
       />
     </div>
   );

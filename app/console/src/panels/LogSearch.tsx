@@ -13,7 +13,7 @@ import "./LogSearch.css";
 
 const CSV_PATH: Path = "/api/v1/log.csv";
 const SEARCH_AFTER_MS = 300;
-const AGAIN_AFTER_MS = 2000;
+export const AGAIN_AFTER_MS = 2000;
 
 export const severities: readonly EventSeverity[] = [
   "INFORMATION",
@@ -45,11 +45,11 @@ function useLog(page: Page, filter: LogFilter, newest: number | undefined) {
   const reading = useSyncExternalStore(reader.subscribe, reader.getReading);
   const { hasFailed } = reading;
   useEffect(() => {
-    const timer = setTimeout(
+    const timer = setInterval(
       () => hasFailed && reader.search(filter),
       AGAIN_AFTER_MS,
     );
-    return () => clearTimeout(timer);
+    return () => clearInterval(timer);
   }, [reader, filter, hasFailed]);
   return { reader, reading };
 }

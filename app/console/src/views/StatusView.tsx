@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { Robot } from "@interface";
-import { useAnswer } from "../answer";
+import { useRobot } from "../outlook";
 import { CardHealth } from "../panels/CardHealth";
 import { Cards } from "../panels/Cards";
 import { Loop } from "../panels/Loop";
@@ -12,13 +11,7 @@ import type { ViewProperties } from "./view";
 /** What the robot is made of, and how it fares. */
 export function StatusView({ robot, operation }: ViewProperties) {
   const { status } = robot;
-  const [told] = useAnswer(
-    operation.page,
-    "/api/v1/robot",
-    Robot,
-    null,
-    status.boot_id,
-  );
+  const told = useRobot(operation.page, status.boot_id);
   return (
     <>
       <Panel title="Cards" className="panel-wide">
