@@ -15,7 +15,7 @@ import { Boundary } from "./parts/Boundary";
 import { Clock } from "./parts/Clock";
 import { RecentActs } from "./parts/RecentActs";
 import { ThemeChoice } from "./parts/ThemeChoice";
-import { mayCommand, Operation } from "./operation";
+import { mayCommand, Operation, Stale } from "./operation";
 import { useOutlook } from "./outlook";
 import type { RobotState } from "@interface";
 import { Help } from "./help/Help";
@@ -187,19 +187,21 @@ export function App({ store }: { store: TelemetryStore }) {
         </Boundary>
       </header>
       <main>
-        <Boundary name="toolbar">
-          <Toolbar view={view} operation={operation} />
-        </Boundary>
-        <Boundary name="page">
-          {view.robot !== null && (
-            <Views
-              view={view}
-              robot={view.robot}
-              operation={operation}
-              trace={store.trace}
-            />
-          )}
-        </Boundary>
+        <Stale value={view.freshness === "stale"}>
+          <Boundary name="toolbar">
+            <Toolbar view={view} operation={operation} />
+          </Boundary>
+          <Boundary name="page">
+            {view.robot !== null && (
+              <Views
+                view={view}
+                robot={view.robot}
+                operation={operation}
+                trace={store.trace}
+              />
+            )}
+          </Boundary>
+        </Stale>
       </main>
       <Boundary name="simulated box">
         <SimulatedBox view={view} operation={operation} />

@@ -135,6 +135,17 @@ function timeLamp({ cycle, time }: Status): LampProperties {
     : { ...lamp, level: "normal" };
 }
 
+/** None is believed that is of stale data. */
+export function lampsOf(
+  status: Status,
+  freshness: Freshness,
+): LampProperties[] {
+  const lamps = systemLamps(status);
+  return freshness === "stale"
+    ? lamps.map(({ label }) => ({ label, level: "unknown", word: "UNKNOWN" }))
+    : lamps;
+}
+
 export function systemLamps(status: Status): LampProperties[] {
   const scanner: LampState = status.is_scanner_active
     ? { level: "active", word: "ACQUIRING" }

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who operates this page, and by what it commands.
-import { useState, useSyncExternalStore } from "react";
+import {
+  createContext,
+  useContext,
+  useState,
+  useSyncExternalStore,
+} from "react";
 import type { Authority, Path, Session } from "@interface";
 import type { Outcome } from "./acts";
 import { PageAuthority } from "./authority";
 import { Page } from "./page";
 import { SessionStore } from "./session";
+
+/** The data is stale: what is shown of the robot is not known any more. */
+export const Stale = createContext(false);
 
 export class Operation {
   readonly session = new SessionStore();
@@ -61,7 +69,11 @@ export interface Commanding {
   command(path: Path, fields?: object): Promise<boolean>;
 }
 
-/** For a panel that commands. */
+/**
+ * For a panel that commands.
+ *
+ * @satisfies SWR-CON-061
+ */
 export function useCommanding(
   operation: Operation,
   authority: Authority,
@@ -80,10 +92,13 @@ export function useCommanding(
     setOwn(recentActs.getOutcome()?.id ?? null);
     return (await refusal) === null;
   };
+  const isStale = useContext(Stale);
   const isMine = operation.authority.isMine(authority);
   const mine = outcome?.id === own ? outcome : null;
   return {
-    obstacle: obstacleOf(view.session, isMine),
+    obstacle: isStale
+      ? "What the robot does is not known now."
+      : obstacleOf(view.session, isMine),
     isEngineer: role === "ENGINEER" || role === "SERVICE",
     outcome,
     own: mine,

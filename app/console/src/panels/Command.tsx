@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect, useSyncExternalStore } from "react";
+import { useContext, useEffect, useSyncExternalStore } from "react";
 import type { Authority } from "@interface";
 import type { PageAuthority } from "../authority";
-import { mayCommand, type Operation } from "../operation";
+import { mayCommand, Stale, type Operation } from "../operation";
 
 function Mine({ own }: { own: PageAuthority }) {
   return (
@@ -47,6 +47,9 @@ function Anothers({
 }
 
 function Way({ own, authority }: { own: PageAuthority; authority: Authority }) {
+  if (useContext(Stale)) {
+    return <p>Who commands is not known.</p>;
+  }
   if (own.isMine(authority)) {
     return <Mine own={own} />;
   }
@@ -64,6 +67,7 @@ function Way({ own, authority }: { own: PageAuthority; authority: Authority }) {
  * The way to command, and out of it, of who is logged in and may.
  *
  * @satisfies SWR-CON-014
+ * @satisfies SWR-CON-061
  */
 export function Command({
   operation,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { dataLamp, systemLamps } from "../lamps";
+import { dataLamp, lampsOf } from "../lamps";
 import type { Status } from "@interface";
 import type { ConsoleView } from "../store";
 import { Lamp } from "../parts/Lamp";
@@ -9,8 +9,10 @@ export interface LampsProperties {
   status: Status;
 }
 
+/** @satisfies SWR-CON-061 */
 export function SystemLamps({ view, status }: LampsProperties) {
-  const lamps = [dataLamp(view.freshness, view.ageMs), ...systemLamps(status)];
+  const { freshness, ageMs } = view;
+  const lamps = [dataLamp(freshness, ageMs), ...lampsOf(status, freshness)];
   return (
     <ul className="lamps" aria-label="System">
       {lamps.map((lamp) => (
