@@ -6,16 +6,22 @@
 
 #include <string.h>
 
+/* For the recorder's sign of life control waits, so that nobody else may give it. */
+static uint32_t *beats_of(const exchange_t *self, exchange_process_t process)
+{
+    return (process == EXCHANGE_RECORDER) ? &self->segment->recorder.beats
+                                          : &self->segment->others.beats[process].count;
+}
+
 void exchange_beat(exchange_t *self, exchange_process_t process)
 {
-    uint32_t *count = &self->segment->others.beats[process].count;
-
-    __atomic_store_n(count, __atomic_load_n(count, __ATOMIC_RELAXED) + 1U, __ATOMIC_RELEASE);
+    uint32_t *count = beats_of(self, process);
+    __atomic_store_n(count, *count + 1U, __ATOMIC_RELEASE);
 }
 
 uint32_t exchange_beats(const exchange_t *self, exchange_process_t process)
 {
-    return __atomic_load_n(&self->segment->others.beats[process].count, __ATOMIC_ACQUIRE);
+    return __atomic_load_n(beats_of(self, process), __ATOMIC_ACQUIRE);
 }
 
 void exchange_publish_snapshot(exchange_t *self, const snapshot_t *snapshot)
@@ -494,7 +500,7 @@ uint32_t exchange_logged(const exchange_t *self)
 
 void exchange_request_checkpoint(exchange_t *self)
 {
-    count_one(&self->segment->others.checkpoint_requests);
+    count_one(&self->segment->recorder.checkpoint_requests);
 }
 
 /* Whatever the number is: a checkpoint too many harms nobody. */
@@ -502,7 +508,7 @@ bool exchange_take_checkpoint_request(exchange_t *self)
 {
     uint32_t *taken = &self->segment->control.checkpoints_taken;
     const uint32_t requested =
-        __atomic_load_n(&self->segment->others.checkpoint_requests, __ATOMIC_ACQUIRE);
+        __atomic_load_n(&self->segment->recorder.checkpoint_requests, __ATOMIC_ACQUIRE);
     const bool is_new = (requested != __atomic_load_n(taken, __ATOMIC_RELAXED));
 
     __atomic_store_n(taken, requested, __ATOMIC_RELEASE);

@@ -118,7 +118,6 @@ typedef struct {
     struct {
         uint32_t tail SEGMENT_ON_LINE; /**< Answers taken. */
     } answered[COMMAND_SOURCE_COUNT];
-    uint32_t checkpoint_requests SEGMENT_ON_LINE;
     uint64_t end_requested SEGMENT_ON_LINE; /**< The one after those that control has taken. */
     uint64_t events_logged SEGMENT_ON_LINE; /**< Number of the next event to log. */
     uint64_t files[EXCHANGE_FILES] SEGMENT_ON_LINE;
@@ -137,6 +136,8 @@ typedef struct {
     uint32_t cycles_tail;    /**< Index up to which cycles are released. */
     uint32_t cycles_removed; /**< From recordings, since the start; wraps. */
     uint32_t is_failing;     /**< 1: it cannot write. */
+    uint32_t beats;          /**< In the place of its row in the part of all. */
+    uint32_t checkpoint_requests;
 } segment_recorder_t;
 
 /** Written by control only. */

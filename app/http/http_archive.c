@@ -63,7 +63,7 @@ static bool read_time(const char *text, uint64_t *utc_us, const char *parameter,
     if ((text == NULL) || utc_text_read(text, utc_us)) {
         return true;
     }
-    fault->fault = REQUEST_WRONG_TYPE;
+    request_fault_set(fault, REQUEST_WRONG_TYPE, NULL);
     (void)snprintf(fault->place, sizeof fault->place, "%s", parameter);
     return false;
 }

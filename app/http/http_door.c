@@ -225,7 +225,7 @@ static bool read_login(const request_login_t *body, login_t *login, request_resu
     login->code = is_by_code ? body->code : NULL;
     if (!is_by_name && !is_by_code) {
         const char *missing = body->has_password ? "/name" : "/password";
-        fault->fault = body->has_code ? REQUEST_UNKNOWN : REQUEST_MISSING;
+        request_fault_set(fault, body->has_code ? REQUEST_UNKNOWN : REQUEST_MISSING, NULL);
         (void)snprintf(fault->place, sizeof fault->place, "%s", body->has_code ? "/code" : missing);
     }
     return is_by_name || is_by_code;

@@ -187,6 +187,16 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
     return first;
 }
 
+/* START_UP has done something of which an axis still knows. */
+static bool has_begun(const controller_t *self)
+{
+    bool has_begun = false;
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        has_begun = has_begun || axis_is_enabled(&self->axes[i]) || axis_is_homed(&self->axes[i]);
+    }
+    return has_begun;
+}
+
 /*
  * Before the first START_UP, and then where the needle is out and a command is all that is missing:
  * a needle that may be in comes first.
@@ -201,8 +211,7 @@ static named_step_t recorder_first(const controller_t *self, const cycle_t *cycl
         BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING) | BIT(NEXT_STEP_CALIBRATION) |
         BIT(NEXT_STEP_PLANNING) | BIT(NEXT_STEP_MANUAL) | BIT(NEXT_STEP_DRAPING) |
         BIT(NEXT_STEP_NOTHING) | BIT(NEXT_STEP_PROGRAM_DONE);
-    const bool is_first = (named->step == NEXT_STEP_START_UP) &&
-                          (procedure_workphase(&self->procedure) == WORKPHASE_UNDEFINED);
+    const bool is_first = (named->step == NEXT_STEP_START_UP) && !has_begun(self);
     const bool is_in_time =
         is_first || (is_one_of(named->step, planned) && needle_is_out(cycle->robot, self->axes));
     return is_in_time ? controller_step_only(NEXT_STEP_RECORDER) : *named;

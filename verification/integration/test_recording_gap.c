@@ -88,6 +88,9 @@ void test_SWR_REC_034_the_recorder_comes_before_the_first_start_up_and_each_comm
 {
     rig_cycle(&rig);
     expect_steps(NEXT_STEP_START_UP, NEXT_STEP_RECORDER);
+    (void)rig_workphase(&rig, WORKPHASE_STOP);
+    rig_cycle(&rig);
+    expect_steps(NEXT_STEP_START_UP, NEXT_STEP_RECORDER);
     rig_start_homed(&rig);
     rig_cycles(&rig, 2U);
     expect_steps(NEXT_STEP_PLANNING, NEXT_STEP_RECORDER);

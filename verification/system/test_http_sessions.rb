@@ -109,7 +109,9 @@ class TestHttpSessions < Minitest::Test
     { {} => '/password', { name: 'anna' } => '/password', { password: 'x' } => '/name',
       { name: 'anna', password: 'x', code: 'y' } => '/code', { name: 'anna', user: 'x' } => '/user' }.each do |body, place|
       response = client.post_login(body)
-      assert_equal ['BAD_BODY', place], JSON.parse(response.body).values_at('code', 'pointer')
+      told = JSON.parse(response.body)
+      assert_equal ['BAD_BODY', place], told.values_at('code', 'pointer')
+      assert_match(/\A(?:This is missing|Nothing of this name is expected)\./, told['detail'])
     end
   end
 

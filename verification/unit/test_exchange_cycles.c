@@ -294,15 +294,30 @@ void test_SWR_EXCH_025_a_damaged_index_of_control_is_its_next_one_again(void)
     }
 }
 
-/* Releases all that waits, as a stray write would. */
-static void release_all_as(exchange_process_t process)
+static void release_all(void)
+{
+    exchange_release_cycles(reader, reader->segment->control.cycles_head);
+}
+
+static void beat(void)
+{
+    exchange_beat(reader, EXCHANGE_RECORDER);
+}
+
+static void ask_for_checkpoint(void)
+{
+    exchange_request_checkpoint(reader);
+}
+
+/* Only the recorder gets through with it. */
+static void act_as(exchange_process_t process, void (*act)(void))
 {
     const pid_t child = fork();
     int status = 0;
 
     if (child == 0) {
         exchange_protect(reader, process);
-        exchange_release_cycles(reader, reader->segment->control.cycles_head);
+        act();
         _exit(0);
     }
     TEST_ASSERT_EQUAL_INT(child, waitpid(child, &status, 0));
@@ -315,13 +330,26 @@ void test_SWR_EXCH_026_no_neighbour_of_a_held_recorder_releases_what_it_has_not_
     for (uint32_t i = 0U; i < LANE; i++) {
         TEST_ASSERT_TRUE(push(i));
     }
-    release_all_as(EXCHANGE_HTTP);
-    release_all_as(EXCHANGE_IGTL);
+    act_as(EXCHANGE_HTTP, release_all);
+    act_as(EXCHANGE_IGTL, release_all);
     TEST_ASSERT_EQUAL_UINT32(0U, exchange_cycle_room(control));
     TEST_ASSERT_FALSE(push(LANE)); /* Control counts it as lost. */
     for (uint32_t i = 0U; i < LANE; i++) {
         expect(i);
     }
-    release_all_as(EXCHANGE_RECORDER);
+    act_as(EXCHANGE_RECORDER, release_all);
     TEST_ASSERT_EQUAL_UINT32(LANE, exchange_cycle_room(control));
+}
+
+void test_SWR_EXCH_026_no_neighbour_lives_or_asks_in_the_place_of_the_recorder(void)
+{
+    const uint32_t beats = exchange_beats(control, EXCHANGE_RECORDER);
+    act_as(EXCHANGE_HTTP, beat);
+    act_as(EXCHANGE_IGTL, ask_for_checkpoint);
+    TEST_ASSERT_EQUAL_UINT32(beats, exchange_beats(control, EXCHANGE_RECORDER));
+    TEST_ASSERT_FALSE(exchange_take_checkpoint_request(control));
+    act_as(EXCHANGE_RECORDER, beat);
+    act_as(EXCHANGE_RECORDER, ask_for_checkpoint);
+    TEST_ASSERT_EQUAL_UINT32(beats + 1U, exchange_beats(control, EXCHANGE_RECORDER));
+    TEST_ASSERT_TRUE(exchange_take_checkpoint_request(control));
 }
