@@ -40,6 +40,25 @@ static uint32_t written_until(const black_box_t *self)
     return (self->writer.block.records > 0U) ? self->writer.block.cycle : self->next_cycle;
 }
 
+static void forget_earlier(black_box_t *self, uint32_t i)
+{
+    self->earlier_count--;
+    (void)memmove(&self->earlier[i], &self->earlier[i + 1U],
+                  (self->earlier_count - i) * sizeof self->earlier[0]);
+}
+
+/* There is room, unless old recordings could not be removed. */
+static void remember_file(black_box_t *self)
+{
+    if (self->earlier_count == LIMIT_RECORDINGS) {
+        forget_earlier(self, 0U);
+    }
+    self->present.end_cycle = self->kept_until;
+    self->present.size = self->writer.size;
+    self->earlier[self->earlier_count] = self->present;
+    self->earlier_count++;
+}
+
 /* What its last block held and did not reach the disk is still in the lane. A file without a block
  * would only take the place of one that has some. */
 static void leave_file(black_box_t *self)
@@ -48,6 +67,7 @@ static void leave_file(black_box_t *self)
 
     if (self->writer.blocks > 0U) {
         self->kept_until = written_until(self);
+        remember_file(self);
     } else {
         (void)unlink(self->path);
     }
@@ -113,9 +133,80 @@ static bool open_next(black_box_t *self)
     return is_open;
 }
 
-/* Old recordings make room only for one that exists: a failed attempt costs none of them. */
+/* Removed, or not in its folder any more, where whoever looks for it looks, or shorter than it was
+ * left, as by a shell that empties it. */
+static bool is_gone(const black_box_t *self, const black_box_file_t *file)
+{
+    char path[FILE_SERIES_PATH_SIZE];
+    struct stat found;
+
+    file_series_path(&file_series_recordings, self->directory, file->number, file->started_us,
+                     path);
+    if (stat(path, &found) != 0) {
+        return (errno == ENOENT) || (errno == ENOTDIR);
+    }
+    return (found.st_ino != file->inode) || (found.st_dev != file->device) ||
+           ((uint64_t)found.st_size < file->size);
+}
+
+/* The next file says what it lacks since the last one that is still there, so the newest comes
+ * first. Returns the cycles of those that are gone. */
+static uint32_t forget_gone(black_box_t *self)
+{
+    uint32_t cycles = 0U;
+
+    for (uint32_t i = self->earlier_count; i > 0U; i--) {
+        const black_box_file_t *file = &self->earlier[i - 1U];
+        if (is_gone(self, file)) {
+            cycles += file->end_cycle - file->first_cycle;
+            if ((self->writer.file < 0) && (self->kept_until == file->end_cycle)) {
+                self->kept_until = file->kept_before;
+            }
+            forget_earlier(self, i - 1U);
+        }
+    }
+    return cycles;
+}
+
+/*
+ * Also while nothing can be written: whoever makes room may remove them.
+ *
+ * @satisfies SWR-REC-033
+ */
+static void look_for_earlier(black_box_t *self, uint64_t now_us)
+{
+    const uint32_t cycles = forget_gone(self);
+
+    if (cycles != 0U) {
+        (void)fprintf(stderr,
+                      "recorder: recordings of this run with %" PRIu32
+                      " cycles were removed, moved or shortened.\n",
+                      cycles);
+        self->removed += cycles;
+        tell(self);
+    }
+    self->looked_us = now_us;
+}
+
+static void note_present(black_box_t *self, uint32_t cycle)
+{
+    struct stat status;
+
+    (void)memset(&status, 0, sizeof status);
+    (void)fstat(self->writer.file, &status);
+    self->present = (black_box_file_t){.started_us = self->header.started_us,
+                                       .number = self->number,
+                                       .first_cycle = cycle,
+                                       .kept_before = self->kept_until,
+                                       .inode = status.st_ino,
+                                       .device = status.st_dev};
+}
+
+/* Old recordings make room only for one that exists: a failed attempt costs none of them. Those
+ * that make room are not counted. */
 static void begin_file(black_box_t *self, uint32_t cycle, uint64_t now_us)
 {
+    look_for_earlier(self, now_us);
     (void)directory_make(self->directory);
     self->header.started_us = clock_utc_us();
     if (!open_next(self)) {
@@ -124,7 +215,8 @@ static void begin_file(black_box_t *self, uint32_t cycle, uint64_t now_us)
     }
     exchange_note_file(self->exchange, EXCHANGE_FILE_RECORDING, self->number);
     file_series_remove_oldest(&file_series_recordings, self->directory, self->path);
-    self->first_cycle = cycle;
+    (void)forget_gone(self);
+    note_present(self, cycle);
     self->opened_us = now_us;
     self->flushed_us = now_us;
     recording_writer_note_loss(&self->writer, cycle - self->kept_until);
@@ -234,40 +326,39 @@ static void record_one(black_box_t *self, const cycle_record_t *record, uint64_t
     }
 }
 
-/* What was written into a removed file is nowhere; what was not yet is in the lane. */
-static void give_up_file(black_box_t *self, uint64_t now_us)
+/* Closing it writes once more, where a shortened file would get a hole. */
+static void close_gone(black_box_t *self)
 {
-    const uint32_t kept_until = self->kept_until;
-    const uint32_t next_cycle = written_until(self);
+    struct stat found;
+    const bool is_there = (stat(self->path, &found) == 0) &&
+                          (found.st_ino == self->present.inode) &&
+                          (found.st_dev == self->present.device);
 
-    end_file(self, now_us);
-    exchange_retake_cycles(self->exchange);
-    self->removed += next_cycle - self->first_cycle;
-    self->kept_until = kept_until;
-    self->next_cycle = next_cycle;
+    (void)recording_writer_close(&self->writer);
+    if (is_there) {
+        (void)!truncate(self->path, found.st_size);
+    }
 }
 
-/* Removed, or not in its folder any more, where whoever looks for it looks. */
-static bool is_gone(const black_box_t *self)
+/* What was written into a removed file is nowhere; what was not yet is in the lane. */
+static void give_up_file(black_box_t *self)
 {
-    struct stat ours;
-    struct stat found;
+    const uint32_t next_cycle = written_until(self);
 
-    if (fstat(self->writer.file, &ours) != 0) {
-        return false;
-    }
-    if (stat(self->path, &found) != 0) {
-        return (errno == ENOENT) || (errno == ENOTDIR);
-    }
-    return (found.st_ino != ours.st_ino) || (found.st_dev != ours.st_dev);
+    close_gone(self);
+    exchange_retake_cycles(self->exchange);
+    self->removed += next_cycle - self->present.first_cycle;
+    self->next_cycle = next_cycle;
 }
 
 static void look_for_file(black_box_t *self, uint64_t now_us)
 {
-    if ((self->writer.file >= 0) && is_gone(self)) {
-        (void)fprintf(stderr, "recorder: %s was removed or moved; a new recording is begun.\n",
+    self->present.size = self->writer.size;
+    if ((self->writer.file >= 0) && is_gone(self, &self->present)) {
+        (void)fprintf(stderr,
+                      "recorder: %s was removed, moved or shortened; a new recording is begun.\n",
                       self->path);
-        give_up_file(self, now_us);
+        give_up_file(self);
         request_checkpoint(self, now_us);
     }
 }
@@ -361,7 +452,6 @@ static void take_all(black_box_t *self, uint64_t now_us)
     const uint32_t most = exchange_cycle_capacity(self->exchange);
     bool is_more = true;
 
-    look_for_file(self, now_us);
     for (uint32_t i = 0U; is_more && (i < most); i++) {
         is_more = take_one(self, now_us);
     }
@@ -373,6 +463,10 @@ static void take_all(black_box_t *self, uint64_t now_us)
 void black_box_drain(black_box_t *self, uint64_t now_us)
 {
     repair_lane(self, now_us);
+    look_for_file(self, now_us);
+    if ((now_us - self->looked_us) >= SECOND_US) {
+        look_for_earlier(self, now_us);
+    }
     if (now_us >= self->retry_us) {
         take_all(self, now_us);
     }

@@ -7,7 +7,8 @@
  * folder cannot be written, control is told and hands over nothing; recording goes on with what
  * waits in the lane. When the recorder cannot keep up, the lane of cycles fills: in elastic time
  * control waits for it, otherwise what was lost is said and counted in the next recording. A record
- * stays in the lane until it is in the file.
+ * stays in the lane until it is in the file. The cycles of a file that is removed, moved, replaced
+ * or shortened by another are counted, whichever file of this black box it is.
  */
 #ifndef BORESIGHT_BLACK_BOX_H
 #define BORESIGHT_BLACK_BOX_H
@@ -21,9 +22,22 @@
 #include "recording/recording_writer.h"
 
 #include <stdbool.h>
+#include <sys/types.h>
 
 #define BLACK_BOX_FILE_US UINT64_C(600000000)                  /**< A new file after ten minutes. */
 #define BLACK_BOX_RETRY_US ((uint64_t)LIMIT_RECORDER_RETRY_US) /**< Between attempts to write. */
+
+/** A file that was begun, as it is found as long as nobody else touches it. */
+typedef struct {
+    uint64_t started_us; /**< In its name, as its number. */
+    uint32_t number;
+    uint32_t first_cycle;
+    uint32_t end_cycle;   /**< The cycle after its last one. */
+    uint32_t kept_before; /**< The cycle after the last one that the file before it has. */
+    uint64_t size;        /**< Bytes that were written. */
+    ino_t inode;
+    dev_t device;
+} black_box_file_t;
 
 typedef struct {
     const char *directory; /**< Lives as long as the black box. */
@@ -37,13 +51,16 @@ typedef struct {
     uint64_t retry_us;     /**< Not before then is another file tried. */
     uint64_t flushed_us;   /**< When the last block was written. */
     uint32_t next_cycle;
-    uint32_t kept_until;   /**< The cycle after the last one that an earlier file has. */
-    uint32_t first_cycle;  /**< Of the present file. */
-    uint32_t removed;      /**< Cycles of files that were removed while they were written. */
-    bool has_cycle;        /**< next_cycle is known. */
-    bool is_failing;       /**< The last attempt to write failed, and it was said. */
-    uint64_t damaged_us;   /**< When damage of the lane was last found; 0: never. */
-    cycle_record_t record; /**< The present one. */
+    uint32_t kept_until; /**< The cycle after the last one that an earlier file has. */
+    uint32_t removed;    /**< Cycles of files that others have removed or shortened. */
+    bool has_cycle;      /**< next_cycle is known. */
+    bool is_failing;     /**< The last attempt to write failed, and it was said. */
+    uint64_t damaged_us; /**< When damage of the lane was last found; 0: never. */
+    uint64_t looked_us;  /**< When the earlier files were last looked at. */
+    black_box_file_t present;
+    black_box_file_t earlier[LIMIT_RECORDINGS]; /**< Those that have a block, the oldest first. */
+    uint32_t earlier_count;
+    cycle_record_t record;                        /**< The present one. */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Of the newest checkpoint. */
 } black_box_t;
 
