@@ -7,6 +7,7 @@
 #ifndef BORESIGHT_EVENT_LOG_H
 #define BORESIGHT_EVENT_LOG_H
 
+#include "common/file_series.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_files.h"
 
@@ -17,12 +18,13 @@ typedef struct {
     exchange_t *exchange;  /**< The same. */
     int file;              /**< -1: not open; tried again at the next sync. */
     uint64_t size;         /**< Of the file, in bytes. */
-    uint32_t unwritten;    /**< Events that found no room since the last that did. */
     uint32_t severity;     /**< Those and above are written; the file says so. */
     uint32_t number;       /**< Of its file, and of the one before; 0: there is none. */
     uint32_t number_before;
     uint32_t next; /**< Number of the next event. */
     bool is_dirty;
+    bool is_failing; /**< It could not be written, which was said; its events wait. */
+    char path[FILE_SERIES_PATH_SIZE];
 } event_log_t;
 
 /**
@@ -35,18 +37,21 @@ typedef struct {
 void event_log_open(event_log_t *self, const char *directory, exchange_t *exchange);
 
 /**
- * Writes the events that the exchange has gained; overwritten ones are named by their number. Notes
- * there how far it is and in which files, again each time: a neighbour may have damaged it.
+ * Writes the events that the exchange has gained; those that it has overwritten are counted in a
+ * line. What cannot be written stays in the exchange until the next call. Notes there how far it is
+ * and in which files, again each time: a neighbour may have damaged it.
  *
  * @satisfies SWR-EVENT-008
  * @satisfies SWR-EVENT-015
+ * @satisfies SWR-EVENT-017
  * @satisfies SWR-EXCH-023
  * @satisfies SWR-REC-010
  */
 void event_log_drain(event_log_t *self);
 
 /**
- * Puts what was written on the disk; begins anew when the file was removed. Called each second.
+ * Puts what was written on the disk; begins anew when the file was removed or moved. Called each
+ * second.
  *
  * @satisfies SWR-REC-014
  */
