@@ -38,13 +38,20 @@ bool file_series_has(const file_series_t *self, const char *name)
 }
 
 /* One of an older build has none: its name begins with its date. */
-uint32_t file_series_number(const char *name)
+uint64_t file_series_any_number(const char *name)
 {
     const char *hyphen = strchr(name, '-');
     char *end = NULL;
-    const unsigned long number = (hyphen != NULL) ? strtoul(&hyphen[1], &end, 10) : 0U;
+    const unsigned long long number = (hyphen != NULL) ? strtoull(&hyphen[1], &end, 10) : 0U;
 
-    return ((hyphen != NULL) && (number < UINT32_MAX) && (*end == '-')) ? (uint32_t)number : 0U;
+    return ((hyphen != NULL) && (*end == '-')) ? (uint64_t)number : 0U;
+}
+
+uint32_t file_series_number(const char *name)
+{
+    const uint64_t number = file_series_any_number(name);
+
+    return (number < UINT32_MAX) ? (uint32_t)number : 0U;
 }
 
 void file_series_path(const file_series_t *self, const char *directory, uint32_t number,

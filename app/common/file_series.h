@@ -32,8 +32,11 @@ extern const file_series_t file_series_logs;
  * letters, digits, hyphens and points. */
 bool file_series_has(const file_series_t *self, const char *name);
 
-/** The number in a name of any series; 0: it has none. */
+/** The number in a name of any series; 0: it has none, or none that a next one may follow. */
 uint32_t file_series_number(const char *name);
+
+/** The same, however large it is; the largest of all for one that does not fit. */
+uint64_t file_series_any_number(const char *name);
 
 /** Writes the path of a new one. */
 void file_series_path(const file_series_t *self, const char *directory, uint32_t number,

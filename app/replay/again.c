@@ -14,6 +14,16 @@ static uint32_t digest_of(const replay_t *replay)
     return crc32c((const uint8_t *)replay->controller.seals, sizeof replay->controller.seals);
 }
 
+/* As if it had been kept whole: `outputs` are its outputs. */
+static uint32_t digest_of_record(const recorded_cycle_t *cycle, const controller_outputs_t *outputs)
+{
+    const uint32_t parts[] = {crc32c((const uint8_t *)&cycle->inputs, sizeof cycle->inputs),
+                              crc32c((const uint8_t *)outputs, sizeof *outputs),
+                              crc32c((const uint8_t *)&cycle->board, sizeof cycle->board)};
+
+    return crc32c((const uint8_t *)parts, sizeof parts);
+}
+
 static void make_room(again_t *self)
 {
     if (self->count < self->room) {
@@ -26,16 +36,21 @@ static void make_room(again_t *self)
     }
 }
 
-void again_keep(again_t *self, const replay_t *first)
+void again_keep(again_t *self, const replay_t *first, const cycle_record_t *record)
 {
-    const bool is_later =
-        (self->count == 0U) || (first->next_cycle > self->states[self->count - 1U].cycle);
+    again_state_t *const last = (self->count > 0U) ? &self->states[self->count - 1U] : NULL;
 
-    if (first->is_running && is_later) {
-        make_room(self);
-        self->states[self->count] = (again_state_t){first->next_cycle, digest_of(first)};
-        self->count++;
+    if (!first->is_running || ((last != NULL) && (first->next_cycle <= last->cycle))) {
+        return;
     }
+    if ((last != NULL) && (record->kind == (uint32_t)CYCLE_RECORD_CYCLE) &&
+        (record->cycle == last->cycle)) {
+        last->record = digest_of_record(&record->body.cycle, &first->outputs);
+    }
+    make_room(self);
+    self->states[self->count] =
+        (again_state_t){.cycle = first->next_cycle, .digest = digest_of(first)};
+    self->count++;
 }
 
 void again_begin(again_t *self)
@@ -51,16 +66,34 @@ static int by_cycle(const void *one, const void *other)
     return (a->cycle > b->cycle) - (a->cycle < b->cycle);
 }
 
-/* One that was not computed first differs from nothing. */
-static bool is_state_equal(const again_t *self)
+/* NULL: it was not computed first. */
+static const again_state_t *find_state(const again_t *self, uint32_t cycle)
 {
-    const again_state_t key = {.cycle = self->replay.next_cycle};
-    const again_state_t *const state =
-        (self->count > 0U)
-            ? bsearch(&key, self->states, self->count, sizeof self->states[0], by_cycle)
-            : NULL;
+    const again_state_t key = {.cycle = cycle};
 
-    return (state == NULL) || (state->digest == digest_of(&self->replay));
+    return (self->count > 0U)
+               ? bsearch(&key, self->states, self->count, sizeof self->states[0], by_cycle)
+               : NULL;
+}
+
+/* One that was not computed first differs from nothing. */
+static void compare_state(again_t *self)
+{
+    const again_state_t *const state = find_state(self, self->replay.next_cycle);
+
+    self->is_compared = true;
+    self->is_other = (state != NULL) && (state->digest != digest_of(&self->replay));
+}
+
+/* Of a cycle before a checkpoint. */
+static void compare_record(again_t *self, const cycle_record_t *record, const cycle_known_t *known)
+{
+    const again_state_t *const state = find_state(self, record->cycle);
+    const recorded_cycle_t *const cycle = &record->body.cycle;
+
+    self->is_compared = known->is_whole && (state != NULL) && (state->record != 0U);
+    self->is_other =
+        self->is_compared && (state->record != digest_of_record(cycle, &cycle->outputs));
 }
 
 bool again_take(again_t *self, const robot_t *robot, const cycle_record_t *record,
@@ -74,7 +107,11 @@ bool again_take(again_t *self, const robot_t *robot, const cycle_record_t *recor
     if (!replay_take(&self->replay, robot, record, known)) {
         return false;
     }
-    self->is_other = self->replay.is_running && !is_state_equal(self);
+    if (self->replay.is_running) {
+        compare_state(self);
+    } else {
+        compare_record(self, record, known);
+    }
     return !self->is_other;
 }
 
@@ -83,6 +120,12 @@ bool again_difference(const again_t *self, const cycle_record_t *record, const c
 {
     if (!self->is_other) {
         return replay_difference(&self->replay, record, known, text, size);
+    }
+    if (!self->replay.is_running) {
+        (void)snprintf(text, size,
+                       "Cycle %" PRIu32 " is there again with another record than the first.",
+                       record->cycle);
+        return true;
     }
     (void)snprintf(text, size,
                    "Cycle %" PRIu32

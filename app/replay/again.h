@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Cycles that are in the recordings again. They are computed beside the first ones, from a
- * checkpoint of their own, and the state before each of them is compared with the one that was
- * computed first.
+ * Cycles that are in the recordings again. From a checkpoint of their own they are computed beside
+ * the first ones, and the state before each of them is compared with the one that was computed
+ * first. Before such a checkpoint they are kept whole, and their records are compared.
  */
 #ifndef BORESIGHT_AGAIN_H
 #define BORESIGHT_AGAIN_H
@@ -14,19 +14,21 @@
 typedef struct {
     uint32_t cycle;  /**< That is next. */
     uint32_t digest; /**< Of its seals. */
+    uint32_t record; /**< Of the whole record of that cycle; 0: it was not replayed. */
 } again_state_t;
 
 /** All zero is empty. */
 typedef struct {
     replay_t replay;
-    bool is_other;         /**< The last record comes from, or leads to, another state. */
+    bool is_other;    /**< The last record is another, or comes from or leads to another state. */
+    bool is_compared; /**< The last record was. */
     again_state_t *states; /**< Those computed first, in the order of their cycles. */
     uint32_t count;
     uint32_t room;
 } again_t;
 
-/** Keeps the state that `first` has computed. */
-void again_keep(again_t *self, const replay_t *first);
+/** Keeps the state that `first` has computed of `record`, which is equal. */
+void again_keep(again_t *self, const replay_t *first, const cycle_record_t *record);
 
 /** A recording begins: a checkpoint of the one before it no longer counts. */
 void again_begin(again_t *self);
@@ -34,7 +36,7 @@ void again_begin(again_t *self);
 /**
  * Takes a record of a cycle that has been computed before.
  *
- * @return false: its outputs or its state differ
+ * @return false: its record, its outputs or its state differ
  *
  * @satisfies SWR-REPLAY-038
  */

@@ -86,7 +86,7 @@ static int tell_what_if(void)
         if (!walk_replay(&walk)) {
             return walk_tell_difference(&walk, stderr);
         }
-        (void)walk_count(&walk, walk_replayed(&walk)->is_running);
+        (void)walk_count(&walk, walk_is_done(&walk));
         if (!walk.is_again) {
             what_if_take(&what_if, &walk.replay, &walk.record);
         }

@@ -75,7 +75,7 @@ static bool take_file(run_file_t *self, const char *name, FILE *notes)
     recording_header_t header;
     const ssize_t size = read_head(self->path, &head);
 
-    self->number = file_series_number(name);
+    self->number = file_series_any_number(name);
     if (size < 0) {
         leave_out(name, strerror(errno), notes);
         return false;

@@ -16,7 +16,7 @@ typedef struct {
     char *path;
     uint64_t run;    /**< As exchange_run() says. */
     uint32_t first;  /**< Its first cycle. */
-    uint32_t number; /**< In its name, by which the newest run is found; 0: it has none. */
+    uint64_t number; /**< In its name, by which the newest run is found; 0: it has none. */
 } run_file_t;
 
 /** All zero is empty. */

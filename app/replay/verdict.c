@@ -12,7 +12,7 @@ int verdict_take(walk_t *walk)
         if (!walk_replay(walk)) {
             return walk_tell_difference(walk, stdout);
         }
-        (void)walk_count(walk, walk_replayed(walk)->is_running);
+        (void)walk_count(walk, walk_is_done(walk));
     }
     return walk_check_end(walk) ? WALK_GOES_ON : EXIT_REFUSED;
 }

@@ -83,13 +83,15 @@ bool walk_replay(walk_t *self)
         return again_take(&self->again, self->robot, &self->record, &self->known);
     }
     const bool is_equal = replay_take(&self->replay, self->robot, &self->record, &self->known);
-    again_keep(&self->again, &self->replay);
+    if (is_equal) {
+        again_keep(&self->again, &self->replay, &self->record);
+    }
     return is_equal;
 }
 
-const replay_t *walk_replayed(const walk_t *self)
+bool walk_is_done(const walk_t *self)
 {
-    return self->is_again ? &self->again.replay : &self->replay;
+    return self->is_again ? self->again.is_compared : self->replay.is_running;
 }
 
 bool walk_check_end(const walk_t *self)
@@ -210,8 +212,8 @@ int walk_end(walk_t *self)
 
 static const controller_outputs_t *find_shown(const walk_t *self)
 {
-    if (walk_replayed(self)->is_running) {
-        return &walk_replayed(self)->outputs;
+    if (self->replay.is_running) {
+        return &self->replay.outputs;
     }
     return self->known.is_whole ? &self->record.body.cycle.outputs : NULL;
 }
@@ -221,7 +223,7 @@ static int tell_record(walk_t *self, walk_teller_t *tell, void *to)
     if (!walk_replay(self)) {
         return walk_tell_difference(self, stderr);
     }
-    if (walk_count(self, walk_replayed(self)->is_running)) {
+    if (walk_count(self, walk_is_done(self))) {
         tell(self, to, find_shown(self));
     }
     return WALK_GOES_ON;

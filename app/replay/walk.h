@@ -65,8 +65,8 @@ bool walk_take(walk_t *self);
 /** Executes the record, a cycle, or compares it, a checkpoint. False: it differs. */
 bool walk_replay(walk_t *self);
 
-/** What has taken the last record. */
-const replay_t *walk_replayed(const walk_t *self);
+/** Whether the last record was executed, or, there again, compared. */
+bool walk_is_done(const walk_t *self);
 
 /** Counts the record, if it is a cycle, as one that is there. False: it was there before, or is no
  * cycle. */

@@ -140,6 +140,15 @@ void test_SWR_REC_007_the_largest_number_is_none(void)
     TEST_ASSERT_EQUAL_UINT32(7U, file_series_newest(&series, folder));
 }
 
+/* A reader puts it after all others. */
+void test_SWR_REPLAY_036_a_number_of_more_than_32_bits_is_read(void)
+{
+    TEST_ASSERT_EQUAL_UINT64(UINT64_C(4294967297), file_series_any_number("blackbox-4294967297-x"));
+    TEST_ASSERT_EQUAL_UINT64(UINT64_MAX, file_series_any_number("blackbox-99999999999999999999-x"));
+    TEST_ASSERT_EQUAL_UINT64(0U, file_series_any_number("blackbox-20261122T175000Z.bsr"));
+    TEST_ASSERT_EQUAL_UINT64(0U, file_series_any_number("foreign.bsr"));
+}
+
 void test_SWR_REC_007_only_names_of_the_series_are_of_it(void)
 {
     static const char *const others[] = {"blackbox-.bsr",
