@@ -94,7 +94,7 @@ void axis_break_place(axis_t *self)
 
 void axis_refuse_parking(axis_t *self)
 {
-    self->place |= AXIS_PLACE_BROKEN;
+    self->place = axis_is_as_parked(self) ? AXIS_PLACE_BROKEN : self->place;
 }
 
 /* The axis is in trouble: the `found` faults, if any, are told to its chart. */

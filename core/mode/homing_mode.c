@@ -60,11 +60,11 @@ static bool is_linked(const robot_t *robot, uint32_t index)
            follower_is_in_block(robot, index);
 }
 
-static bool is_linkage_homing(const mode_frame_t *frame)
+static bool is_any_homing(const mode_frame_t *frame)
 {
     bool is_any = false;
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
-        is_any = is_any || (axis_is_homing(&frame->axes[i]) && is_linked(frame->robot, i));
+        is_any = is_any || axis_is_homing(&frame->axes[i]);
     }
     return is_any;
 }
@@ -130,7 +130,7 @@ static void begin_stage(const mode_frame_t *frame, escort_t *escort, mode_result
             /* Later, or never. */
         }
     }
-    if (is_linkage_due && !is_linkage_homing(frame)) {
+    if (is_linkage_due && !is_any_homing(frame)) {
         begin_linkage(frame, escort, stage, result);
     }
 }
@@ -152,7 +152,7 @@ static void doubt_leaders(const mode_frame_t *frame, mode_result_t *result)
 static void doubt_parking(const mode_frame_t *frame, bool is_at_end)
 {
     for (uint32_t i = 0U; is_at_end && (i < frame->axis_count); i++) {
-        if (is_linked(frame->robot, i) && axis_is_as_parked(&frame->axes[i])) {
+        if (is_linked(frame->robot, i)) {
             axis_refuse_parking(&frame->axes[i]);
         }
     }

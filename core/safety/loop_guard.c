@@ -42,15 +42,12 @@ void loop_guard_step(loop_guard_t *self, uint32_t elapsed_us, uint32_t stage)
     if (is_late || (self->chart.state != LOOP_GUARD_STATE_ON_TIME)) {
         keep(self, elapsed_us, stage, is_late);
     }
-    if (!is_late) {
-        (void)loop_guard_chart_dispatch(&self->chart, LOOP_GUARD_EVENT_PUNCTUAL);
-        return;
-    }
     /* What counts as many late ones is counted once. */
     const uint32_t times = (elapsed_us > LIMIT_LOOP_SILENT_US) ? LIMIT_OVERRUNS_IN_A_ROW : 1U;
+    const loop_guard_event_t event = is_late ? LOOP_GUARD_EVENT_LATE : LOOP_GUARD_EVENT_PUNCTUAL;
     uint32_t actions = 0U;
     for (uint32_t i = 0U; i < times; i++) {
-        actions = loop_guard_chart_dispatch(&self->chart, LOOP_GUARD_EVENT_LATE);
+        actions = loop_guard_chart_dispatch(&self->chart, event);
     }
     if (((actions & LOOP_GUARD_ACTION_COUNT_OVERRUN) != 0U) && (self->overruns < UINT32_MAX)) {
         self->overruns++;

@@ -454,7 +454,9 @@ void test_SWR_AXIS_055_it_stands_as_parked_until_more_is_known_of_it(void)
     axis_distrust(&axis);
     TEST_ASSERT_FALSE(axis_is_as_parked(&axis));
     axis_place(&axis, config, SOMEWHERE);
+    axis_refuse_parking(&axis);
     TEST_ASSERT_FALSE(axis_is_as_parked(&axis));
+    TEST_ASSERT_TRUE(axis_is_placed(&axis));
 }
 
 void test_SWR_AXIS_040_it_says_what_a_confirmation_would_verify(void)

@@ -469,3 +469,13 @@ void test_SWR_AXIS_024_a_steady_motor_shows_itself_from_count_to_count(void)
         TEST_ASSERT_EQUAL_INT32(i * 2 * FULL, shown->counted_ticks);
     }
 }
+
+/* Times of cycles that do not add up to the whole are no more than it. */
+void test_SWR_AXIS_047_a_doubt_ends_after_its_time_of_drive_in_cycles_of_any_length(void)
+{
+    count_account_doubt(&account);
+    (void)step(65536, 1, LIMIT_RISING_TIME_US - 1U);
+    TEST_ASSERT_EQUAL_UINT32(1U, account.unsure_us);
+    (void)step(65536, 1, CYCLE_US);
+    TEST_ASSERT_EQUAL_UINT32(0U, account.unsure_us);
+}

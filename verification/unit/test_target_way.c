@@ -75,6 +75,13 @@ void test_SWR_NEXT_023_a_robot_without_a_curved_limit_goes_straight(void)
     TEST_ASSERT_FALSE(refused_pair_draw(&pair, &robot, &random_state, 10U));
 }
 
+void test_SWR_NEXT_023_a_pose_that_cannot_be_reached_leads_nowhere(void)
+{
+    (void)memcpy(robot.poses[TARGET_WAY_POSE].ticks, pair.to_ticks, sizeof pair.to_ticks);
+    look();
+    TEST_ASSERT_EQUAL_UINT32(TARGET_WAY_NONE, way.kind);
+}
+
 void test_SWR_NEXT_023_without_the_pose_there_is_no_way_round(void)
 {
     robot.pose_mask = 0U;
