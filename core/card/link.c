@@ -110,8 +110,10 @@ void link_judge(link_t *self, bool is_good)
 /* A clock that stands still is never believed. */
 static bool is_clock_right(uint32_t card_us, uint32_t measured_us, uint32_t error_us)
 {
-    const uint32_t apart_us =
-        (card_us > measured_us) ? (card_us - measured_us) : (measured_us - card_us);
+    uint32_t apart_us = measured_us - card_us;
+    if (card_us > measured_us) {
+        apart_us = card_us - measured_us;
+    }
     return (apart_us <= error_us) && (apart_us <= (measured_us / 2U));
 }
 
@@ -119,7 +121,10 @@ static void time_report(link_t *self, uint32_t card_us, uint32_t measured_us, ui
 {
     const bool is_right = is_clock_right(card_us, measured_us, error_us);
     self->reported_us = is_right ? card_us : measured_us;
-    self->is_timed = (is_right && (self->age_cycles == 0U)) ? 1U : 0U;
+    self->is_timed = 0U;
+    if (is_right && (self->age_cycles == 0U)) {
+        self->is_timed = 1U;
+    }
 }
 
 void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, const card_samples_t *samples,

@@ -50,7 +50,8 @@ static uint32_t driven_axes(const controller_t *self, const card_drive_t request
 {
     uint32_t driven = 0U;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        driven |= (uint32_t)(requests[i].mode != (uint32_t)CARD_DRIVE_OFF) << i;
+        const bool is_on = requests[i].mode != (uint32_t)CARD_DRIVE_OFF;
+        driven |= (is_on ? (uint32_t)1U : (uint32_t)0U) << i;
     }
     return driven;
 }

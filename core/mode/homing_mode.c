@@ -74,7 +74,9 @@ static uint32_t find_escorted(const robot_t *robot, const axis_t axes[ROBOT_AXIS
 {
     uint32_t found = robot->axis_count;
     for (uint32_t i = robot->axis_count; i > 0U; i--) {
-        found = escort_is_for(robot, axes, i - 1U) ? (i - 1U) : found;
+        if (escort_is_for(robot, axes, i - 1U)) {
+            found = i - 1U;
+        }
     }
     return found;
 }
@@ -152,8 +154,9 @@ static void doubt_leaders(const mode_frame_t *frame, mode_result_t *result)
 static void doubt_parking(const mode_frame_t *frame, bool is_at_end)
 {
     for (uint32_t i = 0U; is_at_end && (i < frame->axis_count); i++) {
+        axis_t *const axis = &frame->axes[i];
         if (is_linked(frame->robot, i)) {
-            axis_refuse_parking(&frame->axes[i]);
+            axis_refuse_parking(axis);
         }
     }
 }

@@ -12,7 +12,11 @@ void loop_guard_init(loop_guard_t *self)
 
 static uint32_t add(uint32_t one, uint32_t other)
 {
-    return (one <= (UINT32_MAX - other)) ? (one + other) : UINT32_MAX;
+    uint32_t sum = UINT32_MAX;
+    if (one <= (UINT32_MAX - other)) {
+        sum = one + other;
+    }
+    return sum;
 }
 
 /* While the loop is stopped, what has stopped it stands. */
@@ -43,7 +47,8 @@ void loop_guard_step(loop_guard_t *self, uint32_t elapsed_us, uint32_t stage)
         keep(self, elapsed_us, stage, is_late);
     }
     /* What counts as many late ones is counted once. */
-    const uint32_t times = (elapsed_us > LIMIT_LOOP_SILENT_US) ? LIMIT_OVERRUNS_IN_A_ROW : 1U;
+    const uint32_t times =
+        (elapsed_us > LIMIT_LOOP_SILENT_US) ? LIMIT_OVERRUNS_IN_A_ROW : (uint32_t)1U;
     const loop_guard_event_t event = is_late ? LOOP_GUARD_EVENT_LATE : LOOP_GUARD_EVENT_PUNCTUAL;
     uint32_t actions = 0U;
     for (uint32_t i = 0U; i < times; i++) {
