@@ -190,11 +190,11 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
 /* START_UP has done something of which an axis still knows. */
 static bool has_begun(const controller_t *self)
 {
-    bool has_begun = false;
+    bool is_any_homed = false;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        has_begun = has_begun || axis_is_enabled(&self->axes[i]) || axis_is_homed(&self->axes[i]);
+        is_any_homed = is_any_homed || axis_is_homed(&self->axes[i]);
     }
-    return has_begun;
+    return is_any_homed;
 }
 
 /*

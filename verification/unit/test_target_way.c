@@ -5,13 +5,16 @@
  */
 #include "procedure/target_way.h"
 
+#include "base/seal.h"
 #include "robot/coupled_path.h"
+#include "robot/robot_damage.h"
 #include "robot/robot_neuro.h"
 #include "robot/robot_prostate.h"
 #include "unit/support/refused_pair.h"
 #include "unit/support/scenes.h"
 #include "unity.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #define PAIRS SCENES(20U)
@@ -77,7 +80,10 @@ void test_SWR_NEXT_023_a_robot_without_a_curved_limit_goes_straight(void)
 
 void test_SWR_NEXT_023_a_pose_that_cannot_be_reached_leads_nowhere(void)
 {
-    (void)memcpy(robot.poses[TARGET_WAY_POSE].ticks, pair.to_ticks, sizeof pair.to_ticks);
+    pose_t *const pose = &robot.poses[TARGET_WAY_POSE];
+    (void)memcpy(pose->ticks, pair.to_ticks, sizeof pair.to_ticks);
+    pose->seal = seal_of(SEAL_START, (const uint8_t *)pose, offsetof(pose_t, seal));
+    TEST_ASSERT_FALSE(robot_is_pose_damaged(&robot, (uint32_t)TARGET_WAY_POSE));
     look();
     TEST_ASSERT_EQUAL_UINT32(TARGET_WAY_NONE, way.kind);
 }
