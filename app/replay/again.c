@@ -53,6 +53,12 @@ void again_keep(again_t *self, const replay_t *first, const cycle_record_t *reco
     self->count++;
 }
 
+void again_end(again_t *self)
+{
+    free(self->states);
+    *self = (again_t){.states = NULL};
+}
+
 void again_begin(again_t *self)
 {
     self->replay.is_running = false;

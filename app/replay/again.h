@@ -30,6 +30,9 @@ typedef struct {
 /** Keeps the state that `first` has computed of `record`, which is equal. */
 void again_keep(again_t *self, const replay_t *first, const cycle_record_t *record);
 
+/** Frees what was kept: it is empty again. */
+void again_end(again_t *self);
+
 /** A recording begins: a checkpoint of the one before it no longer counts. */
 void again_begin(again_t *self);
 

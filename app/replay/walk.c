@@ -201,6 +201,7 @@ int walk_end(walk_t *self)
     const bool is_whole = self->is_of_run ? walk_is_whole_run(self)
                                           : (!self->is_cut_short && coverage_is_whole(coverage));
 
+    again_end(&self->again);
     coverage_end(&self->coverage, self->notes);
     if (self->is_of_run && !self->has_run_end) {
         (void)fprintf(self->notes,

@@ -66,6 +66,7 @@ void setUp(void)
 
 void tearDown(void)
 {
+    again_end(&walk.again);
     (void)unlink(paths[0]);
     (void)unlink(paths[1]);
 }

@@ -34,7 +34,7 @@ const Entry = memo(function Entry({ entry }: { entry: LogEntry }) {
   );
 });
 
-/** Events, newest first. */
+/** Events, newest first; nothing while there are none. */
 export const Log = memo(function Log({
   log,
   label = "Last events",
@@ -44,24 +44,26 @@ export const Log = memo(function Log({
 }) {
   return (
     <div className="log" tabIndex={0} role="region" aria-label={label}>
-      <table>
-        <thead>
-          <tr>
-            <th scope="col" className="number">
-              UTC, since start
-            </th>
-            <th scope="col" className="log-severity">
-              <span>Severity</span>
-            </th>
-            <th scope="col">What happened</th>
-          </tr>
-        </thead>
-        <tbody>
-          {log.map((entry) => (
-            <Entry key={entry.number} entry={entry} />
-          ))}
-        </tbody>
-      </table>
+      {log.length > 0 && (
+        <table>
+          <thead>
+            <tr>
+              <th scope="col" className="number">
+                UTC, since start
+              </th>
+              <th scope="col" className="log-severity">
+                <span>Severity</span>
+              </th>
+              <th scope="col">What happened</th>
+            </tr>
+          </thead>
+          <tbody>
+            {log.map((entry) => (
+              <Entry key={entry.number} entry={entry} />
+            ))}
+          </tbody>
+        </table>
+      )}
     </div>
   );
 });
