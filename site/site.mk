@@ -70,7 +70,10 @@ ZSTD_SOURCES := $(addprefix $(ZSTD)/,$(addprefix common/,entropy_common.c error_
 LIBMD := $(DEBIAN_SOURCES)/libmd
 
 ifeq ($(CONFIG),wasm)
-LINK_WASM = wasm-ld-19 --no-entry --strip-all --stack-first -z stack-size=262144 $(filter %.o,$^) $(1) $(WASM_LIBC) -o $@
+define LINK_WASM
+wasm-ld-19 --no-entry --strip-all --stack-first -z stack-size=262144 $(filter %.o,$^) $(1) $(WASM_LIBC) -o $@
+	@wasm-opt -Oz --enable-sign-ext $@ -o $@
+endef
 
 build/site/robot.wasm: $(call object,$(CORE_SOURCES) $(CLOSED_LOOP_SOURCES)) site/site.mk
 	@mkdir -p $(@D)

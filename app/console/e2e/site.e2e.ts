@@ -62,10 +62,17 @@ async function pressUntilItMoves(): Promise<void> {
   }
 }
 
-/** In motion, from wherever it stands: no time passes there, so that whoever is slow is in time. */
+/** A robot of its own, which is not homed: one that is has nothing to move for until somebody commands it. */
+async function beginAnew(): Promise<void> {
+  await page.goto(address);
+  await page.getByText("Logged in as code (engineer)").waitFor();
+  await button("Open the simulated box").click();
+}
+
+/** In the motion of its homing: no time passes there, so that a slow machine is in time. */
 async function pauseInMotion(): Promise<void> {
   do {
-    await button("Real time").click();
+    await beginAnew();
     await arm();
     await pressUntilItMoves();
     await button("Pause").click();
@@ -211,7 +218,8 @@ test("SWR-SITE-014 time stands still, and goes on by one cycle", async () => {
 test("SWR-SITE-015 nothing has left the page, and nothing in it was refused", () => {
   const others = asked.filter((url) => !/^(file|blob|data):/.test(url));
   expect(others).toEqual([]);
-  expect(asked.filter((url) => url.startsWith("file:"))).toEqual([address]);
+  const files = asked.filter((url) => url.startsWith("file:"));
+  expect([...new Set(files)]).toEqual([address]);
   expect(problems).toEqual([]);
 });
 
