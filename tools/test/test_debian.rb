@@ -61,6 +61,7 @@ class TestDebian < Minitest::Test
     stanza = "Types: deb\nURIs: http://m.example\nSuites: sid\nComponents: main\n"
     assert_equal 2, AptSources.stanzas("#{stanza}\n\n#{stanza}", 'sid', BOTH).scan(/^Types:/).size
   end
+
   def test_SWR_ARM_001_who_wants_sources_alone_asks_for_no_packages
     assert_equal "deb-src http://m.example sid main\n", AptSources.lines('deb http://m.example sid main', 'sid', ['deb-src'])
   end
