@@ -210,12 +210,36 @@ uint32_t crc32c(const uint8_t *bytes, size_t length)
 }
 
 /* How many zeros are passed unread. */
-typedef enum { ZEROS_132 = 0, ZEROS_172 = 1 } zeros_t;
+typedef enum { ZEROS_28 = 0, ZEROS_132 = 1, ZEROS_172 = 2 } zeros_t;
 
 /* Zeros change the state linearly: each of its eight half bytes has its own share in the result. */
 static inline uint32_t after_zeros(uint32_t state, zeros_t zeros)
 {
-    static const uint32_t shares[2][8][16] = {
+    static const uint32_t shares[3][8][16] = {
+        {{0x00000000U, 0xA2158B34U, 0x41C76099U, 0xE3D2EBADU, 0x838EC132U, 0x219B4A06U, 0xC249A1ABU,
+          0x605C2A9FU, 0x02F1F495U, 0xA0E47FA1U, 0x4336940CU, 0xE1231F38U, 0x817F35A7U, 0x236ABE93U,
+          0xC0B8553EU, 0x62ADDE0AU},
+         {0x00000000U, 0x05E3E92AU, 0x0BC7D254U, 0x0E243B7EU, 0x178FA4A8U, 0x126C4D82U, 0x1C4876FCU,
+          0x19AB9FD6U, 0x2F1F4950U, 0x2AFCA07AU, 0x24D89B04U, 0x213B722EU, 0x3890EDF8U, 0x3D7304D2U,
+          0x33573FACU, 0x36B4D686U},
+         {0x00000000U, 0x5E3E92A0U, 0xBC7D2540U, 0xE243B7E0U, 0x7D163C71U, 0x2328AED1U, 0xC16B1931U,
+          0x9F558B91U, 0xFA2C78E2U, 0xA412EA42U, 0x46515DA2U, 0x186FCF02U, 0x873A4493U, 0xD904D633U,
+          0x3B4761D3U, 0x6579F373U},
+         {0x00000000U, 0xF1B48735U, 0xE685789BU, 0x1731FFAEU, 0xC8E687C7U, 0x395200F2U, 0x2E63FF5CU,
+          0xDFD77869U, 0x9421797FU, 0x6595FE4AU, 0x72A401E4U, 0x831086D1U, 0x5CC7FEB8U, 0xAD73798DU,
+          0xBA428623U, 0x4BF60116U},
+         {0x00000000U, 0x2DAE840FU, 0x5B5D081EU, 0x76F38C11U, 0xB6BA103CU, 0x9B149433U, 0xEDE71822U,
+          0xC0499C2DU, 0x68985689U, 0x4536D286U, 0x33C55E97U, 0x1E6BDA98U, 0xDE2246B5U, 0xF38CC2BAU,
+          0x857F4EABU, 0xA8D1CAA4U},
+         {0x00000000U, 0xD130AD12U, 0xA78D2CD5U, 0x76BD81C7U, 0x4AF62F5BU, 0x9BC68249U, 0xED7B038EU,
+          0x3C4BAE9CU, 0x95EC5EB6U, 0x44DCF3A4U, 0x32617263U, 0xE351DF71U, 0xDF1A71EDU, 0x0E2ADCFFU,
+          0x78975D38U, 0xA9A7F02AU},
+         {0x00000000U, 0x2E34CB9DU, 0x5C69973AU, 0x725D5CA7U, 0xB8D32E74U, 0x96E7E5E9U, 0xE4BAB94EU,
+          0xCA8E72D3U, 0x744A2A19U, 0x5A7EE184U, 0x2823BD23U, 0x061776BEU, 0xCC99046DU, 0xE2ADCFF0U,
+          0x90F09357U, 0xBEC458CAU},
+         {0x00000000U, 0xE8945432U, 0xD4C4DE95U, 0x3C508AA7U, 0xAC65CBDBU, 0x44F19FE9U, 0x78A1154EU,
+          0x9035417CU, 0x5D27E147U, 0xB5B3B575U, 0x89E33FD2U, 0x61776BE0U, 0xF1422A9CU, 0x19D67EAEU,
+          0x2586F409U, 0xCD12A03BU}},
         {{0x00000000U, 0x6577B245U, 0xCAEF648AU, 0xAF98D6CFU, 0x9032BFE5U, 0xF5450DA0U, 0x5ADDDB6FU,
           0x3FAA692AU, 0x2589093BU, 0x40FEBB7EU, 0xEF666DB1U, 0x8A11DFF4U, 0xB5BBB6DEU, 0xD0CC049BU,
           0x7F54D254U, 0x1A236011U},
@@ -284,5 +308,22 @@ uint32_t crc32c_over_172(uint32_t crc, const uint8_t *bytes)
 {
     const uint32_t state =
         after_zeros(after_eight(after_eight(~crc, bytes), &bytes[32]), ZEROS_172);
+    return ~after_word(after_word(state, &bytes[236]), &bytes[240]);
+}
+
+uint32_t crc32c_over_28_and_132(uint32_t crc, const uint8_t *bytes)
+{
+    const uint32_t most = after_eight(after_eight(~crc, bytes), &bytes[32]);
+    const uint32_t quiet =
+        after_zeros(after_word(after_word(most, &bytes[64]), &bytes[68]), ZEROS_28);
+    const uint32_t all = after_word(after_word(quiet, &bytes[100]), &bytes[104]);
+    return ~after_word(after_zeros(all, ZEROS_132), &bytes[240]);
+}
+
+uint32_t crc32c_over_28_and_172(uint32_t crc, const uint8_t *bytes)
+{
+    const uint32_t quiet = after_zeros(after_four(~crc, bytes), ZEROS_28);
+    const uint32_t all = after_word(after_four(quiet, &bytes[44]), &bytes[60]);
+    const uint32_t state = after_zeros(all, ZEROS_172);
     return ~after_word(after_word(state, &bytes[236]), &bytes[240]);
 }

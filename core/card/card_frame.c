@@ -57,26 +57,30 @@ static uint32_t header_word(uint32_t slot, uint32_t type)
     return (protocol << 24U) | (fit(slot, LARGEST_8_BIT) << 16U) | (length_words << 8U) | type;
 }
 
-/* A word from `first` to before `end` is not zero. Four at a time: half of the instructions. */
+/* Its bits in the order of the processor: enough where only zero is asked for. */
+static inline uint32_t bits_of(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t index)
+{
+    uint32_t bits;
+
+    (void)memcpy(&bits, &bytes[index * 4U], sizeof bits);
+    return bits;
+}
+
+/* A word from `first` to before `end` is not zero. Four at a time, and without a branch for each:
+ * half of the instructions. */
 static inline bool has_bits(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first, uint32_t end)
 {
-    const uint8_t *at = &bytes[first * 4U];
-    uint32_t left = end - first;
+    uint32_t bits = 0U;
+    uint32_t index = first;
 
-    for (; left >= 4U; left -= 4U) {
-        if ((frame_word_get(at, 0U) != 0U) || (frame_word_get(at, 1U) != 0U) ||
-            (frame_word_get(at, 2U) != 0U) || (frame_word_get(at, 3U) != 0U)) {
-            return true;
-        }
-        at = &at[16];
+    for (; (index + 4U) <= end; index += 4U) {
+        bits |= bits_of(bytes, index) | bits_of(bytes, index + 1U) | bits_of(bytes, index + 2U) |
+                bits_of(bytes, index + 3U);
     }
-    for (; left > 0U; left--) {
-        if (frame_word_get(at, 0U) != 0U) {
-            return true;
-        }
-        at = &at[4];
+    for (; index < end; index++) {
+        bits |= bits_of(bytes, index);
     }
-    return false;
+    return bits != 0U;
 }
 
 /* How the checksum of a direction begins: that of the first two words, by slot. */
@@ -115,16 +119,32 @@ static uint32_t report_sum(const uint8_t bytes[CARD_FRAME_BYTES])
            four_words(bytes, CARD_REPORT_APPLIED) + frame_word_get(bytes, CARD_REPORT_UPTIME);
 }
 
-/* Of a frame with the start word and a header of its direction, whose reserved words are zero. */
-static inline uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t type)
+/* Words of a command that are zero while its drive is off. */
+static inline bool is_command_quiet(const uint8_t bytes[CARD_FRAME_BYTES])
+{
+    return !has_bits(bytes, CARD_COMMAND_WAVES, CARD_COMMAND_WATCHDOG);
+}
+
+/* Words of a report that are zero while its drive is off and no command was lost. */
+static inline bool is_report_quiet(const uint8_t bytes[CARD_FRAME_BYTES])
+{
+    return !has_bits(bytes, CARD_REPORT_WAVES, CARD_REPORT_TRIPS);
+}
+
+/* Of a frame with the start word and a header of its direction, whose reserved words are zero, and
+ * whose quiet words are if it `is_quiet`. */
+static inline uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t type, bool is_quiet)
 {
     const uint32_t slot = bytes[(CARD_BOTH_HEADER * 4U) + 1U];
     const bool is_command = type == TYPE_COMMAND;
     const uint32_t *const heads = is_command ? command_heads : report_heads;
     const uint32_t head = (slot < CARD_SLOT_COUNT) ? heads[slot] : crc32c(bytes, HEAD_BYTES);
+    const uint8_t *const rest = &bytes[HEAD_BYTES];
 
-    return is_command ? crc32c_over_172(head, &bytes[HEAD_BYTES])
-                      : crc32c_over_132(head, &bytes[HEAD_BYTES]);
+    if (is_command) {
+        return is_quiet ? crc32c_over_28_and_172(head, rest) : crc32c_over_172(head, rest);
+    }
+    return is_quiet ? crc32c_over_28_and_132(head, rest) : crc32c_over_132(head, rest);
 }
 
 static bool has_command_reserved_bits(const uint8_t bytes[CARD_FRAME_BYTES])
@@ -165,16 +185,17 @@ static inline writer_t begin(uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uin
     return writer;
 }
 
-static inline void seal(const writer_t *self, uint32_t type)
+static inline void seal(const writer_t *self, uint32_t type, bool is_quiet)
 {
     frame_word_put(self->bytes, CARD_BOTH_LEGACY_SUM, ~self->sum);
-    frame_word_put(self->bytes, CARD_BOTH_CRC, crc_of(self->bytes, type));
+    frame_word_put(self->bytes, CARD_BOTH_CRC, crc_of(self->bytes, type, is_quiet));
 }
 
 /* What a direction makes of the bytes, whatever they are. */
 typedef struct {
     uint32_t type;
     bool has_reserved_bits;
+    bool is_quiet;
     uint32_t sum;
 } frame_view_t;
 
@@ -194,7 +215,7 @@ static inline card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYT
     if (view->has_reserved_bits || (frame_word_get(bytes, CARD_BOTH_LEGACY_SUM) != ~view->sum)) {
         return CARD_FRAME_BAD_CRC;
     }
-    if (frame_word_get(bytes, CARD_BOTH_CRC) != crc_of(bytes, view->type)) {
+    if (frame_word_get(bytes, CARD_BOTH_CRC) != crc_of(bytes, view->type, view->is_quiet)) {
         return CARD_FRAME_BAD_CRC;
     }
     if (header != expected) {
@@ -291,17 +312,16 @@ static void write_command_drive(writer_t *writer, const card_drive_t *drive)
     }
 }
 
-void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD_FRAME_BYTES])
+void card_frame_write_command(const card_command_t *command, uint8_t bytes[CARD_FRAME_BYTES])
 {
+    const bool is_off = is_drive_off(&command->drive);
     writer_t writer = begin(bytes, command->slot, TYPE_COMMAND);
 
-    clear(bytes, CARD_COMMAND_WAVES, CARD_COMMAND_WATCHDOG);
-    clear(bytes, CARD_COMMAND_AXIS + 1U, CARD_COMMAND_COMPLEMENT);
     write_word(&writer, CARD_COMMAND_SEQUENCE, command->sequence);
     write_word(&writer, CARD_COMMAND_TIME, command->time_us);
     write_word(&writer, CARD_COMMAND_SYSTEM, command->system_state);
     write_word(&writer, CARD_COMMAND_CONTROL, command->control);
-    if (!is_drive_off(&command->drive)) {
+    if (!is_off) {
         write_command_drive(&writer, &command->drive);
     }
     write_word(&writer, CARD_COMMAND_WATCHDOG, command->watchdog_us);
@@ -310,7 +330,13 @@ void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD
     write_word(&writer, CARD_COMMAND_GUARD_MAXIMUM, (uint32_t)command->guard_maximum_ticks);
     write_word(&writer, CARD_COMMAND_AXIS, command->axis_id);
     write_word(&writer, CARD_COMMAND_COMPLEMENT, ~command->control);
-    seal(&writer, TYPE_COMMAND);
+    seal(&writer, TYPE_COMMAND, is_off);
+}
+
+void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD_FRAME_BYTES])
+{
+    clear(bytes, CARD_BOTH_START, CARD_FRAME_WORDS);
+    card_frame_write_command(command, bytes);
 }
 
 /* Mode, direction and duty share one word here: 4, 4 and 24 bits. Waves have words of their own. */
@@ -363,7 +389,7 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
     write_word(&writer, CARD_REPORT_GAPS, report->sequence_gaps);
     write_word(&writer, CARD_REPORT_TRIPS, report->watchdog_trips);
     write_word(&writer, CARD_REPORT_UPTIME, report->uptime_s);
-    seal(&writer, TYPE_REPORT);
+    seal(&writer, TYPE_REPORT, is_report_quiet(bytes));
 }
 
 /* The words of a command that only some drives have. */
@@ -401,7 +427,8 @@ static card_frame_result_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYT
 card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
                                               card_command_t *command)
 {
-    const frame_view_t view = {TYPE_COMMAND, has_command_reserved_bits(bytes), command_sum(bytes)};
+    const frame_view_t view = {TYPE_COMMAND, has_command_reserved_bits(bytes),
+                               is_command_quiet(bytes), command_sum(bytes)};
     const card_frame_result_t result = check_frame(bytes, slot, &view);
     const uint32_t control = frame_word_get(bytes, CARD_COMMAND_CONTROL);
     card_drive_t drive;
@@ -493,7 +520,8 @@ card_frame_result_t card_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTE
 {
     const bool has_words = has_bits(bytes, CARD_REPORT_WAVES, CARD_REPORT_WAVES + WAVE_WORDS);
     const uint32_t waves = has_words ? four_words(bytes, CARD_REPORT_WAVES) : 0U;
-    const frame_view_t view = {TYPE_REPORT, has_report_reserved_bits(bytes),
+    const bool is_quiet = !has_words && !has_bits(bytes, CARD_REPORT_APPLIED, CARD_REPORT_TRIPS);
+    const frame_view_t view = {TYPE_REPORT, has_report_reserved_bits(bytes), is_quiet,
                                report_sum(bytes) + waves};
     const card_frame_result_t result = check_frame(bytes, slot, &view);
     const uint32_t identity = frame_word_get(bytes, CARD_REPORT_IDENTITY);

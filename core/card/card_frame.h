@@ -148,6 +148,9 @@ static inline uint32_t card_drive_mode_of(uint32_t card_type)
  */
 void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD_FRAME_BYTES]);
 
+/** The same onto bytes that are zero: for the cycle, which clears all frames in one go. */
+void card_frame_write_command(const card_command_t *command, uint8_t bytes[CARD_FRAME_BYTES]);
+
 /** Writes `report` as the 256 bytes of a frame. */
 void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FRAME_BYTES]);
 

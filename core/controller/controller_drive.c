@@ -107,7 +107,7 @@ static uint32_t control_of(const link_t *link, uint32_t state)
 
 static inline void send(controller_t *self, const cycle_t *cycle, const card_command_t *command)
 {
-    card_frame_encode_command(command, cycle->outputs->frames[command->slot]);
+    card_frame_write_command(command, cycle->outputs->frames[command->slot]);
     cycle->outputs->frames_to_send |= (uint32_t)1U << command->slot;
     link_note_sent(&self->links[command->slot], self->sequence, &command->drive);
 }
@@ -175,22 +175,6 @@ static void send_to_others(controller_t *self, const cycle_t *cycle, uint32_t st
     }
 }
 
-/* Those behind the last one that is sent in one go. */
-static void clear_unused_frames(const cycle_t *cycle)
-{
-    controller_outputs_t *const outputs = cycle->outputs;
-    const uint32_t used = outputs->frames_to_send;
-    uint32_t slot = 0U;
-    for (; (used >> slot) != 0U; slot++) {
-        if (((used >> slot) & 1U) == 0U) {
-            clear_aligned_words(outputs->frames[slot], CARD_FRAME_BYTES);
-        }
-    }
-    for (; slot < CARD_SLOT_COUNT; slot++) {
-        clear_aligned_words(outputs->frames[slot], CARD_FRAME_BYTES);
-    }
-}
-
 /* What is shown of the permit of an axis. */
 static void remember(controller_t *self, const cycle_t *cycle, uint32_t index,
                      const permit_t *permit)
@@ -224,6 +208,7 @@ void controller_drive(controller_t *self, const cycle_t *cycle, uint32_t guards,
                    .driven = driven_axes(self, requests)};
     const uint32_t state = system_state(self, cycle);
     uint32_t modes = 0U;
+    clear_aligned_words(cycle->outputs->frames[0], sizeof cycle->outputs->frames);
     gather_sent(self, sent);
     if (facts.is_armed) {
         view.heeding_needle = mode_heeding_needle(&self->mode, kind, cycle->robot, view.driven);
@@ -241,7 +226,6 @@ void controller_drive(controller_t *self, const cycle_t *cycle, uint32_t guards,
         send_to_axis(self, cycle, i, state | (permit.is_allowed ? CARD_SYSTEM_PERMIT : 0U), &drive);
     }
     send_to_others(self, cycle, state, modes != (uint32_t)CARD_DRIVE_OFF);
-    clear_unused_frames(cycle);
     controller_translate(cycle);
     self->sequence++;
 }

@@ -241,6 +241,64 @@ void test_SWR_CARD_002_word_63_is_the_crc_of_the_252_bytes_before_it(void)
     }
 }
 
+/* What is zero while a drive is off is not read for the checksum: each bit of it must still be
+ * found. */
+void test_SWR_CARD_002_each_bit_that_is_zero_while_the_drive_is_off_is_found(void)
+{
+    const card_command_t command = {.slot = 2U, .watchdog_us = 5000U};
+    const card_report_t report = {.slot = 2U};
+    card_command_t read_command;
+    card_report_t read_report;
+
+    card_frame_encode_command(&command, bytes);
+    TEST_ASSERT_EQUAL_HEX32(crc32c(bytes, 252U), word(63U));
+    TEST_ASSERT_EQUAL_UINT32(CARD_FRAME_OK, card_frame_decode_command(bytes, 2U, &read_command));
+    for (uint32_t bit = 6U * 32U; bit < (13U * 32U); bit++) {
+        bytes[bit / 8U] ^= (uint8_t)(1U << (bit % 8U));
+        TEST_ASSERT_EQUAL_UINT32(CARD_FRAME_BAD_CRC,
+                                 card_frame_decode_command(bytes, 2U, &read_command));
+        bytes[bit / 8U] ^= (uint8_t)(1U << (bit % 8U));
+    }
+    card_frame_encode_report(&report, bytes);
+    TEST_ASSERT_EQUAL_HEX32(crc32c(bytes, 252U), word(63U));
+    TEST_ASSERT_EQUAL_UINT32(CARD_FRAME_OK, card_frame_decode_report(bytes, 2U, &read_report));
+    for (uint32_t bit = 20U * 32U; bit < (27U * 32U); bit++) {
+        bytes[bit / 8U] ^= (uint8_t)(1U << (bit % 8U));
+        TEST_ASSERT_EQUAL_UINT32(CARD_FRAME_BAD_CRC,
+                                 card_frame_decode_report(bytes, 2U, &read_report));
+        bytes[bit / 8U] ^= (uint8_t)(1U << (bit % 8U));
+    }
+}
+
+/* One of them alone makes the checksum read all of them. */
+void test_SWR_CARD_002_each_count_that_is_zero_while_all_is_well_is_in_the_crc(void)
+{
+    const card_report_t report = {.slot = 2U};
+    card_report_t read;
+
+    for (uint32_t index = 25U; index < 29U; index++) {
+        card_frame_encode_report(&report, bytes);
+        set_word(index, 1U);
+        sign_again();
+        TEST_ASSERT_EQUAL_UINT32(CARD_FRAME_OK, card_frame_decode_report(bytes, 2U, &read));
+    }
+}
+
+void test_SWR_CARD_002_a_frame_that_is_written_onto_zeros_is_the_same(void)
+{
+    card_command_t command = a_command();
+    uint8_t zeros[CARD_FRAME_BYTES] = {0U};
+
+    encode_command();
+    card_frame_write_command(&command, zeros);
+    TEST_ASSERT_EQUAL_MEMORY(bytes, zeros, CARD_FRAME_BYTES);
+    command.drive = (card_drive_t){.mode = (uint32_t)CARD_DRIVE_OFF};
+    card_frame_encode_command(&command, bytes);
+    (void)memset(zeros, 0, sizeof zeros);
+    card_frame_write_command(&command, zeros);
+    TEST_ASSERT_EQUAL_MEMORY(bytes, zeros, CARD_FRAME_BYTES);
+}
+
 static uint32_t sum_of_63_words(void)
 {
     uint32_t sum = 0U;

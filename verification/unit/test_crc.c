@@ -112,6 +112,28 @@ void test_SWR_CARD_002_zeros_that_are_not_read_count_as_zeros_that_are(void)
     }
 }
 
+/* A frame whose drive is off: its zeros are in two places. */
+static void fill_quiet(uint8_t bytes[FRAME_BYTES], size_t quiet, size_t before, size_t zeros)
+{
+    fill(bytes, before, zeros);
+    (void)memset(&bytes[quiet], 0, 28U);
+}
+
+void test_SWR_CARD_002_zeros_in_two_places_that_are_not_read_count_as_zeros_that_are(void)
+{
+    uint8_t bytes[FRAME_BYTES];
+    uint32_t crc = 1U;
+    for (uint32_t i = 0U; i < 2000U; i++) {
+        crc = (crc * 1664525U) + 1013904223U;
+        fill_quiet(bytes, 72U, 108U, 132U);
+        TEST_ASSERT_EQUAL_HEX32(extended_by_bits(crc, bytes, FRAME_BYTES),
+                                crc32c_over_28_and_132(crc, bytes));
+        fill_quiet(bytes, 16U, 64U, 172U);
+        TEST_ASSERT_EQUAL_HEX32(extended_by_bits(crc, bytes, FRAME_BYTES),
+                                crc32c_over_28_and_172(crc, bytes));
+    }
+}
+
 void test_SWR_CARD_002_every_word_of_a_frame_counts_in_its_checksum(void)
 {
     uint8_t bytes[FRAME_BYTES];
@@ -127,6 +149,25 @@ void test_SWR_CARD_002_every_word_of_a_frame_counts_in_its_checksum(void)
         if ((i < 64U) || (i >= 236U)) {
             TEST_ASSERT_EQUAL_HEX32(extended_by_bits(0U, bytes, FRAME_BYTES),
                                     crc32c_over_172(0U, bytes));
+        }
+    }
+}
+
+void test_SWR_CARD_002_every_word_of_a_frame_with_two_places_of_zeros_counts(void)
+{
+    uint8_t bytes[FRAME_BYTES];
+    for (size_t i = 0U; i < FRAME_BYTES; i++) {
+        fill_quiet(bytes, 72U, 108U, 132U);
+        bytes[i] ^= 0x55U;
+        if ((i < 72U) || ((i >= 100U) && (i < 108U)) || (i >= 240U)) {
+            TEST_ASSERT_EQUAL_HEX32(extended_by_bits(0U, bytes, FRAME_BYTES),
+                                    crc32c_over_28_and_132(0U, bytes));
+        }
+        fill_quiet(bytes, 16U, 64U, 172U);
+        bytes[i] ^= 0x55U;
+        if ((i < 16U) || ((i >= 44U) && (i < 64U)) || (i >= 236U)) {
+            TEST_ASSERT_EQUAL_HEX32(extended_by_bits(0U, bytes, FRAME_BYTES),
+                                    crc32c_over_28_and_172(0U, bytes));
         }
     }
 }
