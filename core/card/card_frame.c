@@ -62,7 +62,7 @@ static inline uint32_t bits_of(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t i
 {
     uint32_t bits;
 
-    (void)memcpy(&bits, &bytes[index * 4U], sizeof bits);
+    (void)memcpy((uint8_t *)&bits, &bytes[index * 4U], sizeof bits);
     return bits;
 }
 

@@ -175,6 +175,13 @@ static void send_to_others(controller_t *self, const cycle_t *cycle, uint32_t st
     }
 }
 
+/* All in one go: an encoder writes only what is not zero. */
+static void clear_frames(const cycle_t *cycle)
+{
+    controller_outputs_t *const outputs = cycle->outputs;
+    clear_aligned_words(outputs->frames[0], sizeof outputs->frames);
+}
+
 /* What is shown of the permit of an axis. */
 static void remember(controller_t *self, const cycle_t *cycle, uint32_t index,
                      const permit_t *permit)
@@ -208,7 +215,7 @@ void controller_drive(controller_t *self, const cycle_t *cycle, uint32_t guards,
                    .driven = driven_axes(self, requests)};
     const uint32_t state = system_state(self, cycle);
     uint32_t modes = 0U;
-    clear_aligned_words(cycle->outputs->frames[0], sizeof cycle->outputs->frames);
+    clear_frames(cycle);
     gather_sent(self, sent);
     if (facts.is_armed) {
         view.heeding_needle = mode_heeding_needle(&self->mode, kind, cycle->robot, view.driven);
