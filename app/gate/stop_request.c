@@ -55,7 +55,8 @@ static stop_request_t judge_line(const char *line)
     return good;
 }
 
-/* Notes a header that counts. False when it cannot be read, or comes a second time. */
+/* Notes a header that counts. False when it cannot be read, or comes a second time; an expectation
+ * that comes again means the same (RFC 9110, 10.1.1). */
 static bool take_field(char *line, const char *fields[FIELD_COUNT])
 {
     char *colon = strchr(line, ':');
@@ -70,9 +71,9 @@ static bool take_field(char *line, const char *fields[FIELD_COUNT])
     }
     for (size_t i = 0U; i < FIELD_COUNT; i++) {
         if (strcasecmp(line, field_names[i]) == 0) {
-            const bool is_new = fields[i] == NULL;
+            const bool is_good = (fields[i] == NULL) || (i == (size_t)FIELD_EXPECT);
             fields[i] = value;
-            return is_new;
+            return is_good;
         }
     }
     return true;
@@ -115,6 +116,7 @@ static stop_request_t judge_provenance(const http_guard_t *guard,
     }
 }
 
+/* What comes behind the announced bytes belongs to no stop. */
 static stop_request_t judge_body(const char *const fields[FIELD_COUNT], const char *body,
                                  size_t size)
 {
@@ -130,17 +132,34 @@ static stop_request_t judge_body(const char *const fields[FIELD_COUNT], const ch
     }
     const size_t announced = (size_t)strtoul(length, NULL, 10);
     if (size < announced) {
-        const stop_request_t more_needed = {
-            .is_held = (size == 0U) && request_headers_expect(fields[FIELD_EXPECT])};
+        const stop_request_t more_needed = {.is_held = size == 0U};
         return more_needed;
     }
-    if ((size == announced) && ((size == 0U) || (strcmp(body, "{}") == 0))) {
+    if ((announced == 0U) || ((announced == 2U) && (memcmp(body, "{}", 2U) == 0))) {
         return good;
     }
     stop_request_t other = refuse(PROBLEM_BAD_BODY);
-    other.body = request_read_body(&request_stop, body, size, &read);
+    other.body = request_read_body(&request_stop, body, announced, &read);
     good.workphase = stop_request_workphase(&read);
-    return (other.body.fault == REQUEST_OK) && (size == announced) ? good : other;
+    return (other.body.fault == REQUEST_OK) ? good : other;
+}
+
+/* Cuts `head` into its lines. */
+static stop_request_t judge_head(const http_guard_t *guard, char *head,
+                                 const char *fields[FIELD_COUNT])
+{
+    char *line_end = strstr(head, "\r\n");
+    *line_end = '\0';
+    const stop_request_t line = judge_line(head);
+    if (line.is_refused) {
+        return line;
+    }
+    if (!take_fields(line_end + 2, fields)) {
+        return refuse(PROBLEM_BAD_REQUEST);
+    }
+    stop_request_t judged = judge_provenance(guard, fields);
+    judged.is_held = request_headers_expect(line_end - strlen("1.1"), fields[FIELD_EXPECT]);
+    return judged;
 }
 
 stop_request_t stop_request_read(const http_guard_t *guard, char *bytes, size_t size)
@@ -150,28 +169,20 @@ stop_request_t stop_request_read(const http_guard_t *guard, char *bytes, size_t 
     const stop_request_t more_needed = {.is_whole = false};
     bytes[size] = '\0';
     const char *head_end = strstr(bytes, "\r\n\r\n");
-    if (memchr(bytes, '\0', size) != NULL) {
+    if ((head_end == NULL) && (memchr(bytes, '\0', size) != NULL)) {
         return refuse(PROBLEM_BAD_REQUEST);
     }
     if (head_end == NULL) {
         return (size < STOP_REQUEST_SIZE) ? more_needed : refuse(PROBLEM_TOO_MANY_HEADERS);
     }
     (void)snprintf(head, sizeof head, "%.*s", (int)(head_end + 2 - bytes), bytes);
-    char *line_end = strstr(head, "\r\n");
-    *line_end = '\0';
-    stop_request_t request = judge_line(head);
-    if (request.is_refused) {
-        return request;
-    }
-    if (!take_fields(line_end + 2, fields)) {
-        return refuse(PROBLEM_BAD_REQUEST);
-    }
-    request = judge_provenance(guard, fields);
+    stop_request_t request = judge_head(guard, head, fields);
     if (request.is_refused) {
         return request;
     }
     const char *body = head_end + 4;
-    const stop_request_t whole = judge_body(fields, body, size - (size_t)(body - bytes));
+    stop_request_t whole = judge_body(fields, body, size - (size_t)(body - bytes));
+    whole.is_held = whole.is_held && request.is_held;
     request.workphase = whole.workphase;
     return (whole.is_whole && !whole.is_refused) ? request : whole;
 }

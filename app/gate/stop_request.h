@@ -34,10 +34,11 @@ workphase_t stop_request_workphase(const request_stop_t *body);
 
 /**
  * Reads the `size` bytes that have come so far, at most STOP_REQUEST_SIZE. `bytes` has room for one
- * more and is changed.
+ * more and is changed. What comes behind a stop is ignored: its answer ends the connection.
  *
  * @satisfies SWR-HTTP-009
  * @satisfies SWR-HTTP-059
+ * @satisfies SWR-HTTP-076
  */
 stop_request_t stop_request_read(const http_guard_t *guard, char *bytes, size_t size);
 

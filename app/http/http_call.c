@@ -204,8 +204,10 @@ static int judge_body(const http_call_t *self)
 
 int http_call_receive(struct mg_connection *connection, char *bytes)
 {
-    const long long length = mg_get_request_info(connection)->content_length;
-    if ((length > 0) && request_headers_expect(mg_get_header(connection, "Expect"))) {
+    const struct mg_request_info *request = mg_get_request_info(connection);
+    const long long length = request->content_length;
+    if ((length > 0) &&
+        request_headers_expect(request->http_version, mg_get_header(connection, "Expect"))) {
         (void)mg_write(connection, HTTP_REPLY_GO_ON, strlen(HTTP_REPLY_GO_ON));
     }
     http_lines_note(connection, HTTP_LINE_READS);

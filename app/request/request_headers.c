@@ -35,9 +35,13 @@ static const char *next_item(const char *item)
     return (comma != NULL) ? &comma[1U + strspn(&comma[1], SPACE)] : NULL;
 }
 
-bool request_headers_expect(const char *expect)
+bool request_headers_expect(const char *version, const char *expect)
 {
-    return (expect != NULL) && (strcasecmp(expect, "100-continue") == 0);
+    bool is_held = false;
+    for (const char *item = expect; item != NULL; item = next_item(item)) {
+        is_held = is_held || is_word(item, " \t,", "100-continue");
+    }
+    return is_held && (strcmp(version, "1.0") != 0);
 }
 
 bool request_headers_take_gzip(const char *accept_encoding)

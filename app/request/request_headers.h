@@ -28,8 +28,13 @@ bool request_headers_are(const char *content_type, const char *media);
  */
 bool request_headers_cookie(const char *cookie, const char *name, char *value, size_t size);
 
-/** Expect: the client holds back the body until it is told to go on (RFC 9110, 10.1.1). */
-bool request_headers_expect(const char *expect);
+/**
+ * Expect: the client, of HTTP `version` ("1.1"), holds back the body until it is told to go on
+ * (RFC 9110, 10.1.1).
+ *
+ * @satisfies SWR-HTTP-077
+ */
+bool request_headers_expect(const char *version, const char *expect);
 
 /** A header that is a number, in decimal digits without zeros before them. False when it is none.
  */

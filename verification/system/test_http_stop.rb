@@ -203,7 +203,6 @@ class TestHttpStop < Minitest::Test
     assert_stop_port_refuses 413, 'BODY_TOO_LONG', stop_head({ 'Content-Length' => '257' })
     assert_stop_port_refuses 413, 'BODY_TOO_LONG', stop_head({ 'Content-Length' => '99999999999999999999' })
     assert_stop_port_refuses 400, 'BAD_BODY', "#{stop_head}[]"
-    assert_stop_port_refuses 400, 'BAD_BODY', "#{stop_head}{}{}"
   end
 
   def test_SWR_HTTP_009_garbage_is_survived
@@ -262,6 +261,47 @@ class TestHttpStop < Minitest::Test
     first, answer = ask_first(head, '[]', at: port)
     assert_equal GO_ON, first
     assert_match(/\AHTTP\S* 400 .*"code":"BAD_BODY"/m, answer)
+  end
+
+  def assert_obeyed(workphase, bytes, at:)
+    answer = send_raw(bytes, at:)
+    assert_match(/\AHTTP\S* 200 .*"workphase":"#{workphase}"/m, answer)
+    assert_equal 1, answer.scan('HTTP/1.1').size, answer
+  end
+
+  # The answer ends the connection, so a client knows that nothing behind its stop was looked at.
+  def test_SWR_HTTP_076_a_stop_is_obeyed_and_answered_once_whatever_comes_behind_it
+    [port, stop_port].each do |at|
+      head = stop_head({ 'Host' => "127.0.0.1:#{at}" })
+      ["#{head}{}", head, "GET / HTTP/1.1\r\nHost: x\r\n\r\n", '{}', "\r\n", "\0\xff", 'x' * 100_000].each do |behind|
+        assert_obeyed 'STOP', "#{head}{}#{behind}", at:
+      end
+      emergency = '{"emergency":true}'
+      long = stop_head({ 'Host' => "127.0.0.1:#{at}", 'Content-Length' => emergency.size.to_s })
+      assert_obeyed 'EMERGENCY', "#{long}#{emergency}#{head}{}", at:
+    end
+  end
+
+  def test_SWR_HTTP_077_a_repeated_expectation_is_one
+    [port, stop_port].each do |at|
+      head = stop_head({ 'Host' => "127.0.0.1:#{at}", 'Expect' => "100-continue\r\nExpect: 100-continue" })
+      first, answer = ask_first(head, '{}', at:)
+      assert_equal GO_ON, first
+      assert_match(/\AHTTP\S* 200 /, answer)
+      assert_obeyed 'STOP', head.sub('Content-Length: 2', 'Content-Length: 0'), at:
+    end
+  end
+
+  # A server that would ask for the body does so at once: its silence lasts until it loses patience.
+  def test_SWR_HTTP_077_a_client_of_http_1_0_is_not_told_to_go_on
+    [port, stop_port].each do |at|
+      head = stop_head({ 'Host' => "127.0.0.1:#{at}", 'Expect' => '100-continue' }, line: 'POST /api/v1/stop HTTP/1.0')
+      refute_includes send_raw(head, at:), '100 Continue'
+      assert_obeyed 'STOP', "#{head}{}", at:
+    end
+    head = "POST /api/v1/session HTTP/1.0\r\nHost: #{host}\r\nContent-Type: application/json\r\nContent-Length: 2\r\n" \
+           "Expect: 100-continue\r\n\r\n"
+    assert_match(/\AHTTP\S* 400 .*"code":"BAD_BODY"/m, send_raw("#{head}[]"))
   end
 
   def test_SWR_HTTP_010_clients_that_read_nothing_lose_their_places

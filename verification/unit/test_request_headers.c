@@ -97,9 +97,15 @@ void test_SWR_SESS_012_one_cookie_of_a_name_counts(void)
 
 void test_SWR_HTTP_059_a_client_that_expects_to_go_on_says_so(void)
 {
-    TEST_ASSERT_TRUE(request_headers_expect("100-continue"));
-    TEST_ASSERT_TRUE(request_headers_expect("100-Continue"));
-    TEST_ASSERT_FALSE(request_headers_expect("100"));
-    TEST_ASSERT_FALSE(request_headers_expect(""));
-    TEST_ASSERT_FALSE(request_headers_expect(NULL));
+    TEST_ASSERT_TRUE(request_headers_expect("1.1", "100-continue"));
+    TEST_ASSERT_TRUE(request_headers_expect("1.1", "100-Continue"));
+    TEST_ASSERT_FALSE(request_headers_expect("1.1", "100"));
+    TEST_ASSERT_FALSE(request_headers_expect("1.1", ""));
+    TEST_ASSERT_FALSE(request_headers_expect("1.1", NULL));
+}
+
+void test_SWR_HTTP_077_an_expectation_that_is_repeated_is_one_and_that_of_http_1_0_none(void)
+{
+    TEST_ASSERT_TRUE(request_headers_expect("1.1", "100-continue, 100-continue"));
+    TEST_ASSERT_FALSE(request_headers_expect("1.0", "100-continue"));
 }
