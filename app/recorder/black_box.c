@@ -483,11 +483,31 @@ static bool has_last_cycle(const black_box_t *self)
            ((snapshot.cycle + 1U) == self->next_cycle);
 }
 
-void black_box_close(black_box_t *self)
+/* What a control that still runs has handed over is the next recorder's. */
+static uint32_t count_unrecorded(const black_box_t *self)
+{
+    const bool is_end = self->is_failing || exchange_has_control_ended(self->exchange);
+    snapshot_t snapshot;
+
+    if (!is_end || !exchange_read_snapshot(self->exchange, &snapshot)) {
+        return 0U;
+    }
+    const uint32_t count = (snapshot.cycle + 1U) - self->kept_until;
+    return (count <= (uint32_t)INT32_MAX) ? count : 0U;
+}
+
+uint32_t black_box_close(black_box_t *self)
 {
     if (has_last_cycle(self)) {
         recording_writer_note_run_end(&self->writer);
     }
     end_file(self, 0U);
     release_written(self);
+    const uint32_t unrecorded = count_unrecorded(self);
+    if (unrecorded != 0U) {
+        (void)fprintf(stderr,
+                      "recorder: the last %" PRIu32 " cycles of the run are in no recording.\n",
+                      unrecorded);
+    }
+    return unrecorded;
 }

@@ -344,6 +344,16 @@ void event_log_sync(event_log_t *self)
     }
 }
 
+void event_log_note_unrecorded(event_log_t *self, uint32_t cycles)
+{
+    char remark[96];
+
+    (void)snprintf(remark, sizeof remark,
+                   "CYCLES_UNRECORDED value=%u The last cycles of the run are in no recording.",
+                   (unsigned)cycles);
+    (void)write_remark(self, remark);
+}
+
 void event_log_close(event_log_t *self)
 {
     event_log_sync(self);

@@ -57,6 +57,13 @@ void event_log_drain(event_log_t *self);
  */
 void event_log_sync(event_log_t *self);
 
+/**
+ * Writes that the last `cycles` cycles of the run are in no recording.
+ *
+ * @satisfies SWR-REC-040
+ */
+void event_log_note_unrecorded(event_log_t *self, uint32_t cycles);
+
 void event_log_close(event_log_t *self);
 
 #endif

@@ -153,7 +153,10 @@ static int keep(const char *const values[])
     sweep_keeper = (sweep_keeper_t){.directory = values[DIRECTORY], .robot = robot};
     black_box_open(&black_box, values[DIRECTORY], exchange, &header);
     record(exchange, &ends);
-    black_box_close(&black_box);
+    const uint32_t unrecorded = black_box_close(&black_box);
+    if (unrecorded != 0U) {
+        event_log_note_unrecorded(&event_log, unrecorded);
+    }
     event_log_close(&event_log);
     exchange_close(exchange);
     return 0;

@@ -166,6 +166,19 @@ class TestRecorder < SystemTest
     boresight.recording_files.each { |file| replayed(file, 0, 3) }
   end
 
+  def test_SWR_REC_040_a_run_that_ends_on_a_full_disk_says_how_many_cycles_are_in_no_recording
+    last = record(500) do
+      limit_files(File.size(boresight.recording_files.last) + 1000)
+      expect_failing
+    end
+    lost = boresight.output[/^recorder: the last (\d+) cycles of the run are in no recording\.$/, 1].to_i
+    assert_includes boresight.event_lines.last, "CYCLES_UNRECORDED value=#{lost} "
+    cycles, text = replayed(boresight.recordings, 3)
+    assert_match(/^The end of the run is missing/, text)
+    assert_operator lost, :>, 500
+    assert_operator cycles + lost, :>=, last
+  end
+
   def test_SWR_REC_032_SWR_REC_033_a_folder_that_a_file_has_replaced_is_told_with_all_that_was_in_it
     lost = 0
     record(500) do

@@ -255,7 +255,7 @@ static bool says_run_end(bool has_control_ended, uint32_t end)
     if (has_control_ended) {
         exchange_note_control_ended(exchange);
     }
-    black_box_close(&black_box);
+    TEST_ASSERT_EQUAL_UINT32(has_control_ended ? (20U - end) : 0U, black_box_close(&black_box));
     TEST_ASSERT_EQUAL_size_t(1U, read_newest());
     TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
     return reader.is_run_end;
@@ -274,6 +274,47 @@ void test_SWR_REC_031_the_run_does_not_end_while_control_lives(void)
 void test_SWR_REC_031_the_end_of_the_run_is_not_there_when_its_last_cycle_is_lost(void)
 {
     TEST_ASSERT_FALSE(says_run_end(true, 19U));
+}
+
+/* Control's last cycle is 29, and it has handed over those before 20. */
+static void end_on_full_disk(void)
+{
+    const snapshot_t snapshot = {.cycle = 29U};
+
+    exchange_publish_snapshot(exchange, &snapshot);
+    record_cycles(0U, 10U);
+    fill_disk(1U);
+    record_cycles(10U, 20U);
+    TEST_ASSERT_TRUE(exchange_is_recorder_failing(exchange));
+}
+
+void test_SWR_REC_040_cycles_that_wait_at_the_end_on_a_full_disk_are_counted(void)
+{
+    end_on_full_disk();
+    exchange_note_control_ended(exchange);
+    TEST_ASSERT_EQUAL_UINT32(20U, black_box_close(&black_box));
+}
+
+void test_SWR_REC_040_they_are_counted_when_control_was_killed(void)
+{
+    end_on_full_disk();
+    TEST_ASSERT_EQUAL_UINT32(20U, black_box_close(&black_box));
+}
+
+void test_SWR_REC_040_what_the_end_of_the_disk_costs_last_is_counted(void)
+{
+    const snapshot_t snapshot = {.cycle = 19U};
+
+    exchange_publish_snapshot(exchange, &snapshot);
+    record_cycles(0U, 10U);
+    for (uint32_t cycle = 10U; cycle < 20U; cycle++) {
+        push(cycle);
+    }
+    black_box_drain(&black_box, now_us);
+    fill_disk(1U);
+    exchange_note_control_ended(exchange);
+    TEST_ASSERT_EQUAL_UINT32(10U, black_box_close(&black_box));
+    TEST_ASSERT_TRUE(exchange_is_recorder_failing(exchange));
 }
 
 static void remove_folder(void)

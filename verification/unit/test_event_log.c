@@ -629,3 +629,10 @@ void test_SWR_EVENT_010_a_line_has_the_words_of_its_note(void)
     TEST_ASSERT_EQUAL_STRING("x\n", &line[strlen(line) - 2U]);
     TEST_ASSERT_NOT_NULL(strstr(line, words));
 }
+
+void test_SWR_REC_040_cycles_at_the_end_that_are_in_no_recording_are_a_line(void)
+{
+    log_events(3U);
+    event_log_note_unrecorded(&event_log, 12U);
+    assert_line(1U, 3U, "Z 3 CYCLES_UNRECORDED value=12 The last cycles of the run are in no rec");
+}
