@@ -55,6 +55,10 @@ class TestConsoleWorkflow < Minitest::Test
       assert_parts 'SWR-HTTP-002'
     end
 
+    def test_SWR_SESS_035_a_page_says_why_its_session_has_not_outlived_its_server
+      assert_parts 'SWR-SESS-035'
+    end
+
     def test_SWR_CON_043_a_killed_server_is_seen_and_outlived
       assert_parts 'SWR-CON-043'
     end

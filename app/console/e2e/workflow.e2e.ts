@@ -354,6 +354,8 @@ test("SWR-CON-014 command passes to another browser by the button at the box", a
   await letGo("button");
   await page.getByRole("button", { name: "Ask for command" }).waitFor();
   await said("Commanded by page of anna");
+  await said("Command lost: another took it by the button at the box.");
+  await press("Read");
   await press("Give up command", other);
   await other.context().close();
   await takeCommand();
@@ -443,4 +445,12 @@ test("SWR-CON-043 a page whose server begins anew goes on, or asks to be loaded 
   await said(notice, old);
   await page.locator('.panels[data-freshness="live"]').waitFor();
   expect(await page.getByText(notice).count()).toBe(0);
+});
+
+test("SWR-SESS-035 a page says why its session has not outlived its server", async () => {
+  await said("Command lost: the server was started anew.");
+  await said("Logged out: the server was started anew");
+  await press("Read");
+  await said("Not logged in");
+  expect(await page.getByText("Logged out:").count()).toBe(0);
 });

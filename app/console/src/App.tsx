@@ -13,6 +13,7 @@ import { Login } from "./panels/Login";
 import { StopButton } from "./panels/StopButton";
 import { Boundary } from "./parts/Boundary";
 import { Clock } from "./parts/Clock";
+import { Losses } from "./parts/Losses";
 import { RecentActs } from "./parts/RecentActs";
 import { ThemeChoice } from "./parts/ThemeChoice";
 import { mayCommand, Operation, Stale } from "./operation";
@@ -116,10 +117,17 @@ function Toolbar({
     <div className="toolbar">
       <Login store={operation.session} />
       {view.robot !== null && (
-        <Command
-          operation={operation}
-          authority={view.robot.status.authority}
-        />
+        <>
+          <Command
+            operation={operation}
+            authority={view.robot.status.authority}
+          />
+          <Losses
+            operation={operation}
+            status={view.robot.status}
+            log={view.log}
+          />
+        </>
       )}
       <Boundary name="notice">
         <Notices view={view} />

@@ -15,6 +15,8 @@ export class PageAuthority {
   private hasAsked = false;
   private timer: ReturnType<typeof setInterval> | null = null;
   private problem: string | null = null;
+  /** How this page has given it up itself. */
+  left: "by hand" | "hidden" | null = null;
 
   constructor(page: Page) {
     this.page = page;
@@ -79,24 +81,28 @@ export class PageAuthority {
   }
 
   /** Gives it up, or withdraws what was asked for. It leaves even when the page does. */
-  readonly giveUp = (): void => {
+  readonly giveUp = (): void => this.end("by hand");
+
+  private end(left: "by hand" | "hidden"): void {
     if (this.timer !== null || this.hasAsked) {
+      this.left = left;
       this.letGo();
       this.hasAsked = false;
       void this.page.request("DELETE", AUTHORITY_PATH).catch(
         () => undefined, // Without renewal it ends all the same.
       );
     }
-  };
+  }
 
   /** Also looked at when an answer comes: who has left meanwhile must not keep what he gets. */
   private readonly leave = (): void => {
     if (document.visibilityState === "hidden") {
-      this.giveUp();
+      this.end("hidden");
     }
   };
 
   private keep(): void {
+    this.left = null;
     this.timer ??= setInterval(() => void this.renew(), RENEW_MS);
   }
 

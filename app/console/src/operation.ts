@@ -9,6 +9,7 @@ import {
 import type { Authority, Path, Session } from "@interface";
 import type { Outcome } from "./acts";
 import { PageAuthority } from "./authority";
+import { Losses } from "./losses";
 import { Page } from "./page";
 import { SessionStore } from "./session";
 
@@ -19,6 +20,7 @@ export class Operation {
   readonly session = new SessionStore();
   readonly page = new Page(() => this.session.getView().session?.token ?? null);
   readonly authority = new PageAuthority(this.page);
+  readonly losses = new Losses(this);
   /** What was written in views that are not shown now. */
   readonly kept = new Map<string, unknown>();
 }

@@ -43,6 +43,8 @@ export class SessionStore {
   private readonly listeners = new Set<() => void>();
   private view: SessionView = { session: null, problem: null };
   private timer: ReturnType<typeof setInterval> | null = null;
+  /** This page has logged out itself. */
+  hasLeft = false;
 
   readonly subscribe = (listener: () => void): (() => void) => {
     this.listeners.add(listener);
@@ -63,6 +65,7 @@ export class SessionStore {
   }
 
   logIn(request: LoginRequest): Promise<void> {
+    this.hasLeft = false;
     return this.send("POST", request);
   }
 
@@ -71,10 +74,11 @@ export class SessionStore {
   }
 
   logOut(): Promise<void> {
+    this.hasLeft = true;
     return this.send("DELETE");
   }
 
-  private async ask(): Promise<void> {
+  async ask(): Promise<void> {
     try {
       const response = await this.request("GET");
       if (response.ok) {

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command and the session that this page had and has lost, and why, until somebody has read it.
+import type { LogEntry, Session, Status } from "@interface";
+import type { Operation } from "./operation";
+import { secondsLeft } from "./session";
+
+/** The server counts whole seconds. */
+const COUNTED_MS = 1000;
+
+/** By the value of the event AUTHORITY_LOST. */
+const causes = [
+  "the server gave it up",
+  "the server did not hear this page in time",
+  "the server gave no sign of life",
+  "another took it by the button at the box",
+] as const;
+/** Until the event has come. */
+const UNKNOWN = "the log has the reason";
+
+export interface Sight {
+  status: Status;
+  session: Session | null;
+  log: readonly LogEntry[];
+}
+
+/** A session, when it ends by itself, and which start of the server has opened it. */
+interface Login {
+  session: Session;
+  endsAt: number;
+  boot: string;
+}
+
+function endOf({ session, endsAt, boot }: Login, now: string): string {
+  if (boot !== now) {
+    return "the server was started anew, and no session outlives that";
+  }
+  if (performance.now() < endsAt - COUNTED_MS) {
+    return "by a logout in another tab, another login or a change of the account; the log says which";
+  }
+  return session.most_s <= session.idle_s
+    ? "the session has lasted as long as one may"
+    : "nothing was commanded or renewed for too long";
+}
+
+export class Losses {
+  private readonly operation: Operation;
+  private readonly listeners = new Set<() => void>();
+  private login: Login | null = null;
+  private boot = "";
+  /** The start of the server at which this page took command; null: it has none. */
+  private taken: string | null = null;
+  private command: string | null = null;
+  private logout: string | null = null;
+  private sentences: readonly string[] = [];
+
+  constructor(operation: Operation) {
+    this.operation = operation;
+  }
+
+  readonly subscribe = (listener: () => void): (() => void) => {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  };
+
+  readonly getSentences = (): readonly string[] => this.sentences;
+
+  /** They were read. */
+  readonly dismiss = (): void => {
+    this.command = null;
+    this.logout = null;
+    this.tell();
+  };
+
+  /** What the page sees now. */
+  observe({ status, session, log }: Sight): void {
+    const isAnew = this.boot !== "" && this.boot !== status.boot_id;
+    this.boot = status.boot_id;
+    this.observeSession(session);
+    const isLost = this.observeCommand(status);
+    if (isLost || isAnew) {
+      void this.operation.session.ask(); // It may have ended as well.
+    }
+    this.observeCause(log);
+    this.tell();
+  }
+
+  /** @satisfies SWR-SESS-035 */
+  private observeSession(session: Session | null): void {
+    const { login, boot } = this;
+    if (session === null || session === login?.session) {
+      return;
+    }
+    if (session.is_open) {
+      const endsAt = performance.now() + 1000 * secondsLeft(session);
+      const isSame = session.token === login?.session.token;
+      this.login = { session, endsAt, boot: isSame ? login.boot : boot };
+      return;
+    }
+    if (login !== null && !this.operation.session.hasLeft) {
+      this.logout = endOf(login, boot);
+    }
+    this.login = null;
+  }
+
+  /**
+   * True when it was lost just now.
+   *
+   * @satisfies SWR-CON-091
+   */
+  private observeCommand({ authority }: Status): boolean {
+    const own = this.operation.authority;
+    const { taken, boot } = this;
+    if (own.isMine(authority)) {
+      this.taken ??= boot;
+      return false;
+    }
+    this.taken = null;
+    if (taken === null || own.left === "by hand") {
+      return false;
+    }
+    const cause = taken === boot ? UNKNOWN : "the server was started anew";
+    this.command = own.left === "hidden" ? "this page was hidden" : cause;
+    return true;
+  }
+
+  /** The event may come after the state. */
+  private observeCause(log: readonly LogEntry[]): void {
+    const peer = String(this.operation.page.number);
+    const last = log.find(
+      ({ name, subject }) => name.startsWith("AUTHORITY_") && subject === peer,
+    );
+    if (this.command === UNKNOWN && last?.name === "AUTHORITY_LOST") {
+      this.command = causes[last.value] ?? UNKNOWN;
+    }
+  }
+
+  private tell(): void {
+    const { command, logout } = this;
+    const isBoth = command === causes[0] && logout !== null;
+    const cause = isBoth ? "the session has ended" : command;
+    const sentences = [
+      ...(cause === null ? [] : [`Command lost: ${cause}.`]),
+      ...(logout === null ? [] : [`Logged out: ${logout}.`]),
+    ];
+    if (sentences.join() !== this.sentences.join()) {
+      this.sentences = sentences;
+      this.listeners.forEach((listener) => listener());
+    }
+  }
+}

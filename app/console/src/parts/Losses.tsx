@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useEffect, useSyncExternalStore } from "react";
+import type { Status } from "@interface";
+import type { Operation } from "../operation";
+import type { ConsoleView } from "../store";
+
+/**
+ * What this page has lost and why, until somebody has read it.
+ *
+ * @satisfies SWR-CON-091
+ * @satisfies SWR-SESS-035
+ */
+export function Losses({
+  operation,
+  status,
+  log,
+}: {
+  operation: Operation;
+  status: Status;
+  log: ConsoleView["log"];
+}) {
+  const { losses, session: store } = operation;
+  const { session } = useSyncExternalStore(store.subscribe, store.getView);
+  const sentences = useSyncExternalStore(losses.subscribe, losses.getSentences);
+  useEffect(
+    () => losses.observe({ status, session, log }),
+    [losses, status, session, log],
+  );
+  return (
+    sentences.length > 0 && (
+      <section className="login" aria-label="Lost" role="alert">
+        <p className="login-problem">{sentences.join(" ")}</p>
+        <button type="button" onClick={losses.dismiss}>
+          Read
+        </button>
+      </section>
+    )
+  );
+}
