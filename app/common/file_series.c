@@ -136,22 +136,27 @@ static uint64_t size_of(const char *path)
     return (stat(path, &status) == 0) ? (uint64_t)status.st_size : 0U;
 }
 
-void file_series_remove_oldest(const file_series_t *self, const char *directory,
-                               const char *present)
+uint64_t file_series_remove_oldest(const file_series_t *self, const char *directory,
+                                   const char *present)
 {
     struct dirent **entries;
     const uint32_t count = file_series_list(self, directory, &entries);
     uint64_t used = 0U;
+    uint64_t left = 0U;
     uint32_t kept = 0U;
 
     for (uint32_t i = count; i > 0U; i--) { /* The newest first. */
         char path[FILE_SERIES_PATH_SIZE];
         (void)snprintf(path, sizeof path, "%s/%s", directory, entries[i - 1U]->d_name);
-        used += size_of(path);
+        const uint64_t size = size_of(path);
+        used += size;
         kept++;
         if (((kept > self->files) || (used >= self->bytes)) && (strcmp(path, present) != 0)) {
             (void)unlink(path);
+        } else {
+            left += size;
         }
     }
     file_series_forget(entries, count);
+    return left;
 }

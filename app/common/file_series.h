@@ -63,10 +63,12 @@ uint32_t file_series_newest(const file_series_t *self, const char *directory);
  * Removes the oldest until few enough are left; those without a number are the oldest. `present`, a
  * path, stays in any case.
  *
+ * @return the bytes of those that are left
+ *
  * @satisfies SWR-REC-007
  * @satisfies SWR-EVENT-008
  */
-void file_series_remove_oldest(const file_series_t *self, const char *directory,
-                               const char *present);
+uint64_t file_series_remove_oldest(const file_series_t *self, const char *directory,
+                                   const char *present);
 
 #endif

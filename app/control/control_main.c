@@ -181,6 +181,7 @@ static void gather_inputs(uint64_t elapsed_ns)
     inputs.unfit = board.is_simulated ? 0U : computer.lacks;
     inputs.cycles_lost = lane.lost;
     inputs.is_recorder_failing = lane.is_failing ? 1U : 0U;
+    inputs.recording_left_min = exchange_recording_left_min(exchange);
     inputs.dialect = board.dialect;
     inputs.is_dialect_accepted = (board.accepted[0] != '\0') ? 1U : 0U;
     inputs.command_count = exchange_take_commands(exchange, inputs.commands, CONTROLLER_COMMANDS);

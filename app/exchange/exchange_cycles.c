@@ -200,6 +200,16 @@ uint32_t exchange_cycles_removed(const exchange_t *self)
     return __atomic_load_n(&self->segment->recorder.cycles_removed, __ATOMIC_RELAXED);
 }
 
+void exchange_note_recording_left(exchange_t *self, uint32_t left_min)
+{
+    __atomic_store_n(&self->segment->recorder.left_min, left_min, __ATOMIC_RELAXED);
+}
+
+uint32_t exchange_recording_left_min(const exchange_t *self)
+{
+    return __atomic_load_n(&self->segment->recorder.left_min, __ATOMIC_RELAXED);
+}
+
 /* Goes on where the recorder before has ended or, if that is damaged, where control last saw it. */
 static void begin_taking(exchange_t *self, uint32_t head)
 {

@@ -84,6 +84,10 @@ void exchange_note_recorder(exchange_t *self, bool is_failing, uint32_t removed)
 bool exchange_is_recorder_failing(const exchange_t *self);
 uint32_t exchange_cycles_removed(const exchange_t *self);
 
+/** Of the recorder: minutes until the disk of the recordings is full; 0: no end is foreseen. */
+void exchange_note_recording_left(exchange_t *self, uint32_t left_min);
+uint32_t exchange_recording_left_min(const exchange_t *self);
+
 /**
  * For the recorder, before it takes records: sets right what a neighbour has damaged of the lane,
  * and adds the entries that are lost by it to `*dropped`.

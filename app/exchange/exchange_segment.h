@@ -136,6 +136,7 @@ typedef struct {
     uint32_t cycles_tail;    /**< Index up to which cycles are released. */
     uint32_t cycles_removed; /**< From recordings, since the start; wraps. */
     uint32_t is_failing;     /**< 1: it cannot write. */
+    uint32_t left_min;       /**< Until the disk is full; 0: no end is foreseen. */
     uint32_t beats;          /**< In the place of its row in the part of all. */
     uint32_t checkpoint_requests;
 } segment_recorder_t;

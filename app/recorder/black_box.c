@@ -31,6 +31,7 @@ void black_box_open(black_box_t *self, const char *directory, exchange_t *exchan
     self->writer.file = -1;
     self->is_failing = exchange_is_recorder_failing(exchange); /* As the one before it was. */
     self->removed = exchange_cycles_removed(exchange);
+    self->room.left_min = exchange_recording_left_min(exchange);
     request_checkpoint(self, 1U);
 }
 
@@ -77,6 +78,7 @@ static void leave_file(black_box_t *self)
 static void tell(const black_box_t *self)
 {
     exchange_note_recorder(self->exchange, self->is_failing, self->removed);
+    exchange_note_recording_left(self->exchange, self->room.left_min);
 }
 
 /* Goes back to the first cycle that is in no file. */
@@ -214,7 +216,8 @@ static void begin_file(black_box_t *self, uint32_t cycle, uint64_t now_us)
         return;
     }
     exchange_note_file(self->exchange, EXCHANGE_FILE_RECORDING, self->number);
-    file_series_remove_oldest(&file_series_recordings, self->directory, self->path);
+    self->others_bytes =
+        file_series_remove_oldest(&file_series_recordings, self->directory, self->path);
     (void)forget_gone(self);
     note_present(self, cycle);
     self->opened_us = now_us;
@@ -469,6 +472,10 @@ void black_box_drain(black_box_t *self, uint64_t now_us)
     }
     if (now_us >= self->retry_us) {
         take_all(self, now_us);
+    }
+    if (self->writer.file >= 0) {
+        recording_room_look(&self->room, self->directory, self->others_bytes, self->writer.size,
+                            now_us);
     }
     tell(self); /* Again: a neighbour may have damaged it. */
 }

@@ -19,6 +19,7 @@
 #include "exchange/exchange_files.h"
 #include "exchange/exchange_rows.h"
 #include "limits/requirement_limits.h"
+#include "recorder/recording_room.h"
 #include "recording/recording_writer.h"
 
 #include <stdbool.h>
@@ -60,6 +61,8 @@ typedef struct {
     black_box_file_t present;
     black_box_file_t earlier[LIMIT_RECORDINGS]; /**< Those that have a block, the oldest first. */
     uint32_t earlier_count;
+    uint64_t others_bytes; /**< Of all recordings but the present one, when it was begun. */
+    recording_room_t room;
     cycle_record_t record;                        /**< The present one. */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Of the newest checkpoint. */
 } black_box_t;

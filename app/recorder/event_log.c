@@ -79,7 +79,7 @@ static bool begin(event_log_t *self)
     self->number_before = self->number;
     self->number = number;
     note_place(self);
-    file_series_remove_oldest(&file_series_logs, self->directory, path);
+    (void)file_series_remove_oldest(&file_series_logs, self->directory, path);
     return true;
 }
 

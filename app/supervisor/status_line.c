@@ -229,6 +229,7 @@ void status_line_take(status_parts_t *parts, const exchange_t *exchange, family_
         add_permit(parts, &snapshot);
         add_inputs(parts, &snapshot);
         add_gap(parts, &snapshot);
+        status_parts_add_room(parts, snapshot.recording_left_min);
         add_request(parts, exchange, &snapshot);
     } else {
         status_parts_add(parts, STATUS_PLAIN, "starting");

@@ -8,9 +8,9 @@
 #include "supervisor/status_parts.h"
 
 /**
- * Takes its parts: workphase, permit, pedal and e-stop, cycles that are not recorded, who asks for
- * the button, programs that are not well, links, who commands, who is not reached, time, and the
- * programs that are well.
+ * Takes its parts: workphase, permit, pedal and e-stop, cycles that are not recorded, when the disk
+ * is full, who asks for the button, programs that are not well, links, who commands, who is not
+ * reached, time, and the programs that are well.
  *
  * @satisfies SWR-SUP-004
  */

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervisor/status_parts.h"
 
+#include "limits/requirement_limits.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,6 +10,7 @@
 #define BETWEEN " | "
 #define LEFT_OUT " ..."
 #define MOST_COLUMNS 100000U
+#define MINUTES_PER_HOUR 60U
 
 static const char *const colours[] = {[STATUS_PLAIN] = "",
                                       [STATUS_GOOD] = "\033[32m",
@@ -26,6 +29,21 @@ void status_parts_add(status_parts_t *self, status_tone_t tone, const char *form
         va_end(arguments);
         part->tone = tone;
         self->count++;
+    }
+}
+
+void status_parts_add_room(status_parts_t *self, uint32_t minutes)
+{
+    const status_tone_t tone = (minutes < LIMIT_RECORDING_LEFT_MIN) ? STATUS_NOTE : STATUS_PLAIN;
+
+    if (minutes >= MINUTES_PER_HOUR) {
+        status_parts_add(self, tone, "disk full in %u h %u min at this rate",
+                         (unsigned)(minutes / MINUTES_PER_HOUR),
+                         (unsigned)(minutes % MINUTES_PER_HOUR));
+    } else if (minutes > 0U) {
+        status_parts_add(self, tone, "disk full in %u min at this rate", (unsigned)minutes);
+    } else {
+        /* Nothing to say. */
     }
 }
 

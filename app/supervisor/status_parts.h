@@ -33,6 +33,14 @@ void status_parts_add(status_parts_t *self, status_tone_t tone, const char *form
     __attribute__((format(printf, 3, 4)));
 
 /**
+ * Adds in which time the disk of the recordings is full; 0 minutes: no end is foreseen, and nothing
+ * is added.
+ *
+ * @satisfies SWR-REC-037
+ */
+void status_parts_add_room(status_parts_t *self, uint32_t minutes);
+
+/**
  * Writes the parts that fit into `columns`, each whole and in their order, and "..." for those that
  * do not: the first one always, then first what is bad, what has to be looked at, and what is good.
  * 0 columns: there is no bound. Colours take no column.

@@ -61,6 +61,9 @@ typedef struct {
     uint32_t cycles_lost;
     /** The recorder cannot write, and no cycle is recorded: 0 or 1; 0 where there is none. */
     uint32_t is_recorder_failing;
+    /** Minutes until the disk of the recordings is full, from 1; 0: no end is foreseen, or there is
+     * no recorder. */
+    uint32_t recording_left_min;
     uint32_t dialect; /**< card_dialect_t of all cards. */
     /** Somebody accepts in writing what cards of another dialect than ours lack: 0 or 1. */
     uint32_t is_dialect_accepted;
@@ -148,6 +151,8 @@ typedef struct {
     card_health_t health[CARD_SLOT_COUNT]; /**< By slot; counts, too. */
     uint32_t cycles_lost;                  /**< Of the inputs before; counts, too, */
     uint32_t unrecorded;                   /**< and those of them in the present gap. */
+    uint32_t recording_left_min;           /**< Of the inputs before. */
+    uint32_t is_end_told;                  /**< That it ends soon: 0 or 1. */
     robot_cards_t cards;    /**< Of the robot, as its undamaged table says in each cycle. */
     target_way_t way;       /**< As it is shown; has a seal of its own. */
     program_list_t program; /**< The treatment program that is held; has checksums of its own. */

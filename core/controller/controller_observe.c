@@ -395,12 +395,34 @@ static void note_gap(controller_t *self, const cycle_t *cycle, uint32_t lost)
     }
 }
 
+/*
+ * Told anew only once there has been twice the room.
+ *
+ * @satisfies SWR-REC-036
+ */
+static void note_room(controller_t *self, const cycle_t *cycle, uint32_t left_min)
+{
+    const bool is_soon = (left_min != 0U) && (left_min < LIMIT_RECORDING_LEFT_MIN);
+    const bool is_far = (left_min == 0U) || (left_min >= (2U * LIMIT_RECORDING_LEFT_MIN));
+    if (is_soon && (self->is_end_told == 0U)) {
+        controller_note(self, cycle, EVENT_RECORDING_ENDS_SOON, 0U, (int32_t)left_min);
+        self->is_end_told = 1U;
+    }
+    if (is_far) {
+        self->is_end_told = 0U;
+    }
+    self->recording_left_min = left_min;
+}
+
 /** @satisfies SWR-REC-021 */
 static void observe_recording(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t lost = cycle->inputs->cycles_lost - self->cycles_lost;
     if ((lost != 0U) || (self->unrecorded != 0U)) {
         note_gap(self, cycle, lost);
+    }
+    if (cycle->inputs->recording_left_min != self->recording_left_min) {
+        note_room(self, cycle, cycle->inputs->recording_left_min);
     }
 }
 

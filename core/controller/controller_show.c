@@ -464,6 +464,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t gu
     shown->unfit = cycle->inputs->unfit;
     shown->unrecorded = self->unrecorded;
     shown->is_recorder_failing = cycle->inputs->is_recorder_failing;
+    shown->recording_left_min = cycle->inputs->recording_left_min;
     shown->overruns = self->loop.overruns;
     shown->events = self->events;
     shown->events_lost = self->events_lost;

@@ -73,6 +73,35 @@ void test_SWR_REC_021_the_event_says_whether_the_recorder_does_not_read_or_canno
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_recorder_failing);
 }
 
+/* The minutes that are left; @return whether it is told that they are few. */
+static bool tells_of(uint32_t minutes)
+{
+    rig.recording_left_min = minutes;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(minutes, rig.outputs.snapshot.recording_left_min);
+    const event_t *const event = event_now(EVENT_RECORDING_ENDS_SOON);
+    TEST_ASSERT_TRUE((event == NULL) || (event->value == (int32_t)minutes));
+    return event != NULL;
+}
+
+void test_SWR_REC_036_a_disk_that_is_full_soon_is_logged_once_until_there_is_twice_the_room(void)
+{
+    const uint32_t limit = LIMIT_RECORDING_LEFT_MIN;
+
+    TEST_ASSERT_FALSE(tells_of(0U));
+    TEST_ASSERT_FALSE(tells_of(limit));
+    TEST_ASSERT_TRUE(tells_of(limit - 1U));
+    rig_cycles(&rig, 10U);
+    TEST_ASSERT_FALSE(tells_of(1U));
+    TEST_ASSERT_FALSE(tells_of((2U * limit) - 1U));
+    TEST_ASSERT_FALSE(tells_of(limit - 1U));
+    TEST_ASSERT_FALSE(tells_of(2U * limit));
+    TEST_ASSERT_TRUE(tells_of(limit - 1U));
+    TEST_ASSERT_FALSE(tells_of(0U));
+    TEST_ASSERT_TRUE(tells_of(1U));
+    TEST_ASSERT_EQUAL_UINT32(3U, rig_count(&rig, EVENT_RECORDING_ENDS_SOON));
+}
+
 /* What is asked for next while the recorder can and cannot write. */
 static void expect_steps(next_step_t with, next_step_t without)
 {

@@ -31,6 +31,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 #include <zstd.h>
 
@@ -51,6 +52,14 @@ static recording_reader_t reader;
 static recording_finding_t finding;
 static struct rlimit unlimited;
 static uint64_t now_us;
+
+/* In the place of the system's: nothing is free. */
+int statvfs(const char *path, struct statvfs *found)
+{
+    TEST_ASSERT_EQUAL_STRING(folder, path);
+    (void)memset(found, 0, sizeof *found);
+    return 0;
+}
 
 void setUp(void)
 {
@@ -588,6 +597,19 @@ void test_SWR_REC_032_with_nothing_left_to_write_control_is_asked_for_more(void)
     black_box_open(&black_box, folder, exchange, &header);
     black_box_drain(&black_box, now_us);
     TEST_ASSERT_FALSE(exchange_is_recorder_failing(exchange));
+}
+
+void test_SWR_REC_035_control_is_told_how_long_the_disk_lasts_also_by_the_next_recorder(void)
+{
+    record_cycles(0U, 10U);
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_recording_left_min(exchange));
+    now_us += LIMIT_RECORDING_LOOK_US;
+    record_cycles(10U, 20U);
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_recording_left_min(exchange));
+    black_box_close(&black_box);
+    black_box_open(&black_box, folder, exchange, &header);
+    black_box_drain(&black_box, now_us);
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_recording_left_min(exchange));
 }
 
 void test_SWR_REC_024_a_damaged_lane_begins_no_file_after_another(void)

@@ -54,11 +54,11 @@ static void make(const char *path)
     (void)close(file);
 }
 
-static void remove_oldest(uint32_t files, uint64_t bytes, const char *present)
+static uint64_t remove_oldest(uint32_t files, uint64_t bytes, const char *present)
 {
     series.files = files;
     series.bytes = bytes;
-    file_series_remove_oldest(&series, folder, present);
+    return file_series_remove_oldest(&series, folder, present);
 }
 
 static bool is_there(const char *path)
@@ -71,7 +71,8 @@ void test_SWR_REC_007_the_oldest_go_until_few_enough_are_left(void)
     for (uint32_t i = 1U; i <= 12U; i++) {
         make(named(i, MORNING + (i * HOUR)));
     }
-    remove_oldest(5U, PLENTY, named(12U, MORNING + (12U * HOUR)));
+    TEST_ASSERT_EQUAL_UINT64(5U * SIZE,
+                             remove_oldest(5U, PLENTY, named(12U, MORNING + (12U * HOUR))));
     for (uint32_t i = 1U; i <= 12U; i++) {
         TEST_ASSERT_EQUAL(i > 7U, is_there(named(i, MORNING + (i * HOUR))));
     }
@@ -82,7 +83,7 @@ void test_SWR_REC_007_the_oldest_go_until_they_are_small_enough(void)
     for (uint32_t i = 1U; i <= 6U; i++) {
         make(named(i, MORNING));
     }
-    remove_oldest(100U, (uint64_t)(3 * SIZE) + 1U, named(6U, MORNING));
+    (void)remove_oldest(100U, (uint64_t)(3 * SIZE) + 1U, named(6U, MORNING));
     for (uint32_t i = 1U; i <= 6U; i++) {
         TEST_ASSERT_EQUAL(i > 3U, is_there(named(i, MORNING)));
     }
@@ -94,7 +95,7 @@ void test_SWR_REC_007_a_clock_that_is_set_back_makes_no_recording_older(void)
     make(named(999999U, MORNING));
     make(named(1000000U, MORNING - HOUR));
     TEST_ASSERT_EQUAL_UINT32(1000000U, file_series_newest(&series, folder));
-    remove_oldest(2U, PLENTY, named(1000000U, MORNING - HOUR));
+    (void)remove_oldest(2U, PLENTY, named(1000000U, MORNING - HOUR));
     TEST_ASSERT_FALSE(is_there(named(999998U, MORNING + HOUR)));
     TEST_ASSERT_TRUE(is_there(named(999999U, MORNING)));
     TEST_ASSERT_TRUE(is_there(named(1000000U, MORNING - HOUR)));
@@ -104,7 +105,7 @@ void test_SWR_REC_007_the_present_one_stays_whatever_its_size(void)
 {
     make(named(1U, MORNING));
     make(named(2U, MORNING));
-    remove_oldest(1U, 1U, named(1U, MORNING));
+    (void)remove_oldest(1U, 1U, named(1U, MORNING));
     TEST_ASSERT_TRUE(is_there(named(1U, MORNING)));
 }
 
@@ -120,7 +121,7 @@ void test_SWR_REC_007_recordings_without_a_number_are_the_oldest_and_other_files
     TEST_ASSERT_EQUAL_UINT32(0U, file_series_newest(&series, folder));
     make(named(1U, MORNING));
     TEST_ASSERT_EQUAL_UINT32(1U, file_series_newest(&series, folder));
-    remove_oldest(1U, PLENTY, named(1U, MORNING));
+    (void)remove_oldest(1U, PLENTY, named(1U, MORNING));
     TEST_ASSERT_FALSE(is_there(dated));
     TEST_ASSERT_TRUE(is_there(other));
     TEST_ASSERT_TRUE(is_there(named(1U, MORNING)));

@@ -5,6 +5,7 @@
  */
 #include "unity.h"
 
+#include "limits/requirement_limits.h"
 #include "supervisor/status_parts.h"
 
 #include <string.h>
@@ -88,4 +89,23 @@ void test_SWR_SUP_011_more_parts_than_there_is_room_for_are_left_out(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_PARTS, parts.count);
     parts.count = 0U;
     expect(80U, true, "");
+}
+
+static void expect_room(uint32_t minutes, status_tone_t tone, const char *words)
+{
+    parts.count = 0U;
+    status_parts_add_room(&parts, minutes);
+    TEST_ASSERT_EQUAL_UINT32(1U, parts.count);
+    TEST_ASSERT_EQUAL(tone, parts.parts[0].tone);
+    TEST_ASSERT_EQUAL_STRING(words, parts.parts[0].text);
+}
+
+void test_SWR_REC_037_the_time_until_the_disk_is_full_is_a_part_to_look_at_below_the_limit(void)
+{
+    expect_room(130U, STATUS_PLAIN, "disk full in 2 h 10 min at this rate");
+    expect_room(LIMIT_RECORDING_LEFT_MIN, STATUS_PLAIN, "disk full in 30 min at this rate");
+    expect_room(LIMIT_RECORDING_LEFT_MIN - 1U, STATUS_NOTE, "disk full in 29 min at this rate");
+    parts.count = 0U;
+    status_parts_add_room(&parts, 0U);
+    TEST_ASSERT_EQUAL_UINT32(0U, parts.count);
 }

@@ -43,6 +43,12 @@ export function formatDuration(ms: number): string {
   return seconds < 120 ? `${seconds} s` : `${Math.floor(seconds / 60)} min`;
 }
 
+/** 2 h 10 min. */
+export function formatMinutes(minutes: number): string {
+  const hours = Math.floor(minutes / 60);
+  return hours === 0 ? `${minutes} min` : `${hours} h ${minutes % 60} min`;
+}
+
 /** Behind what somebody has sent; nothing when it is not known who. */
 export function formatOrigin(origin: Origin | null): string {
   if (origin === null) {

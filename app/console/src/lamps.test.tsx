@@ -137,3 +137,21 @@ test("SWR-SUP-012 a recorder that runs and records nothing is a fault", () => {
     })?.word,
   ).toBe("NOT RUNNING");
 });
+
+test("SWR-CON-092 the lamp of the recorder says when its disk is full, and warns in time", () => {
+  const said = (recording_left_min: number, change: Partial<Status> = {}) =>
+    lampOf("Recorder", { ...change, recording_left_min });
+  expect(said(0)).toEqual(lampOf("Recorder", {}));
+  expect(said(130)).toMatchObject({
+    level: "normal",
+    word: "RUNNING",
+    detail: "disk full in 2 h 10 min at this rate",
+  });
+  expect(said(30)?.level).toBe("normal");
+  expect(said(29)).toMatchObject({
+    level: "attention",
+    word: "FULL SOON",
+    detail: "disk full in 29 min at this rate",
+  });
+  expect(said(29, { is_recorder_failing: true })?.word).toBe("CANNOT WRITE");
+});

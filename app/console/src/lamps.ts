@@ -7,7 +7,7 @@ import type {
   PedalGateState,
   Status,
 } from "@interface";
-import { formatCycles } from "./format";
+import { formatCycles, formatMinutes } from "./format";
 import type { Freshness } from "./freshness";
 
 /**
@@ -98,15 +98,31 @@ function processLamp(label: string, isRunning: boolean): LampProperties {
     : { label, level: "unknown", word: "NOT RUNNING" };
 }
 
+/** Minutes below which it is time to free some space. */
+const FEW_MIN = 30;
+
+/** @satisfies SWR-CON-092 */
+function roomLamp(lamp: LampProperties, left: number): LampProperties {
+  const detail = `disk full in ${formatMinutes(left)} at this rate`;
+  return left < FEW_MIN
+    ? { ...lamp, level: "attention", word: "FULL SOON", detail }
+    : { ...lamp, detail };
+}
+
 /** A recorder that runs and records nothing is none. */
 function recorderLamp(status: Status): LampProperties {
   const lamp = processLamp("Recorder", status.processes.recorder);
   if (status.is_recorder_failing) {
     return { ...lamp, level: "fault", word: "CANNOT WRITE" };
   }
-  return status.processes.recorder && status.counts.unrecorded > 0
-    ? { ...lamp, level: "fault", word: "BEHIND" }
-    : lamp;
+  if (!status.processes.recorder) {
+    return lamp;
+  }
+  if (status.counts.unrecorded > 0) {
+    return { ...lamp, level: "fault", word: "BEHIND" };
+  }
+  const left = status.recording_left_min;
+  return left === 0 ? lamp : roomLamp(lamp, left);
 }
 
 /** Those of the robot; any other card has its lamp beside theirs. */

@@ -162,6 +162,7 @@ static void gather(rig_t *self)
     self->inputs.unfit = self->unfit;
     self->inputs.cycles_lost = self->cycles_lost;
     self->inputs.is_recorder_failing = self->is_recorder_failing;
+    self->inputs.recording_left_min = self->recording_left_min;
     self->inputs.command_count = self->command_count;
     (void)memcpy(self->inputs.commands, self->commands, sizeof self->commands);
     self->command_count = 0U;

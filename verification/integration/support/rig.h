@@ -47,6 +47,7 @@ typedef struct {
     uint32_t unfit;                /**< The same. */
     uint32_t cycles_lost;          /**< The same. */
     uint32_t is_recorder_failing;  /**< The same. */
+    uint32_t recording_left_min;   /**< The same. */
     uint32_t dialect;              /**< The same; the box's cards speak it. */
     uint32_t is_dialect_accepted;  /**< The same. */
     uint32_t frames_late;          /**< The same. */

@@ -159,6 +159,7 @@ export function makeStatus(change: Partial<Status> = {}): Status {
     estop: "clear",
     is_scanner_active: false,
     is_recorder_failing: false,
+    recording_left_min: 0,
     is_homed: false,
     is_registered: false,
     ignores_registration_rotation: false,
