@@ -118,6 +118,8 @@ NO_LOOKUP := $(NO_LOOKUP_$(CONFIG))
 API := $(GEN)/interface/app/routes.c $(GEN)/interface/app/requests.c
 EXCHANGE := $(wildcard app/exchange/exchange*.c)
 EVENT_TEXT := app/common/event_text.c $(GEN)/interface/app/event_words.c
+# The state as JSON, of a snapshot and events.
+STATE_JSON := $(addprefix app/http/,alarm_json.c alarms.c json_forms.c shown.c telemetry_json.c telemetry_units.c)
 # An event with its time, as a line and out of it.
 LOG_ENTRY := app/common/log_entry.c app/common/utc_text.c $(EVENT_TEXT)
 
@@ -128,7 +130,7 @@ SOURCES_boresight-http := $(wildcard app/http/*.c app/gate/*.c app/archive/*.c a
     $(GEN)/assets/chart_names.c $(BENCH)
 SOURCES_boresight-passwd := $(wildcard app/passwd/*.c) app/session/account.c app/session/password.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) app/sweep/sweep_curve.c $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)
-SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(addprefix app/http/,telemetry_json.c telemetry_units.c json_forms.c) $(CLOCK) \
+SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(STATE_JSON) $(CLOCK) \
     $(addprefix $(GEN)/interface/app/,columns.c fields.c messages.c) $(GEN)/assets/recording_page.c $(GEN)/assets/chart_names.c $(AXIS_TERMS) $(DRIVE_TERMS) app/common/file_series.c app/common/utc_text.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
 SOURCES_boresight := $(wildcard app/check/*.c app/supervisor/*.c app/igtl/igtl_ports*.c) $(CLOCK) app/common/config_file.c app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
     $(BOARD_TABLE)

@@ -61,7 +61,7 @@ build/gcc/bin/served-ask: $(call object,$(filter-out %/no_system.c %/no_output.c
 # library and hashes by libmd, from Debian's sources.
 RECORDED_SOURCES := $(wildcard site/recorded/*.c) site/served/no_system.c \
     $(addprefix app/replay/,again.c build_fit.c bytes.c coverage.c field_name.c frame_fields.c motion_json.c pace.c page_text.c replay.c series.c tape.c walk.c) \
-    $(filter-out %_writer.c,$(wildcard app/recording/*.c)) $(addprefix app/http/,telemetry_json.c telemetry_units.c json_forms.c) \
+    $(filter-out %_writer.c,$(wildcard app/recording/*.c)) $(STATE_JSON) \
     $(addprefix $(GEN)/interface/app/,fields.c messages.c) $(GEN)/assets/chart_names.c $(AXIS_TERMS) $(DRIVE_TERMS) \
     app/common/utc_text.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
 ZSTD := $(DEBIAN_SOURCES)/libzstd/lib

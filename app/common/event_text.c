@@ -91,12 +91,14 @@ static void fill_in(const robot_t *robot, const event_t *event, const char *patt
     size_t used = 0U;
     text[0] = '\0';
     while ((*pattern != '\0') && (used + 1U < size)) {
-        char word[48] = "";
+        char word[128] = "";
         const char *end = strchr(pattern, '}');
         if (begins_with(pattern, "{subject}")) {
             event_text_subject(robot, event, word, sizeof word);
         } else if (begins_with(pattern, "{value}")) {
             value_text(event, word, sizeof word);
+        } else if (begins_with(pattern, "{meaning}")) {
+            (void)snprintf(word, sizeof word, "%s", event_value_text(event->id, event->value));
         } else if (begins_with(pattern, "{peer}")) {
             word_text(robot, event_peer_word(event->cause), event->peer, word, sizeof word);
         } else {

@@ -3,8 +3,6 @@
 
 #include <stddef.h>
 
-#define EVENTS_AT_ONCE 16U
-
 static origin_t *find(origins_t *self, uint32_t event)
 {
     switch (event) {
@@ -29,20 +27,13 @@ static void note(origin_t *origin, const exchange_t *exchange, const event_t *ev
     exchange_title(exchange, (command_source_t)origin->source, event->peer, origin->title);
 }
 
-void origins_look(origins_t *self, const exchange_t *exchange)
+void origins_take(origins_t *self, const exchange_t *exchange, const event_t *event)
 {
-    exchange_event_t events[EVENTS_AT_ONCE];
-    uint32_t lost = 0U;
-    uint32_t count;
-    do {
-        count = exchange_read_events(exchange, &self->next_event, events, EVENTS_AT_ONCE, &lost);
-        for (uint32_t i = 0U; i < count; i++) {
-            origin_t *origin = find(self, events[i].event.id);
-            if (origin != NULL) {
-                note(origin, exchange, &events[i].event);
-            }
-        }
-    } while (count == EVENTS_AT_ONCE);
+    origin_t *const origin = find(self, event->id);
+
+    if (origin != NULL) {
+        note(origin, exchange, event);
+    }
 }
 
 static void take(origin_t *origin, const exchange_t *exchange, const origin_t *shown)

@@ -24,7 +24,6 @@ typedef struct {
 } origin_t;
 
 typedef struct {
-    uint32_t next_event;
     origin_t registration;
     origin_t target;
     origin_t entry;
@@ -34,14 +33,14 @@ typedef struct {
 } origins_t;
 
 /**
- * Reads the events that are new; all zero at first.
+ * Takes an event; each once, in their order. All zero at first.
  *
  * @satisfies SWR-HTTP-032
  */
-void origins_look(origins_t *self, const exchange_t *exchange);
+void origins_take(origins_t *self, const exchange_t *exchange, const event_t *event);
 
 /**
- * After origins_look(): what is proposed in `snapshot`, and its registration, if the events do not
+ * After origins_take(): what is proposed in `snapshot`, and its registration, if the events do not
  * tell of it.
  *
  * @satisfies SWR-IGTL-071

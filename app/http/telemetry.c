@@ -7,6 +7,7 @@
 
 /* A process that has not beaten for so long is shown as not running. */
 #define SILENCE_MS 3000U
+#define EVENTS_AT_ONCE 16U
 
 uint64_t telemetry_now_ms(void)
 {
@@ -80,6 +81,23 @@ static void look_who_commands(telemetry_t *self)
     look_up(self, view->snapshot.requester, view->snapshot.requester_peer, view->requester);
 }
 
+/* After the snapshot: no event that it knows of is missing then. */
+static void look_at_events(telemetry_t *self)
+{
+    exchange_event_t events[EVENTS_AT_ONCE];
+    uint32_t lost = 0U;
+    uint32_t count;
+    do {
+        count =
+            exchange_read_events(self->exchange, &self->next_event, events, EVENTS_AT_ONCE, &lost);
+        for (uint32_t i = 0U; i < count; i++) {
+            origins_take(&self->view.origins, self->exchange, &events[i].event);
+            alarms_take(&self->view.alarms, &events[i]);
+        }
+    } while (count == EVENTS_AT_ONCE);
+    alarms_see(&self->view.alarms, &self->view.snapshot);
+}
+
 void telemetry_look(telemetry_t *self, telemetry_view_t *view)
 {
     (void)pthread_mutex_lock(&self->lock);
@@ -88,7 +106,7 @@ void telemetry_look(telemetry_t *self, telemetry_view_t *view)
     look_at_beats(self, now_ms);
     look_at_ports(self);
     look_who_commands(self);
-    origins_look(&self->view.origins, self->exchange);
+    look_at_events(self);
     origins_take_shown(&self->view.origins, self->exchange, &self->view.snapshot);
     *view = self->view;
     (void)pthread_mutex_unlock(&self->lock);

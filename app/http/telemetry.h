@@ -9,8 +9,9 @@
 #define BORESIGHT_TELEMETRY_H
 
 #include "exchange/exchange.h"
-#include "http/origins.h"
 #include "exchange/exchange_peers.h"
+#include "http/alarms.h"
+#include "http/origins.h"
 
 #include <pthread.h>
 #include <stdbool.h>
@@ -25,6 +26,7 @@ typedef struct {
     snapshot_t snapshot;
     loop_figures_t loop;
     origins_t origins;
+    alarms_t alarms;
     char holder[EXCHANGE_TITLE_SIZE];        /**< Who has authority; "" for nobody. */
     char requester[EXCHANGE_TITLE_SIZE];     /**< Who has asked for the button; "" for nobody. */
     exchange_ports_t ports;                  /**< None while igtl does not run. */
@@ -35,6 +37,7 @@ typedef struct {
     exchange_t *exchange;
     pthread_mutex_t lock;
     telemetry_view_t view;
+    uint32_t next_event;
     uint64_t moved_ms; /**< Monotonic time at which the cycle counter last moved. */
     uint32_t beats[EXCHANGE_PROCESS_COUNT];
     uint64_t beaten_ms[EXCHANGE_PROCESS_COUNT];

@@ -5,6 +5,7 @@
 #include "common/clock.h"
 #include "common/drive_terms.h"
 #include "common/utc_text.h"
+#include "http/alarm_json.h"
 #include "http/telemetry_units.h"
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
@@ -201,6 +202,8 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
     const json_processes_t processes = {.igtl = view->is_running[EXCHANGE_IGTL],
                                         .recorder = view->is_running[EXCHANGE_RECORDER]};
     const json_status_t also = {.authority = telemetry_json_authority(view),
+                                .alarms = alarm_json_list(view),
+                                .needle = alarm_json_needle(view),
                                 .age_ms = view->age_ms,
                                 .utc = utc,
                                 .boot_id = identity->boot_id,
@@ -219,13 +222,22 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
     return json_status(&view->snapshot, &also);
 }
 
-static cJSON *new_axis(const telemetry_view_t *view, uint32_t index)
+static cJSON *new_permit(const telemetry_view_t *view, uint32_t index, const cJSON *alarms)
 {
-    const axis_config_t *config = &view->robot->axes[index];
     const snapshot_t *snapshot = &view->snapshot;
     const snapshot_axis_t *axis = &snapshot->axes[index];
-    const json_permit_t permit = {.since_ms =
-                                      (snapshot->cycle - axis->permit_since_cycle) / CYCLES_PER_MS};
+    const json_permit_t also = {.since_ms =
+                                    (snapshot->cycle - axis->permit_since_cycle) / CYCLES_PER_MS};
+    cJSON *permit = json_permit(axis, &also);
+
+    alarm_json_name_reasons(alarms, view->robot->axes[index].name, permit);
+    return permit;
+}
+
+static cJSON *new_axis(const telemetry_view_t *view, uint32_t index, const cJSON *alarms)
+{
+    const axis_config_t *config = &view->robot->axes[index];
+    const snapshot_axis_t *axis = &view->snapshot.axes[index];
     const json_axis_t also = {.name = config->name,
                               .unit = telemetry_units_name(config),
                               .minimum = telemetry_units_position(config, config->minimum_ticks),
@@ -233,7 +245,7 @@ static cJSON *new_axis(const telemetry_view_t *view, uint32_t index)
                               .minimum_ticks = config->minimum_ticks,
                               .maximum_ticks = config->maximum_ticks,
                               .output_percent = drive_terms_percent(config, axis),
-                              .permit = json_permit(axis, &permit)};
+                              .permit = new_permit(view, index, alarms)};
     return json_axis(axis, config, &also);
 }
 
@@ -281,9 +293,11 @@ cJSON *telemetry_json_robot(const telemetry_view_t *view)
 cJSON *telemetry_json_motors(const telemetry_view_t *view)
 {
     cJSON *axes = cJSON_CreateArray();
+    cJSON *alarms = alarm_json_list(view);
     for (uint32_t i = 0U; i < view->robot->axis_count; i++) {
-        (void)cJSON_AddItemToArray(axes, new_axis(view, i));
+        (void)cJSON_AddItemToArray(axes, new_axis(view, i, alarms));
     }
+    cJSON_Delete(alarms);
     const json_motors_t also = {.age_ms = view->age_ms, .axes = axes};
     return json_motors(&view->snapshot, &also);
 }

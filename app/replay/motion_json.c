@@ -62,7 +62,9 @@ void motion_json_begin(motion_json_t *self, FILE *file, const walk_t *walk)
 static void take_events(motion_json_t *self, const controller_outputs_t *outputs)
 {
     for (uint32_t i = 0U; (i < outputs->event_count) && (i < CONTROLLER_EVENTS); i++) {
-        log_entry_t entry = {.event = outputs->events[i], .utc_us = self->pace.utc_us};
+        const exchange_event_t event = {.event = outputs->events[i], .utc_us = self->pace.utc_us};
+        log_entry_t entry = {.event = event.event, .utc_us = event.utc_us};
+        alarms_take(&self->view.alarms, &event);
         event_text_sentence(self->robot, &entry.event, NULL, entry.text, sizeof entry.text);
         cJSON *const told = telemetry_json_event(self->robot, &entry);
         char *const text = cJSON_PrintUnformatted(told);
@@ -161,6 +163,7 @@ static cJSON *new_moment(motion_json_t *self, const controller_outputs_t *shown)
     char utc[UTC_TEXT_SIZE];
 
     self->view.snapshot = shown->snapshot;
+    alarms_see(&self->view.alarms, &self->view.snapshot);
     name_peer(shown->snapshot.holder_peer, self->view.holder);
     name_peer(shown->snapshot.requester_peer, self->view.requester);
     cJSON *const state = telemetry_json_state(&self->identity, &self->view);

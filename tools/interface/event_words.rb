@@ -47,6 +47,9 @@ module Interface
         /** Word for the value, NULL when it is a number. Lives for ever. */
         const char *event_value_name(uint32_t id, int32_t value);
 
+        /** Sentence for the value, NULL when no enumeration has it. Lives for ever. */
+        const char *event_value_text(uint32_t id, int32_t value);
+
         /** Unit of the value with a space before it, or "". Lives for ever. */
         const char *event_value_unit(uint32_t id);
 
@@ -64,7 +67,7 @@ module Interface
 
         #include <stddef.h>
 
-        #{[subject_word, subject_name, subject_owner, value_name, value_unit, peer_word].join("\n")}
+        #{[subject_word, subject_name, subject_owner, value_name, value_text, value_unit, peer_word].join("\n")}
       CODE
         .sub(/\n+\z/, "\n")
     end
@@ -105,6 +108,11 @@ module Interface
         end
       end
       choose('const char *event_value_name(uint32_t id, int32_t value)', 'id', results, 'NULL')
+    end
+
+    def value_text
+      results = each_event { |event| "#{event.amount.name}_text(value)" if event.amount.is_a?(Enumeration) }
+      choose('const char *event_value_text(uint32_t id, int32_t value)', 'id', results, 'NULL')
     end
 
     def value_unit

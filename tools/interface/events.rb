@@ -84,9 +84,10 @@ module Interface
       @model.enumeration(name) || node.refuse("is #{name}; expected #{others.join(', ')} or an enumeration")
     end
 
-    # The sentence names what there is, and nothing else.
+    # The sentence names what there is, and nothing else. {meaning} is what the enumeration says of the value.
     def told(value, kinds)
       places = value.says.scan(PLACE).flatten
+      places = places.map { |place| place == 'meaning' ? 'value' : place } if kinds['value'].is_a?(Enumeration)
       stranger = places.find { |place| kinds[place].nil? }
       value.node.refuse("says {#{stranger}}, which it has not") if stranger
       silent = kinds.compact.keys - places

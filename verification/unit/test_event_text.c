@@ -11,7 +11,9 @@
 #include "interface/app/event_words.h"
 #include "interface/app/names.h"
 #include "interface/card_frame_result.h"
+#include "interface/card_trouble.h"
 #include "interface/command.h"
+#include "interface/link_cause.h"
 #include "interface/mode_list.h"
 #include "interface/status.h"
 #include "interface/workphase_list.h"
@@ -117,6 +119,31 @@ void test_SWR_EVENT_007_numbers_are_told_as_what_they_are(void)
            "Memory was damaged and forgotten: CARD yaw.");
     expect((event_t){.id = EVENT_ROBOT_TABLE_DAMAGED, .subject = UINT32_MAX},
            "The table of the robot is damaged in geometry: restart the programs.");
+}
+
+void test_SWR_EVENT_007_a_loss_is_told_with_what_its_cause_means(void)
+{
+    const uint32_t slot = robot_neuro.axes[NEURO_AXIS_INSERTION].slot;
+
+    expect((event_t){.id = EVENT_CARD_LOST, .subject = slot, .value = LINK_CAUSE_AGE},
+           "Card 3 (insertion) is lost. No frame of it came for several cycles: check its cable "
+           "and its supply.");
+    expect((event_t){.id = EVENT_CARD_UNWELL, .subject = slot, .value = CARD_TROUBLE_SUPPLY_LOW},
+           "Card 3 (insertion) is not well. Its supply is too low: look at the power supply and "
+           "its wires.");
+    expect((event_t){.id = EVENT_CARD_WELL, .subject = slot, .value = CARD_TROUBLE_SUPPLY_LOW},
+           "Card 3 (insertion) is well again, no longer SUPPLY_LOW.");
+}
+
+/* A sentence whose values each have one of their own. */
+void test_SWR_EVENT_007_the_longest_cause_of_a_loss_fits(void)
+{
+    for (int32_t cause = 0; cause <= (int32_t)LINK_CAUSE_LOOP_LATE; cause++) {
+        event_text_sentence(&robot_neuro,
+                            &(event_t){.id = EVENT_CARD_LOST, .subject = 9U, .value = cause}, NULL,
+                            text, sizeof text);
+        TEST_ASSERT_NOT_NULL(strstr(text, link_cause_text(cause)));
+    }
 }
 
 /* Every number of an event that has a name. */
