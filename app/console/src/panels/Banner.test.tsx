@@ -2,9 +2,9 @@
 // Rule under test: the banner says the state and what is needed next, and never shows old data as new.
 import { cleanup, render, screen } from "@testing-library/react";
 import { afterEach, expect, test } from "vitest";
-import type { Authority } from "@interface";
+import type { Alarm, Authority, Needle } from "@interface";
 import type { ConsoleView } from "../store";
-import { makeAuthority, makeRobot } from "../testing/robot";
+import { makeAuthority, makeBlockedAxis, makeRobot } from "../testing/robot";
 import { Banner } from "./Banner";
 
 const live: ConsoleView = {
@@ -197,4 +197,77 @@ test("SWR-CON-011 says why the server refuses the data", () => {
   cleanup();
   render(<Banner view={{ ...live, ...refused, freshness: "stale" }} />);
   expect(screen.getByRole("alert").textContent).toContain("Too many consoles");
+});
+
+const lost: Alarm = {
+  event: "CARD_LOST",
+  reason: "LINK_LOST",
+  axis: "insertion",
+  subject: "3 (insertion)",
+  text: "Card 3 (insertion) is lost. No frame of it came for several cycles.",
+  since: "2026-11-22T17:50:00.123Z",
+  age_s: 12.5,
+};
+const warm: Alarm = {
+  ...lost,
+  event: "CARD_UNWELL",
+  reason: null,
+  text: "Card 5 (yaw) is not well. Its driver is warm.",
+  since: null,
+  age_s: null,
+};
+
+test("SWR-CON-096 names the card that is why nothing moves, and lists what else is wrong, with since when", () => {
+  const axis = makeBlockedAxis("head", { name: "LINK_LOST", text: lost.text });
+  const robot = makeRobot({ alarms: [lost, warm] }, [axis]);
+  const { container } = render(<Banner view={{ ...live, robot }} />);
+  expect(container.querySelector(".banner-why")?.textContent).toBe(
+    `${lost.text} Since 17:50:00 UTC.`,
+  );
+  expect(screen.getByRole("list", { name: "Alarms" }).textContent).toBe(
+    `${warm.text} `,
+  );
+});
+
+test("SWR-CON-096 lists all of them in their order when none of them is the reason that is told", () => {
+  const robot = makeRobot({ alarms: [warm, lost] });
+  render(<Banner view={{ ...live, robot }} />);
+  expect(
+    screen.getAllByRole("listitem").map(({ textContent }) => textContent),
+  ).toEqual([`${warm.text} `, `${lost.text} Since 17:50:00 UTC.`]);
+});
+
+function needleSaid(change: Partial<Needle>, alarms: Alarm[]): string | null {
+  const needle = { ...makeRobot().status.needle, may_be_in: true, ...change };
+  const robot = makeRobot({ needle, alarms });
+  const { container } = render(<Banner view={{ ...live, robot }} />);
+  const text = container.querySelector(".banner-needle")?.textContent ?? null;
+  cleanup();
+  return text;
+}
+
+test("SWR-CON-097 says after a fault where the needle was known last, how old that is, and that it may be in", () => {
+  expect(
+    needleSaid({ position: 35.2, age_s: 12.3, is_known: false }, [lost]),
+  ).toBe(
+    "The needle may be in the patient: insertion was last known at 35.20 mm, 12 s ago.",
+  );
+  expect(
+    needleSaid({ position: null, age_s: null, is_known: false }, [lost]),
+  ).toBe(
+    "The needle may be in the patient: where insertion stands has not been known since the server started.",
+  );
+});
+
+test("SWR-CON-097 says it under the e-stop too, where the position is known", () => {
+  const pulled: Alarm = { ...lost, reason: "ESTOP_PULLED" };
+  expect(needleSaid({ position: 35.2 }, [pulled])).toBe(
+    "The needle may be in the patient: insertion stands at 35.20 mm.",
+  );
+});
+
+test("SWR-CON-097 says nothing of a needle that is out, nor while nothing is wrong", () => {
+  expect(needleSaid({ may_be_in: false }, [lost])).toBeNull();
+  expect(needleSaid({}, [])).toBeNull();
+  expect(needleSaid({}, [warm])).toBeNull();
 });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ReactNode } from "react";
-import type { Authority, RobotState, Status } from "@interface";
+import type { Alarm, Authority, RobotState, Status } from "@interface";
+import { needleText, sinceText } from "../alarms";
 import { words } from "../format";
 import { ageText } from "../lamps";
 import { SignShape } from "../parts/SignShape";
@@ -161,6 +162,29 @@ function nextOf(robot: RobotState, mayCommand: boolean): string {
     : text + namedOf(robot) + lateness(robot.status);
 }
 
+/** One of them is why nothing moves, and stands above. */
+function Others({ alarms }: { alarms: readonly Alarm[] }) {
+  return alarms.length === 0 ? null : (
+    <ul className="banner-alarms" aria-label="Alarms">
+      {alarms.map((alarm) => (
+        <li key={alarm.text}>
+          {alarm.text} {sinceText(alarm)}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+/** Its age grows: readers of screens find it, and are not told each second. */
+function Needle({ status }: { status: Status }) {
+  const text = needleText(status);
+  return text === null ? null : (
+    <p className="banner-command banner-needle">
+      <strong>{text}</strong>
+    </p>
+  );
+}
+
 function StateBanner({
   robot,
   sign,
@@ -171,14 +195,27 @@ function StateBanner({
   mayCommand: boolean;
 }) {
   const { status } = robot;
+  const first = status.alarms.find(({ text }) => text === sign.says);
   return (
-    <Frame sign={sign} more={<CommandRow robot={robot} />}>
-      <p className="banner-why">{sign.says}</p>
+    <Frame
+      sign={sign}
+      more={
+        <>
+          <Needle status={status} />
+          <CommandRow robot={robot} />
+        </>
+      }
+    >
+      <p className="banner-why">
+        {sign.says}
+        {first?.since != null && ` ${sinceText(first)}`}
+      </p>
       <p className="banner-next">{nextOf(robot, mayCommand)}</p>
       <p className="banner-state">
         <strong>{words(status.workphase.name)}</strong> {status.workphase.text}
       </p>
       <Gap status={status} />
+      <Others alarms={status.alarms.filter((alarm) => alarm !== first)} />
     </Frame>
   );
 }
@@ -194,6 +231,7 @@ function StateBanner({
  * @satisfies SWR-CON-011
  * @satisfies SWR-CON-049
  * @satisfies SWR-CON-050
+ * @satisfies SWR-CON-096
  */
 export function Banner({
   view,
