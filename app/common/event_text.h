@@ -8,7 +8,7 @@
 
 #include <stddef.h>
 
-#define EVENT_TEXT_SIZE 208U      /**< Enough for every event, and every note. */
+#define EVENT_TEXT_SIZE 816U      /**< Enough for every event, and every note. */
 #define EVENT_TEXT_CAUSE_SIZE 80U /**< Enough for every cause. */
 
 /** What the event is about: "head", "3 (insertion)", "PLANNING"; "" for nothing in particular. */

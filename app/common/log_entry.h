@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define LOG_ENTRY_LINE_SIZE 512U /**< Room for a line with its ends. */
+#define LOG_ENTRY_LINE_SIZE 1024U /**< Room for a line with its ends. */
 
 typedef struct {
     event_t event;

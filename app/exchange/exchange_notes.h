@@ -17,7 +17,7 @@
 
 #define EXCHANGE_NOTES LIMIT_NOTES_KEPT
 #define EXCHANGE_NOTE_WHO_SIZE 32U   /**< 31 bytes and a NUL. */
-#define EXCHANGE_NOTE_TEXT_SIZE 164U /**< 160 bytes, a NUL, and whole words. */
+#define EXCHANGE_NOTE_TEXT_SIZE 768U /**< 767 bytes and a NUL: a request and its answer. */
 
 typedef struct {
     uint32_t number;

@@ -4,6 +4,7 @@
 #include "common/axis_terms.h"
 #include "gate/http_lines.h"
 #include "http/http_reply.h"
+#include "http/http_transaction.h"
 #include "limits/requirement_limits.h"
 #include "request/request_body.h"
 #include "request/request_headers.h"
@@ -231,6 +232,8 @@ static int read_body(http_call_t *self)
     const size_t size = (length > 0) ? (size_t)length : 0U;
     const request_result_t result = request_read_body(self->route->body, bytes, size, &self->body);
     const http_problem_t problem = http_problem_of_body(&result);
+    http_transaction_keep_request(self->connection,
+                                  (result.fault != REQUEST_NOT_JSON) ? bytes : NULL, size);
     return (result.fault == REQUEST_OK) ? 0 : refuse_as(self->connection, &problem);
 }
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_reply.h"
 
+#include "http/http_transaction.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -34,6 +36,7 @@ int http_reply_json(struct mg_connection *connection, int status, const char *js
                           .cache = HTTP_REPLY_NO_STORE,
                           .body = json,
                           .size = strlen(json)};
+    http_transaction_keep_answer(connection, json, reply.size);
     return http_reply_send(connection, &reply);
 }
 
@@ -58,6 +61,7 @@ int http_reply_problem(struct mg_connection *connection, const http_problem_t *p
                                 .retry_after_s = problem->retry_after_s,
                                 .body = json,
                                 .size = http_problem_write(problem, json)};
+    http_transaction_keep_answer(connection, json, reply.size);
     return http_reply_send(connection, &reply);
 }
 

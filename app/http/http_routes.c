@@ -17,6 +17,7 @@
 #include "http/http_reply.h"
 #include "http/http_sweep.h"
 #include "http/http_targeting.h"
+#include "http/http_transaction.h"
 #include "http/http_trajectory.h"
 #include "gate/stop_desk.h"
 #include "gate/stop_request.h"
@@ -24,6 +25,8 @@
 #include "request/request_headers.h"
 
 #include <string.h>
+
+#define FIRST_REFUSAL 400
 
 static bool look(http_server_t *server, struct mg_connection *connection, telemetry_view_t *view)
 {
@@ -290,31 +293,71 @@ static int answer_other(struct mg_connection *connection, const char *allowed)
                                          : answer_asset(connection, asset);
 }
 
-static int dispatch(http_server_t *server, struct mg_connection *connection)
+static int dispatch(http_server_t *server, http_call_t *call, const char *allowed)
 {
+    struct mg_connection *connection = call->connection;
     int status = http_call_judge(
         connection, http_door_is_tls(server, connection) ? &server->front_guard : &server->guard);
     if (status != 0) {
         return status;
     }
-    const char *allowed = NULL;
-    http_call_t call = {.connection = connection};
-    call.route = http_call_find(connection, &allowed);
-    if (call.route == NULL) {
+    if (call->route == NULL) {
         return answer_other(connection, allowed);
     }
-    status = http_door_judge(server, &call);
+    status = http_door_judge(server, call);
     if (status == 0) {
-        status = http_act_judge(server, &call);
+        status = http_act_judge(server, call);
     }
     if (status == 0) {
-        status = http_call_read(&call, exchange_robot(server->exchange));
+        status = http_call_read(call, exchange_robot(server->exchange));
     }
-    return (status != 0) ? status : answer(server, &call);
+    return (status != 0) ? status : answer(server, call);
+}
+
+/* A page that is not logged in, or asks for what is not there, asks again and again. */
+static bool is_idle(bool is_read, int status)
+{
+    const bool is_of_reads = (status == 401) || (status == 404) || (status == 503);
+    return (is_read && is_of_reads) || (status == 429);
+}
+
+static bool is_noted(const http_call_t *call, int status)
+{
+    const char *method = mg_get_request_info(call->connection)->request_method;
+    const bool is_read = (strcmp(method, "GET") == 0) || http_reply_is_head_asked(call->connection);
+    const route_noted_t noted = (call->route != NULL) ? call->route->noted : ROUTE_NOTED_REFUSED;
+    const bool is_refused = (status >= FIRST_REFUSAL) && !is_idle(is_read, status);
+    return (noted == ROUTE_NOTED_ALWAYS) || ((noted == ROUTE_NOTED_REFUSED) && is_refused);
+}
+
+static void note(http_server_t *server, const http_call_t *call, int status,
+                 const http_transaction_t *transaction)
+{
+    const struct mg_request_info *request = mg_get_request_info(call->connection);
+    session_t session;
+    const bool has_session = http_door_find(server, call->connection, &session);
+    const http_record_entry_t entry = {
+        .who = has_session ? session.account.name : NULL,
+        .method = request->request_method,
+        .path = (request->local_uri_raw != NULL) ? request->local_uri_raw : "",
+        .request = transaction->request,
+        .status = status,
+        .answer = transaction->answer};
+    http_record_write(&server->record, &entry, telemetry_now_ms());
 }
 
 int http_routes_answer(http_server_t *server, struct mg_connection *connection)
 {
-    const int status = dispatch(server, connection);
-    return (status != 0) ? status : 499;
+    const char *allowed = NULL;
+    http_transaction_t transaction;
+    http_call_t call = {.connection = connection};
+    http_transaction_begin(&transaction, connection);
+    call.route = http_call_find(connection, &allowed);
+    const int sent = dispatch(server, &call, allowed);
+    const int status = (sent != 0) ? sent : 499;
+    http_transaction_end(connection);
+    if (is_noted(&call, status)) {
+        note(server, &call, status, &transaction);
+    }
+    return status;
 }

@@ -13,6 +13,7 @@
 #include "http/act_desk.h"
 #include "gate/http_guard.h"
 #include "http/http_notes.h"
+#include "http/http_record.h"
 #include "http/http_stream.h"
 #include "http/telemetry.h"
 #include "http/telemetry_json.h"
@@ -32,6 +33,7 @@ typedef struct http_server {
     const char *instance;     /**< Its name. */
     session_desk_t desk;
     http_notes_t notes;
+    http_record_t record;
     act_desk_t acts;
     saved_desk_t positions;
     bool has_key;

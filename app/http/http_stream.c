@@ -64,8 +64,8 @@ static bool send_event(const http_stream_client_t *client, const exchange_t *exc
                        const exchange_event_t *event)
 {
     log_entry_t told;
-    char json[1024];
-    char message[1100];
+    char json[2048]; /* A quote in a text is two bytes. */
+    char message[2124];
     log_entry_make(&told, exchange, event);
     cJSON *entry = telemetry_json_event(exchange_robot(exchange), &told);
     bool is_whole = cJSON_PrintPreallocated(entry, json, (int)sizeof json, 0) != 0;

@@ -5,6 +5,7 @@
 #include "http/http_act.h"
 #include "http/http_list.h"
 #include "http/http_reply.h"
+#include "http/http_transaction.h"
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
 #include "trajectory/trajectory_csv.h"
@@ -81,6 +82,7 @@ static int take(http_server_t *server, const http_call_t *call, upload_t *upload
     if (refusal != 0) {
         return refusal;
     }
+    http_transaction_keep_request(call->connection, NULL, size);
     if (memchr(upload->text, '\0', size) != NULL) {
         return http_reply_refuse(call->connection, PROBLEM_BAD_BODY);
     }

@@ -124,6 +124,16 @@ void *mg_get_user_data(const struct mg_context *context)
     return (void *)(uintptr_t)context;
 }
 
+void mg_set_user_connection_data(const struct mg_connection *connection, void *data)
+{
+    ((struct mg_connection *)(uintptr_t)connection)->own_data = data;
+}
+
+void *mg_get_user_connection_data(const struct mg_connection *connection)
+{
+    return connection->own_data;
+}
+
 const char *mg_get_response_code_text(const struct mg_connection *connection, int code)
 {
     static const struct {

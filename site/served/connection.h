@@ -14,6 +14,7 @@
 struct mg_connection {
     struct mg_request_info info;
     void *user_data;
+    void *own_data; /**< Of the connection. */
     const char *body;
     size_t body_size;
     char *told; /**< What was written. */

@@ -44,6 +44,13 @@ module Interface
             ROUTE_OF_NAME = 3    /**< {name}: letters, digits, _, . and -, none of these first. */
         } route_value_t;
 
+        /** When the log has a request, with its answer. */
+        typedef enum {
+            ROUTE_NOTED_ALWAYS = 0,
+            ROUTE_NOTED_REFUSED = 1,
+            ROUTE_NOTED_NEVER = 2
+        } route_noted_t;
+
         /** A path with a method. */
         typedef struct {
             route_id_t id;
@@ -57,6 +64,7 @@ module Interface
             bool needs_authority;           /**< That page has authority. */
             uint32_t command;               /**< command_kind_t that is asked of control; 0: none, or several. */
             bool is_lenient;                /**< Media type and query are not looked at. */
+            route_noted_t noted;
             size_t body_most;               /**< Bytes; 0: there must be no body. */
             const char *sends;              /**< Media type of a body that the route reads itself; NULL: none. */
             const request_message_t *body;  /**< NULL: none. */
@@ -101,7 +109,11 @@ module Interface
       query = route.parameters.members.empty? ? 'nothing' : route.parameters.name
       "    {ROUTE_#{route.name.upcase}, #{C.string(route.method)}, #{C.string(route.path)}, " \
         "#{value(route)}, #{C.string(@routes.allowed(route.path))},\n     #{route.anyone?}, #{least(route)}, " \
-        "#{route.page?}, #{route.authority?}, #{asked(route)}, #{route.lenient?}, #{route.body_most}U, #{sent(route)}, #{body}, &request_#{query}}"
+        "#{route.page?}, #{route.authority?}, #{asked(route)}, #{route.lenient?}, #{noted(route)}, #{route.body_most}U, #{sent(route)}, #{body}, &request_#{query}}"
+    end
+
+    def noted(route)
+      "ROUTE_NOTED_#{route.noted.upcase}"
     end
 
     def asked(route)

@@ -31,8 +31,9 @@ module Interface
     METHODS = %w[GET POST PUT DELETE].freeze
     PATH = %r{\A/(([a-z0-9_.-]+|\{[a-z]+\})(/|\z))*\z}.freeze
     VALUES = %w[axis number name].freeze # of a path
+    NOTED = %w[always refused never].freeze # in the log
     BODY_MOST = 1_048_576
-    OPTIONAL = %w[answer media parameters headers body body_most sends events problems refused lenient page authority command].freeze
+    OPTIONAL = %w[answer media parameters headers body body_most sends events problems refused lenient noted page authority command].freeze
     Header = Struct.new(:name, :type, :says, keyword_init: true)
 
     attr_reader :name, :path, :method, :who, :says, :command, :answer, :media, :parameters, :headers, :body, :body_most, :sends, :events, :node
@@ -70,6 +71,11 @@ module Interface
 
     def lenient?
       flag('lenient')
+    end
+
+    # When the log has it, with its answer.
+    def noted
+      @nodes['noted']&.choice(NOTED) || (get? ? 'refused' : 'always')
     end
 
     # Control may refuse it, with the name of any status.

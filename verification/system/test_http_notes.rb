@@ -20,7 +20,9 @@ class TestHttpNotes < Minitest::Test
   end
 
   def notes(text)
-    fetch_json('/api/v1/log').fetch('entries').select { |entry| entry.fetch('text').include?(text) }
+    fetch_json('/api/v1/log').fetch('entries').select do |entry|
+      entry.fetch('subject') == 'OPERATOR' && entry.fetch('text').include?(text)
+    end
   end
 
   def test_SWR_EVENT_012_a_note_stands_in_the_log_with_the_name_of_who_wrote_it
