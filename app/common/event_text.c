@@ -43,6 +43,10 @@ static void word_text(const robot_t *robot, event_word_t word, uint32_t number, 
     case EVENT_WORD_PART:
         (void)snprintf(text, size, "%s", part_name(robot, number));
         break;
+    case EVENT_WORD_LENGTH:
+        (void)snprintf(text, size, "%s",
+                       (number < robot->probe_length_count) ? robot->probe_names[number] : "?");
+        break;
     case EVENT_WORD_NUMBER:
         (void)snprintf(text, size, "%u", (unsigned)number);
         break;

@@ -157,6 +157,7 @@ typedef struct {
     target_way_t way;       /**< As it is shown; has a seal of its own. */
     program_list_t program; /**< The treatment program that is held; has checksums of its own. */
     uint32_t last_event;    /**< event_id_t of the one noted last; it counts only, with the next. */
+    uint32_t refused_cycle; /**< When the numbers of something refused were noted; the same. */
     /** Of mode.list; each has a checksum. The last member, as they are too many to be copied with
      * the rest: what comes before is a checkpoint, to which those that the list has belong. */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];

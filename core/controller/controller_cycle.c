@@ -11,6 +11,7 @@
 #include "controller/controller_obey.h"
 #include "controller/controller_observe.h"
 #include "controller/controller_show.h"
+#include "limits/requirement_limits.h"
 #include "robot/robot_cards.h"
 
 #include <stddef.h>
@@ -36,6 +37,7 @@ void controller_init(controller_t *self, const robot_t *robot)
     }
     robot_cards_find(&self->cards, robot);
     robot_cards_bound(&self->cards); /* Nobody has looked at the table yet. */
+    self->refused_cycle = 0U - LIMIT_REFUSED_VALUES_MS;
     controller_seal(self);
 }
 

@@ -11,6 +11,7 @@
 #include "controller/controller_program.h"
 #include "controller/controller_restore.h"
 #include "controller/controller_trajectory.h"
+#include "controller/controller_values.h"
 #include "interface/note_kind.h"
 
 #include <string.h>
@@ -247,6 +248,7 @@ void controller_obey(controller_t *self, const cycle_t *cycle)
         if (status != STATUS_OK) {
             note_refusal(self, cycle, command, status);
         }
+        controller_note_values(self, cycle, command, &draft);
         *controller_add_answer(self, cycle) = draft;
     }
     controller_because(self, EVENT_CAUSE_NONE, 0U);

@@ -7,9 +7,9 @@ module Interface
   # What stands in the sentences of events, checked.
   class Events
     # What a number may be that is no enumeration's.
-    KINDS = %w[axis card part number].freeze
+    KINDS = %w[axis card part length number].freeze
     OWNERS = %w[axis card].freeze
-    UNITS = %w[ticks percent].freeze
+    UNITS = %w[ticks percent nm millionths].freeze
     WORDS = 2
     PLACE = /\{(\w*)\}/
 

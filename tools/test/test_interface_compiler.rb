@@ -440,8 +440,8 @@ class TestInterfaceCompiler < Minitest::Test
   EVENT_REFUSALS = {
     'an event without severity' => [', severity: low', '', 20, 'has no severity'],
     'a severity that is none' => ['severity: low', 'severity: high', 20, 'is high; expected low or critical'],
-    'a subject that is none' => ['subject: axis', 'subject: shape', 20, 'is shape; expected axis, card, part, number'],
-    'a value that is none' => ['value: ticks', 'value: miles', 19, 'is miles; expected ticks, percent, number'],
+    'a subject that is none' => ['subject: axis', 'subject: shape', 20, 'is shape; expected axis, card, part, length, number'],
+    'a value that is none' => ['value: ticks', 'value: miles', 19, 'is miles; expected ticks, percent, nm, millionths, number'],
     'three words for a flag' => ['[not_yet, at_last]', '[a, b, c]', 20, 'has 3 words; expected 2, for 0 and 1'],
     'a sentence with what is not there' => [', value: ticks', '', 19, 'says {value}, which it has not'],
     'a sentence without its value' => [' by {value}', '', 19, 'does not say {value}'],

@@ -97,6 +97,16 @@ void test_SWR_EVENT_007_numbers_are_told_as_what_they_are(void)
 
     expect((event_t){.id = EVENT_COMMAND_REFUSED, .subject = COMMAND_JOG, .value = STATUS_BUSY},
            "Command of kind JOG refused, status BUSY.");
+    expect((event_t){.id = EVENT_PROBE_LENGTH, .subject = 1U, .value = 5000000},
+           "The probe's robot_to_entry is now 5000000 nm.");
+    expect((event_t){.id = EVENT_REFUSED_LENGTH, .subject = 9U, .value = -1},
+           "Refused: the probe's ? of -1 nm.");
+    expect((event_t){.id = EVENT_SENT_PLACE, .subject = PLAN_PLACE_TARGET_Y, .value = -7},
+           "Sent: TARGET_Y -7 nm.");
+    expect((event_t){.id = EVENT_SENT_ROTATION,
+                     .subject = PLAN_ROTATION_REGISTRATION_ZX,
+                     .value = 500000},
+           "Sent: REGISTRATION_ZX 500000 millionths.");
     expect((event_t){.id = EVENT_SCANNER, .value = 1}, "The scanner started acquiring.");
     expect((event_t){.id = EVENT_SCANNER}, "The scanner ended acquiring.");
     expect((event_t){.id = EVENT_AXIS_MOVED_OFF, .subject = NEURO_AXIS_YAW, .value = -7},

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller/controller_values.h"
+
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
+
+#define COORDINATES 3U
+#define MILLION 1000000
+/* The first of nine, which lie as the rows do. */
+#define ROTATION_OF_REGISTRATION ((uint32_t)PLAN_ROTATION_REGISTRATION_XX)
+#define ROTATION_OF_TARGET ((uint32_t)PLAN_ROTATION_TARGET_XX)
+
+/* `first`: its x. */
+static void note_place(controller_t *self, const cycle_t *cycle, plan_place_t first,
+                       const point_t *point)
+{
+    const int32_t values_nm[COORDINATES] = {point->x_nm, point->y_nm, point->z_nm};
+    for (uint32_t i = 0U; i < COORDINATES; i++) {
+        controller_note(self, cycle, EVENT_SENT_PLACE, (uint32_t)first + i, values_nm[i]);
+    }
+}
+
+static void note_rotation(controller_t *self, const cycle_t *cycle, uint32_t first,
+                          const rigid_t *pose)
+{
+    for (uint32_t row = 0U; row < COORDINATES; row++) {
+        for (uint32_t column = 0U; column < COORDINATES; column++) {
+            controller_note(self, cycle, EVENT_SENT_ROTATION, first + (row * COORDINATES) + column,
+                            fixed_multiply_q30(MILLION, pose->rotation_q30[row][column]));
+        }
+    }
+}
+
+/* Those of an accepted probe are told with it. */
+static void note_lengths(controller_t *self, const cycle_t *cycle, const command_t *command)
+{
+    for (uint32_t i = 0U; (i < command->argument) && (i < ROBOT_PROBE_LENGTHS); i++) {
+        controller_note(self, cycle, EVENT_REFUSED_LENGTH, i, command->ticks[i]);
+    }
+}
+
+static void note_told(controller_t *self, const cycle_t *cycle, const command_t *command,
+                      const answer_t *answer)
+{
+    const bool is_refused = answer->kind == (uint32_t)ANSWER_REFUSED;
+    switch (command->kind) {
+    case (uint32_t)COMMAND_REGISTRATION:
+        note_place(self, cycle, PLAN_PLACE_REGISTRATION_X, &command->pose.translation);
+        note_rotation(self, cycle, ROTATION_OF_REGISTRATION, &command->pose);
+        break;
+    case (uint32_t)COMMAND_TARGET:
+        note_place(self, cycle, PLAN_PLACE_TARGET_X, &command->pose.translation);
+        note_rotation(self, cycle, ROTATION_OF_TARGET, &command->pose);
+        break;
+    case (uint32_t)COMMAND_ENTRY:
+        note_place(self, cycle, PLAN_PLACE_ENTRY_X, &command->pose.translation);
+        break;
+    case (uint32_t)COMMAND_ACCEPT_ENTRY:
+        if (!is_refused) {
+            note_place(self, cycle, PLAN_PLACE_ENTRY_X, &answer->pose.translation);
+        }
+        break;
+    case (uint32_t)COMMAND_PROBE:
+        if (is_refused) {
+            note_lengths(self, cycle, command);
+        }
+        break;
+    default:
+        break;
+    }
+}
+
+static void note_limit(controller_t *self, const cycle_t *cycle, const answer_t *answer)
+{
+    if (answer->status == (uint32_t)STATUS_AXIS_LIMIT) {
+        const axis_config_t *axis = &cycle->robot->axes[answer->axis];
+        const bool is_maximum = answer->is_maximum != 0U;
+        controller_note(self, cycle, is_maximum ? EVENT_UPPER_LIMIT : EVENT_LOWER_LIMIT,
+                        answer->axis, is_maximum ? axis->maximum_ticks : axis->minimum_ticks);
+    }
+}
+
+/* Anybody may send what is refused, as often as he likes. */
+static bool is_time(controller_t *self)
+{
+    const bool is_one = (self->cycle - self->refused_cycle) >= LIMIT_REFUSED_VALUES_MS;
+    self->refused_cycle = is_one ? self->cycle : self->refused_cycle;
+    return is_one;
+}
+
+void controller_note_values(controller_t *self, const cycle_t *cycle, const command_t *command,
+                            const answer_t *answer)
+{
+    if (answer->kind == (uint32_t)ANSWER_ACCEPTED) {
+        note_told(self, cycle, command, answer);
+    } else if (is_time(self)) {
+        note_told(self, cycle, command, answer);
+        note_limit(self, cycle, answer);
+    } else {
+        /* Its refusal alone is noted. */
+    }
+}
