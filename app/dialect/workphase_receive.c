@@ -125,6 +125,24 @@ static bool pass_word(workphase_dialect_t *self, uint32_t index, const char *wor
     return igtl_requests_add(&self->requests, index, command, moment->patience_us) != NULL;
 }
 
+/* What is no list of lengths by name may be the list without names of before. */
+static void refuse_word(const workphase_dialect_t *self, workphase_peer_t *peer,
+                        const workphase_word_t *word, status_t status, const igtl_moment_t *moment)
+{
+    char text[IGTL_REASON_SIZE];
+    const bool is_form = (word->kind == COMMAND_PROBE) &&
+                         ((status == STATUS_PROBE_LENGTH) || (status == STATUS_OUT_OF_RANGE));
+
+    if (is_form) {
+        workphase_words_tell_form(self->robot, status, text);
+        const igtl_status_t refusal = {igtl_reason_code(status), status_name((int32_t)status),
+                                       text};
+        igtl_tell_status(peer->outbox, word->word, &refusal, moment);
+    } else {
+        igtl_tell_refusal(peer->outbox, word->word, status, moment);
+    }
+}
+
 static void receive_word(workphase_dialect_t *self, uint32_t index, const workphase_word_t *word,
                          const igtl_message_t *message, const igtl_moment_t *moment)
 {
@@ -138,7 +156,7 @@ static void receive_word(workphase_dialect_t *self, uint32_t index, const workph
         status = STATUS_BUSY;
     }
     if (status != STATUS_OK) {
-        igtl_tell_refusal(peer->outbox, word->word, status, moment);
+        refuse_word(self, peer, word, status, moment);
     }
 }
 

@@ -2,13 +2,13 @@
 #include "dialect/workphase_words.h"
 
 #include "common/axis_terms.h"
-#include "dialect/igtl_dialect.h"
 #include "dialect/workphase_text.h"
 #include "interface/app/names.h"
 #include "message/igtl_packet.h"
 
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 
 #define NM_PER_MM 1.0e6
@@ -107,23 +107,43 @@ static status_t read_sweep(const robot_t *robot, char *text, command_t *command)
     return STATUS_OK;
 }
 
+/* `taken`: the lengths that were named before, bit n: that of place n. */
+static status_t read_length(const robot_t *robot, const char *name, const char *length,
+                            uint32_t *taken, command_t *command)
+{
+    uint32_t place = 0U;
+    double length_mm;
+
+    while ((place < robot->probe_length_count) && (strcmp(robot->probe_names[place], name) != 0)) {
+        place++;
+    }
+    if ((place == robot->probe_length_count) || (((*taken >> place) & 1U) != 0U)) {
+        return STATUS_PROBE_LENGTH;
+    }
+    if (!workphase_text_number(length, MOST_MM, &length_mm)) {
+        return STATUS_OUT_OF_RANGE;
+    }
+    *taken |= (uint32_t)1U << place;
+    command->ticks[place] = (int32_t)lround(length_mm * NM_PER_MM);
+    command->argument++;
+    return STATUS_OK;
+}
+
+/* Pairs of a length's name and its mm. */
 static status_t read_probe(const robot_t *robot, char *text, command_t *command)
 {
-    const char *word = workphase_text_next(&text);
+    uint32_t taken = 0U;
 
-    (void)robot;
-    while (word != NULL) {
-        double length_mm;
+    for (const char *name = workphase_text_next(&text); name != NULL;
+         name = workphase_text_next(&text)) {
+        const status_t status =
+            read_length(robot, name, workphase_text_next(&text), &taken, command);
 
-        if ((command->argument >= ROBOT_PROBE_LENGTHS) ||
-            !workphase_text_number(word, MOST_MM, &length_mm)) {
-            return STATUS_OUT_OF_RANGE;
+        if (status != STATUS_OK) {
+            return status;
         }
-        command->ticks[command->argument] = (int32_t)lround(length_mm * NM_PER_MM);
-        command->argument++;
-        word = workphase_text_next(&text);
     }
-    return STATUS_OK;
+    return (command->argument == robot->probe_length_count) ? STATUS_OK : STATUS_PROBE_LENGTH;
 }
 
 static const workphase_word_t words[] = {
@@ -174,6 +194,17 @@ const workphase_word_t *workphase_words_find(const igtl_message_t *message)
         }
     }
     return NULL;
+}
+
+void workphase_words_tell_form(const robot_t *robot, status_t status, char text[IGTL_REASON_SIZE])
+{
+    int used = snprintf(text, IGTL_REASON_SIZE, "%s: Send each length by its name, in mm: PROBE",
+                        status_name((int32_t)status));
+
+    for (uint32_t i = 0U; (i < robot->probe_length_count) && (used < (int)IGTL_REASON_SIZE); i++) {
+        used += snprintf(&text[used], IGTL_REASON_SIZE - (size_t)used, " %s %.9g",
+                         robot->probe_names[i], (double)robot->probe.length_nm[i] / NM_PER_MM);
+    }
 }
 
 status_t workphase_words_read(const workphase_word_t *word, const robot_t *robot,

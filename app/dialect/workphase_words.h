@@ -7,6 +7,7 @@
 #ifndef BORESIGHT_WORKPHASE_WORDS_H
 #define BORESIGHT_WORKPHASE_WORDS_H
 
+#include "dialect/igtl_dialect.h"
 #include "interface/command.h"
 #include "interface/status.h"
 #include "message/igtl_codec.h"
@@ -43,8 +44,8 @@ const workphase_word_t *workphase_words_find(const igtl_message_t *message);
  *
  * POSE has the name of a pose. JOG has an axis and its position in mm or degrees, JOG_BY the way
  * from where it stands. VELOCITY has axes, each with a speed in mm/s or degrees/s, then the
- * seconds. SWEEP has an axis, and FREE if the operator has confirmed that it is. PROBE has lengths
- * in mm, within +-2000, in the order of the robot's file.
+ * seconds. SWEEP has an axis, and FREE if the operator has confirmed that it is. PROBE has each
+ * length of the robot's probe once, by its name and then mm within +-2000, in any order.
  *
  * @return as its reader; STATUS_OUT_OF_RANGE also beyond IGTL_TEXT_MAX characters
  *
@@ -56,5 +57,12 @@ const workphase_word_t *workphase_words_find(const igtl_message_t *message);
  */
 status_t workphase_words_read(const workphase_word_t *word, const robot_t *robot,
                               const igtl_message_t *message, command_t *command);
+
+/**
+ * Why the text of PROBE was refused by `status`, and how it is written for this robot.
+ *
+ * @satisfies SWR-IGTL-073
+ */
+void workphase_words_tell_form(const robot_t *robot, status_t status, char text[IGTL_REASON_SIZE]);
 
 #endif

@@ -72,10 +72,10 @@ class TestIgtlPlanning < Minitest::Test
       client.await('STRING', 'robot_treatment_home')
       IgtlClient.open(boresight.brp_port) do |navigation|
         navigation.phase('PLANNING') # Another test may have left MOVE_TO_TARGET behind.
-        navigation.run('string PROBE 12 6 7 46')
+        navigation.run('string PROBE treatment_to_tip 12 robot_to_entry 6 cannula_to_treatment 7 robot_to_treatment 46')
         assert_equal 1, navigation.status('PROBE')['code']
         assert_equal '46.000000', client.await('STRING', 'robot_treatment_home')['text']
-        navigation.run('string PROBE 10 5 5 41')
+        navigation.run('string PROBE treatment_to_tip 10 robot_to_entry 5 cannula_to_treatment 5 robot_to_treatment 41')
         assert_equal '41.000000', client.await('STRING', 'robot_treatment_home')['text']
       end
     end

@@ -304,7 +304,7 @@ void test_SWR_EXCH_019_the_last_notes_are_kept(void)
 
 void test_SWR_EXCH_019_a_note_has_its_ends_and_no_control_characters(void)
 {
-    char letters[300];
+    char letters[EXCHANGE_NOTE_TEXT_SIZE + 1U];
     exchange_note_t note;
 
     (void)memset(letters, 'x', sizeof letters - 1U);

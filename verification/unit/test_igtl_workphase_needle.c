@@ -536,6 +536,22 @@ void test_SWR_IGTL_036_a_robot_without_a_length_does_not_know_the_question(void)
     EXPECT_BEGIN(0U, "STATUS NEEDLE_LENGTH 12 UNKNOWN_COMMAND|");
 }
 
+#define LENGTHS "treatment_to_tip 10 robot_to_entry 5 cannula_to_treatment 5 robot_to_treatment 41"
+
+static const int32_t file_nm[] = {10000000, 5000000, 5000000, 41000000};
+
+static void carry_probe(void)
+{
+    static const char *const names[] = {"treatment_to_tip", "robot_to_entry",
+                                        "cannula_to_treatment", "robot_to_treatment"};
+
+    robot.probe_length_count = 4U;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        (void)snprintf(robot.probe_names[i], sizeof robot.probe_names[i], "%s", names[i]);
+        robot.probe.length_nm[i] = file_nm[i];
+    }
+}
+
 /* A probe that is sent arrives as lengths in nm. */
 static void expect_probe(uint32_t count, const int32_t *length_nm)
 {
@@ -551,27 +567,50 @@ void test_SWR_PROBE_006_lengths_are_passed_on_and_the_result_is_told(void)
 {
     static const int32_t first_nm[] = {10000000, 5250000, -5, 41000000};
 
-    say(0U, "PROBE", "10 5.25  -0.000005 4.1e1 ");
+    carry_probe();
+    say(0U, "PROBE",
+        "robot_to_entry 5.25  treatment_to_tip 10 cannula_to_treatment -0.000005 "
+        "robot_to_treatment 4.1e1 ");
     expect_probe(4U, first_nm);
     answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
     EXPECT(0U, "STATUS PROBE 1 MOVE_TO_TARGET|");
-    say(0U, "CMD_1", "PROBE 10");
-    EXPECT(0U, "STRING ACK_1 PROBE 10");
-    expect_probe(1U, first_nm);
-    answer_to(&command, ANSWER_REFUSED, STATUS_PROBE_LENGTH, 1U);
-    EXPECT_BEGIN(0U, "STATUS PROBE 10 MOVE_TO_TARGET|PROBE_LENGTH: ");
-    say(0U, "CMD_2", "PROBE");
-    EXPECT(0U, "STRING ACK_2 PROBE");
-    expect_probe(0U, first_nm);
+    say(0U, "CMD_1", "PROBE " LENGTHS);
+    EXPECT(0U, "STRING ACK_1 PROBE " LENGTHS);
+    expect_probe(1U + 3U, file_nm);
+    answer_to(&command, ANSWER_REFUSED, STATUS_PROBE_ORDER, 1U);
+    EXPECT_BEGIN(0U, "STATUS PROBE 10 MOVE_TO_TARGET|PROBE_ORDER: ");
+}
+
+void test_SWR_IGTL_073_lengths_without_names_are_refused_with_the_form_that_is_taken(void)
+{
+    static const char *const wrong[] = {
+        "10 5 5 41",
+        "10",
+        "",
+        "treatment_to_tip 10",
+        LENGTHS " treatment_to_tip 10",
+        "needle_tip 10 robot_to_entry 5 cannula_to_treatment 5 robot_to_treatment 41"};
+
+    carry_probe();
+    for (uint32_t i = 0U; i < (sizeof wrong / sizeof wrong[0]); i++) {
+        say(0U, "PROBE", wrong[i]);
+        EXPECT(0U,
+               "STATUS PROBE 10 PROBE_LENGTH|PROBE_LENGTH: Send each length by its name, in mm: "
+               "PROBE " LENGTHS);
+        expect_no_command();
+    }
 }
 
 void test_SWR_PROBE_006_what_is_no_length_is_refused_and_not_passed_on(void)
 {
-    static const char *const wrong[] = {"nan",     "10 5 5 41 1", "10,5",   "2000.1",
-                                        "-2000.1", "1 inf",       "1 1e99", "ten"};
+    static const char *const wrong[] = {"nan", "10,5", "2000.1", "-2000.1",
+                                        "inf", "1e99", "ten",    ""};
 
+    carry_probe();
     for (uint32_t i = 0U; i < 8U; i++) {
-        say(0U, "PROBE", wrong[i]);
+        char text[80];
+        (void)snprintf(text, sizeof text, "treatment_to_tip %s", wrong[i]);
+        say(0U, "PROBE", text);
         EXPECT_BEGIN(0U, "STATUS PROBE 10 OUT_OF_RANGE|");
         expect_no_command();
     }
@@ -585,10 +624,11 @@ void test_SWR_PROBE_006_what_is_no_length_is_refused_and_not_passed_on(void)
 
 void test_SWR_PROBE_006_of_too_many_at_a_time_the_last_is_refused(void)
 {
+    carry_probe();
     for (uint32_t i = 0U; i < IGTL_REQUESTS_PER_PEER; i++) {
-        say(0U, "PROBE", "10 5 5 41");
+        say(0U, "PROBE", LENGTHS);
     }
     EXPECT(0U, "");
-    say(0U, "PROBE", "10 5 5 41");
+    say(0U, "PROBE", LENGTHS);
     EXPECT_BEGIN(0U, "STATUS PROBE 6 BUSY|");
 }
