@@ -9,11 +9,13 @@
 #
 # A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
 # structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `modes`, for the whole table of
-# core/interface/modes.yml; `limits`, for those of requirements/; `rooms`, for tools/rooms.yml; `robots`, for the axes of core/robot/*/robot.yml;
+# core/interface/modes.yml; `limits`, for those of requirements/; `rooms`, for tools/rooms.yml; `decisions`, for docs/decisions;
+# `robots`, for the axes of core/robot/*/robot.yml;
 # or one of tools/card_tables.rb, for the frames of the cards.
 
 require 'optparse'
 require_relative 'card_tables'
+require_relative 'decisions'
 require_relative 'interface/model'
 require_relative 'robot/description'
 require_relative 'rooms'
@@ -51,7 +53,7 @@ end
 # What can be shown as a table, read from one project.
 class TableSources
   # What is no enumeration and no structure: a method of the same name.
-  OTHERS = %w[limits modes problems robots rooms routes].freeze
+  OTHERS = %w[decisions limits modes problems robots rooms routes].freeze
 
   def initialize(root)
     @root = root
@@ -115,6 +117,12 @@ class TableSources
        mode.workphases.map { |name| "`#{name}`" }.join(', '), mode.axes.downcase, mode.unhomed ? 'no' : 'yes']
     end
     markdown(['Mode', 'What it does', 'Armed by', 'In', 'Axes it needs', 'They must be homed'], rows)
+  end
+
+  def decisions
+    markdown(%w[No. Decision], Decisions.new(@root).records.map do |record|
+      [record.number, "[#{record.title}](#{record.file.delete_prefix('docs/')})"]
+    end)
   end
 
   def robots

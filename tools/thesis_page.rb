@@ -7,8 +7,7 @@
 #
 #   ruby tools/thesis_page.rb      one line for each that is not so, exit 1 if there is any
 
-require 'yaml'
-require_relative 'trace/sources'
+require_relative 'project_names'
 
 # The page with its tables of three columns: what the thesis has, what Boresight has, and the command that shows it, or `-`.
 class ThesisPage
@@ -18,12 +17,9 @@ class ThesisPage
           *['Manual', 'Home', 'Trajectory', 'Frequency Sweep', 'Cooperative Biopsy'].map { |mode| "Mode #{mode}" },
           *%w[NeuroRobot ProstateRobot].product(ROBOT_TESTS).map { |names| "Test #{names.join('_')}" },
           *%w[Motor_GetMinTicksGetMaxTicks Encoder_SetPosition Logger_SetLogLevel Packets_Connection].map { |name| "Test #{name}" }].freeze
-  C_TESTS = '{verification/unit,verification/integration,core/robot/*/test}'
-  RUBY_TESTS = '{tools/test,verification/**}'
 
   def initialize(root, text = File.read(File.join(root, PAGE), encoding: 'UTF-8'), sources: Trace::Sources.new(root))
-    @root = root
-    @sources = sources
+    @names = ProjectNames.new(root, sources: sources)
     @rows = text.lines.each.with_index(1).filter_map { |line, number| row(line, number) }
     @text = text
   end
@@ -67,79 +63,19 @@ class ThesisPage
     return [complaint(row.line, 'a row has three cells, and none is empty')] if row.cells.size != 3 || row.cells.any?(&:empty?)
     return [complaint(row.line, 'a command, or - and nothing else')] if row.names.empty? && row.cells.last != '-'
 
-    file = row.names.filter_map { |name| test_file(name[/\Amake one NAME=(\w+)\z/, 1].to_s) }
-    tests = file.empty? ? [] : row.names.grep(/\Atest_SWR/).reject { |test| tests_of(file).include?(test) }
+    file = row.names.filter_map { |name| @names.test_file(name[/\Amake one NAME=(\w+)\z/, 1].to_s) }
+    tests = file.empty? ? [] : row.names.grep(/\Atest_SWR/).reject { |test| @names.tests_of(file).include?(test) }
     tests.map { |test| complaint(row.line, "#{test} is not in #{file.join(', ')}") }
   end
 
   def unknown
     @text.lines.each.with_index(1).flat_map do |line, number|
-      line.scan(/`([^`]+)`/).flatten.filter_map { |name| complaint(number, "there is no #{name}") unless there?(name) }
+      line.scan(/`([^`]+)`/).flatten.filter_map { |name| complaint(number, "there is no #{name}") unless @names.there?(name) }
     end
   end
 
   def complaint(line, reason)
     "#{PAGE}:#{line}: #{reason}"
-  end
-
-  def there?(name)
-    case name
-    when /\A(?:ROBOT=(\w+) )?make ([\w-]+)((?: [A-Z]+=\S+)*)\z/ then command?(*Regexp.last_match.captures)
-    when /\Atest_SWR_/ then @sources.tests.any? { |test| test.name == name }
-    when /\A(GET|PUT|POST|DELETE) (\S+)\z/ then routes.include?([Regexp.last_match(1), Regexp.last_match(2)])
-    when %r{\Acurl http://127\.0\.0\.1:8080(/\S+)\z} then routes.include?(['GET', Regexp.last_match(1)])
-    when %r{\Abuild/bin/([\w-]+)} then makefiles.match?(/(PROGRAMS|SOURCES_)\S*.*\b#{Regexp.last_match(1)}\b/)
-    when /\ASWR-/ then requirements.include?(name)
-    when /\A[A-Z][A-Z_]+\z/ then interface.match?(/\bname: #{name}\b/)
-    when %r{\A[\w./-]+\z} then File.exist?(File.join(@root, name))
-    end
-  end
-
-  def command?(robot, target, settings)
-    settings = settings.split.to_h { |setting| setting.split('=') }
-    robot ||= settings['ROBOT']
-    return false unless makefiles.match?(/^#{target}:.* ## /) && (robot.nil? || File.directory?("#{@root}/core/robot/#{robot}"))
-
-    case target
-    when 'one' then !test_file(settings['NAME']).nil?
-    when 'gate' then gates.include?(settings['NAME'])
-    else settings['FILE'].nil? || File.exist?(File.join(@root, settings['FILE']))
-    end
-  end
-
-  # What `make one` runs.
-  def test_file(name)
-    Dir.glob(["#{C_TESTS}/#{name}.c", "#{RUBY_TESTS}/#{name}.rb"], base: @root).min
-  end
-
-  def tests_of(files)
-    @sources.tests.select { |test| files.include?(test.place.file) }.map(&:name)
-  end
-
-  def requirements
-    @requirements ||= Trace::Requirements.load('requirements', @root).items.map(&:id)
-  end
-
-  def gates
-    @gates ||= YAML.safe_load_file("#{@root}/verification/gates.yml").map { |gate| gate['name'] }
-  end
-
-  def routes
-    @routes ||= YAML.safe_load_file("#{@root}/core/interface/routes.yml").fetch('routes').map do |route|
-      [route.fetch('method', 'GET').upcase, route.fetch('path')]
-    end
-  end
-
-  def makefiles
-    @makefiles ||= texts('{Makefile,bsp/*/board.mk,verification/*.mk,verification/*/*.mk}')
-  end
-
-  def interface
-    @interface ||= texts('core/interface/*.yml')
-  end
-
-  def texts(pattern)
-    Dir.glob(pattern, base: @root).sort.map { |file| File.read(File.join(@root, file), encoding: 'UTF-8') }.join
   end
 end
 
