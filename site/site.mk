@@ -84,8 +84,6 @@ build/site/robot.wasm: $(call object,$(CORE_SOURCES) $(CLOSED_LOOP_SOURCES)) sit
 SERVED_FLAGS := -std=c11 -Isite/posix -isystem $(DEBIAN_SOURCES)/civetweb/include -isystem build/wasm/include -isystem $(ZSTD) -isystem $(LIBMD)/include
 $(OUT)/app/%.o $(OUT)/$(GEN)/interface/%.o: CFLAGS += $(SERVED_FLAGS)
 $(OUT)/site/served/%.o $(OUT)/site/recorded/%.o: CFLAGS += $(SERVED_FLAGS)
-# What does not run in each cycle may be slower, and makes the page smaller.
-$(addprefix $(OUT)/,app/http/%.o app/gate/%.o app/request/%.o app/session/%.o app/trajectory/%.o site/served/%.o $(GEN)/interface/%.o): CFLAGS += -Oz
 $(call object,$(SERVED_SOURCES)): site/site.mk | build/wasm/include/cjson/cJSON.h
 
 build/wasm/include/cjson/cJSON.h: $(DEBIAN_SOURCES)/cjson/cJSON.h
@@ -93,7 +91,7 @@ build/wasm/include/cjson/cJSON.h: $(DEBIAN_SOURCES)/cjson/cJSON.h
 
 $(OUT)/lib/cJSON.o: $(DEBIAN_SOURCES)/cjson/cJSON.c
 	@mkdir -p $(@D)
-	@$(CC) $(EXTRA) -Oz $(ANYWHERE) -c $< -o $@
+	@$(CC) $(EXTRA) $(ANYWHERE) -c $< -o $@
 
 build/site/served.wasm: $(call object,$(CORE_SOURCES) $(SERVED_SOURCES)) $(OUT)/lib/cJSON.o site/site.mk
 	@mkdir -p $(@D)
@@ -104,12 +102,12 @@ $(call object,$(RECORDED_SOURCES)): site/site.mk | build/wasm/include/cjson/cJSO
 
 $(OUT)/lib/%.o: $(ZSTD)/%.c
 	@mkdir -p $(@D)
-	@$(CC) -Oz $(EXTRA) $(ANYWHERE) -DZSTD_DISABLE_ASM -DZSTD_STRIP_ERROR_STRINGS -DHUF_FORCE_DECOMPRESS_X1 -c $< -o $@
+	@$(CC) $(EXTRA) $(ANYWHERE) -DZSTD_DISABLE_ASM -DZSTD_STRIP_ERROR_STRINGS -DHUF_FORCE_DECOMPRESS_X1 -c $< -o $@
 
 # Its configuration as it is before a computer was asked for what it has: with nothing.
 $(OUT)/lib/sha2.o: $(LIBMD)/src/sha2.c
 	@mkdir -p $(@D) build/wasm/libmd; cp $(LIBMD)/config.h.in build/wasm/libmd/config.h
-	@$(CC) -Oz $(EXTRA) $(ANYWHERE) -Ibuild/wasm/libmd -I$(LIBMD)/include -c $< -o $@
+	@$(CC) $(EXTRA) $(ANYWHERE) -Ibuild/wasm/libmd -I$(LIBMD)/include -c $< -o $@
 
 build/site/recorded.wasm: $(call object,$(CORE_SOURCES) $(RECORDED_SOURCES)) $(ZSTD_SOURCES:$(ZSTD)/%.c=$(OUT)/lib/%.o) \
     $(addprefix $(OUT)/lib/,sha2.o cJSON.o) site/site.mk

@@ -283,7 +283,7 @@ class TestInterfaceRoutes < Minitest::Test
       assert_includes types, '| `/walls/${string}/stroke-now`'
       assert_includes types, %(  colour: "BLUE";\n)
       assert_match(/"BLUE", 7U\}\};/, File.read(File.join(folder, 'app/requests.c')))
-      assert_match(/ROUTE_STROKE, "POST", [^,]*, ROUTE_OF_AXIS, "POST",\s+false, ROLE_PAINTER, true, true, 0U, false, 99U/,
+      assert_match(/ROUTE_STROKE, "POST", [^,]*, ROUTE_OF_AXIS, "POST",\s+false, ROLE_PAINTER, true, true, 0U, false, ROUTE_NOTED_ALWAYS, 99U/,
                    File.read(File.join(folder, 'app/routes.c')))
     end
   end
