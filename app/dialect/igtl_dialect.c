@@ -54,6 +54,7 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_NOT_REGISTERED:
     case STATUS_NO_TARGET:
     case STATUS_COMPUTER_UNFIT:
+    case STATUS_MOVED_IN_VAIN:
     case STATUS_HARDWARE_NOT_READY:
     case STATUS_CONFIRM_POSITIONS:
     case STATUS_FAULT_PRESENT:

@@ -12,6 +12,7 @@
 #include "card/card_frame.h"
 #include "card/card_health.h"
 #include "card/link.h"
+#include "controller/homing_account.h"
 #include "controller/kept.h"
 #include "interface/answer.h"
 #include "interface/command.h"
@@ -135,6 +136,7 @@ typedef struct {
     uint32_t vain_axis;      /**< Of the last of them; ROBOT_AXIS_MAX: it was a card. */
     uint32_t vain_card;      /**< Its slot; CARD_SLOT_COUNT: it was an axis. */
     uint32_t vain_event;     /**< event_id_t that ended it. */
+    uint32_t account_state;  /**< homing_account_state_t: of account. */
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
     uint32_t strangers;    /**< Bit n: a card that the robot does not name is in slot n. */
@@ -156,6 +158,7 @@ typedef struct {
     robot_cards_t cards;    /**< Of the robot, as its undamaged table says in each cycle. */
     target_way_t way;       /**< As it is shown; has a seal of its own. */
     program_list_t program; /**< The treatment program that is held; has checksums of its own. */
+    homing_account_t account; /**< Has a seal of its own. */
     uint32_t last_event;    /**< event_id_t of the one noted last; it counts only, with the next. */
     uint32_t refused_cycle; /**< When the numbers of something refused were noted; the same. */
     /** Of mode.list; each has a checksum. The last member, as they are too many to be copied with

@@ -71,6 +71,7 @@ static status_t obey_set_home(controller_t *self, const cycle_t *cycle, uint32_t
         const axis_config_t *const config = &cycle->robot->axes[index];
         axis_place(axis, config, config->home_ticks);
         controller_note(self, cycle, EVENT_HOME_SET, index, axis->home_correction_ticks);
+        controller_renew_account(self);
         plan_forget_target(&self->plan);
         /* Who presses the button already has compared another position. */
         confirm_button_renew(&self->confirm);

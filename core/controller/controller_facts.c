@@ -43,7 +43,8 @@ static bool is_box_ready(const controller_inputs_t *inputs)
 uint32_t controller_bars(const controller_t *self, const cycle_t *cycle)
 {
     return fact(controller_is_blind(self), GUARD_BLIND) |
-           fact(cycle->inputs->unfit != 0U, GUARD_UNFIT);
+           fact(cycle->inputs->unfit != 0U, GUARD_UNFIT) |
+           fact(controller_is_spent(self), GUARD_SPENT);
 }
 
 uint32_t controller_facts(const controller_t *self, const cycle_t *cycle)

@@ -28,6 +28,15 @@ static inline bool controller_is_of_workphase(const controller_t *self, const co
     return ((command_workphases[command->kind] >> workphase) & 1U) != 0U;
 }
 
+/** Vain START_UPs have moved an axis too far.
+ *
+ * @satisfies SWR-NEXT-024
+ */
+static inline bool controller_is_spent(const controller_t *self)
+{
+    return self->account_state == (uint32_t)HOMING_ACCOUNT_SPENT;
+}
+
 /** Every axis is homed. */
 bool controller_is_homed(const controller_t *self);
 
@@ -39,7 +48,7 @@ static inline void controller_positions(const controller_t *self, int32_t ticks[
     }
 }
 
-/** GUARD_BLIND and GUARD_UNFIT, as far as they stand. */
+/** GUARD_BLIND, GUARD_UNFIT and GUARD_SPENT, as far as they stand. */
 uint32_t controller_bars(const controller_t *self, const cycle_t *cycle);
 
 /** GUARD_ facts, all that stand now. */

@@ -187,6 +187,17 @@ static status_t obey_note(controller_t *self, const cycle_t *cycle, const comman
     return STATUS_OK;
 }
 
+/* What only START_UP clears must not stay for ever where START_UP is refused: the needle has to
+ * come out. */
+static void clear_only(controller_t *self, const cycle_t *cycle, const command_t *command)
+{
+    if ((command->kind == (uint32_t)COMMAND_WORKPHASE) &&
+        guards_have(controller_facts(self, cycle), GUARD_HARDWARE_READY) &&
+        !procedure_is_armed(&self->procedure)) {
+        begin_start_up(self, cycle);
+    }
+}
+
 static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *command,
                      answer_t *answer)
 {
@@ -201,6 +212,9 @@ static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *
     }
     const status_t barred =
         guards_bar(controller_bars(self, cycle), command->kind, command->argument);
+    if (barred == STATUS_MOVED_IN_VAIN) {
+        clear_only(self, cycle, command);
+    }
     if (barred != STATUS_OK) {
         return barred;
     }

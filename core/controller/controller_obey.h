@@ -15,6 +15,7 @@
  * @satisfies SWR-EVENT-009
  * @satisfies SWR-EVENT-011
  * @satisfies SWR-LOOP-006
+ * @satisfies SWR-NEXT-026
  */
 void controller_obey(controller_t *self, const cycle_t *cycle);
 

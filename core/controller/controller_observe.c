@@ -342,6 +342,7 @@ static void confirm(controller_t *self, const cycle_t *cycle)
         axis_t *const axis = &self->axes[i];
         if (controller_confirms_axis(self, i) && link_is_healthy_now(controller_link(self, i)) &&
             axis_confirm(axis, &cycle->robot->axes[i])) {
+            controller_renew_account(self);
             controller_note(self, cycle, EVENT_AXIS_CONFIRMED, i, axis->encoder.position_ticks);
         }
     }

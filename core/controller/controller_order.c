@@ -12,10 +12,22 @@ answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle)
     return answer;
 }
 
+static void begin_account(controller_t *self, const cycle_t *cycle)
+{
+    if (self->account_state == (uint32_t)HOMING_ACCOUNT_EMPTY) {
+        homing_account_init(&self->account);
+        self->account_state = (uint32_t)HOMING_ACCOUNT_OPEN;
+    }
+    homing_account_begin(&self->account, cycle->robot, self->axes);
+}
+
 void controller_arm(controller_t *self, const cycle_t *cycle, const command_t *command,
                     mode_kind_t kind, const mode_request_t *request)
 {
     mode_begin(&self->mode, kind, request);
+    if (kind == MODE_HOMING) {
+        begin_account(self, cycle);
+    }
     self->has_arrived = 0U;
     controller_note(self, cycle, EVENT_ORDER_ARMED, (uint32_t)kind,
                     (int32_t)procedure_workphase(&self->procedure));
@@ -52,7 +64,7 @@ void controller_abandon_order(controller_t *self, const cycle_t *cycle)
 }
 
 /* An axis or a card has ended START_UP; what it was, was noted just before. */
-static void count_vain(controller_t *self)
+static void count_vain(controller_t *self, const cycle_t *cycle)
 {
     const bool is_of_axis = self->cause == (uint32_t)EVENT_CAUSE_AXIS;
     const bool is_of_card = self->cause == (uint32_t)EVENT_CAUSE_CARD;
@@ -63,13 +75,31 @@ static void count_vain(controller_t *self)
     self->vain_axis = is_of_axis ? self->peer : ROBOT_AXIS_MAX;
     self->vain_card = is_of_card ? self->peer : CARD_SLOT_COUNT;
     self->vain_event = self->last_event;
+    homing_account_charge(&self->account, cycle->robot, self->axes, self->vain_axis);
+    if ((self->vain_start_ups >= LIMIT_SERVICE_START_UPS) &&
+        homing_account_is_beyond(&self->account, cycle->robot)) {
+        self->account_state = (uint32_t)HOMING_ACCOUNT_SPENT;
+    }
+}
+
+static void close_account(controller_t *self)
+{
+    self->vain_start_ups = 0U;
+    self->account_state = (uint32_t)HOMING_ACCOUNT_EMPTY;
+}
+
+void controller_renew_account(controller_t *self)
+{
+    if (controller_is_spent(self)) {
+        close_account(self);
+    }
 }
 
 void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
                              status_t fault)
 {
     if ((actions & ARMING_ACTION_REPORT_DISCARDED) != 0U) {
-        count_vain(self);
+        count_vain(self, cycle);
         controller_note(self, cycle, EVENT_ORDER_DISCARDED, self->mode.kind, (int32_t)fault);
         answer_pending(self, cycle, ANSWER_ABORTED, fault);
         mode_stop(&self->mode, self->axes, self->axis_count);
@@ -87,7 +117,7 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
             self->has_arrived = 1U;
         }
         if (self->mode.kind == (uint32_t)MODE_HOMING) {
-            self->vain_start_ups = 0U;
+            close_account(self);
         }
         answer_pending(self, cycle, ANSWER_DONE, STATUS_OK);
         mode_stop(&self->mode, self->axes, self->axis_count);

@@ -35,6 +35,13 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
 void controller_tell_order(controller_t *self, const cycle_t *cycle, arming_event_t event,
                            status_t fault);
 
+/**
+ * The operator has said or confirmed where an axis is: a spent account of vain homing begins anew.
+ *
+ * @satisfies SWR-NEXT-025
+ */
+void controller_renew_account(controller_t *self);
+
 /** The e-stop was pulled. */
 void controller_enter_emergency(controller_t *self, const cycle_t *cycle);
 

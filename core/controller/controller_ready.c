@@ -155,18 +155,23 @@ static named_step_t free_button(const controller_t *self, const cycle_t *cycle,
     return found;
 }
 
+static named_step_t of_vain(const controller_t *self)
+{
+    return (named_step_t){NEXT_STEP_SERVICE, self->vain_axis, self->vain_card, self->vain_event};
+}
+
 static named_step_t find_vain(const controller_t *self)
 {
-    named_step_t found = controller_step_only(NEXT_STEP_START_UP);
-    if (self->vain_start_ups >= LIMIT_SERVICE_START_UPS) {
-        found =
-            (named_step_t){NEXT_STEP_SERVICE, self->vain_axis, self->vain_card, self->vain_event};
-    }
-    return found;
+    return (self->vain_start_ups >= LIMIT_SERVICE_START_UPS)
+               ? of_vain(self)
+               : controller_step_only(NEXT_STEP_START_UP);
 }
 
 static named_step_t find_position(const controller_t *self, const cycle_t *cycle)
 {
+    if (controller_is_spent(self)) {
+        return of_vain(self); /* What is confirmed before service would only allow more of it. */
+    }
     const named_step_t found = find_doubt(self, cycle->robot);
     return is_start_up(&found) ? find_vain(self) : free_button(self, cycle, &found);
 }

@@ -2,6 +2,7 @@
 #include "controller/controller_restore.h"
 
 #include "controller/controller_facts.h"
+#include "controller/controller_order.h"
 
 #include "base/contract.h"
 #include "base/fixed.h"
@@ -148,6 +149,7 @@ status_t controller_obey_restore(controller_t *self, const cycle_t *cycle, const
             controller_note(self, cycle, EVENT_AXIS_PLACED, i, command->ticks[i]);
         }
     }
+    controller_renew_account(self);
     plan_forget_target(&self->plan);
     /* Who presses the button already has compared other positions. */
     confirm_button_renew(&self->confirm);

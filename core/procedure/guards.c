@@ -27,6 +27,11 @@ static bool enables(uint32_t kind, uint32_t argument)
     return is_start_up(kind, argument) || (kind == (uint32_t)COMMAND_ENABLE_AXIS);
 }
 
+static bool homes(uint32_t kind, uint32_t argument)
+{
+    return is_start_up(kind, argument) || (kind == (uint32_t)COMMAND_HOME_AXIS);
+}
+
 status_t guards_bar(uint32_t facts, uint32_t kind, uint32_t argument)
 {
     status_t status = STATUS_OK;
@@ -34,6 +39,8 @@ status_t guards_bar(uint32_t facts, uint32_t kind, uint32_t argument)
         status = STATUS_MEMORY_DAMAGED;
     } else if (guards_have(facts, GUARD_UNFIT) && enables(kind, argument)) {
         status = STATUS_COMPUTER_UNFIT;
+    } else if (guards_have(facts, GUARD_SPENT) && homes(kind, argument)) {
+        status = STATUS_MOVED_IN_VAIN;
     } else {
         /* The mode and the workphase decide. */
     }
