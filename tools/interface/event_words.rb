@@ -112,7 +112,8 @@ module Interface
 
     def value_text
       results = each_event { |event| "#{event.amount.name}_text(value)" if event.amount.is_a?(Enumeration) }
-      choose('const char *event_value_text(uint32_t id, int32_t value)', 'id', results, 'NULL')
+      unused = results.empty? ? "    (void)value; /* None is counted. */\n" : ''
+      choose('const char *event_value_text(uint32_t id, int32_t value)', 'id', results, 'NULL', unused)
     end
 
     def value_unit
@@ -134,11 +135,11 @@ module Interface
     end
 
     # A function that returns what belongs to `key`.
-    def choose(prototype, key, results, otherwise)
+    def choose(prototype, key, results, otherwise, first = '')
       cases = results.group_by(&:last).map do |result, rows|
         "#{rows.map { |constant, _| "    case #{constant}:\n" }.join}        return #{result};\n"
       end
-      "#{prototype}\n{\n    switch (#{key}) {\n#{cases.join}    default:\n        return #{otherwise};\n    }\n}\n"
+      "#{prototype}\n{\n#{first}    switch (#{key}) {\n#{cases.join}    default:\n        return #{otherwise};\n    }\n}\n"
     end
   end
 end

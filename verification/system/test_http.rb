@@ -109,7 +109,7 @@ class TestHttp < Minitest::Test
 
   def test_SWR_EVENT_007_the_log_says_who_commanded_the_stop
     post('/api/v1/stop', '{}')
-    stop = fetch_json('/api/v1/log').fetch('entries').reverse.find { |entry| entry['cause'] == 'CONSOLE' }
+    stop = fetch_json('/api/v1/log?text=Workphase%20entered%20STOP').fetch('entries').last
     assert_match(/ By the console\.\z/, stop.fetch('text'))
   end
 

@@ -163,7 +163,8 @@ class TestRecorder < SystemTest
     end
     assert_equal 1, boresight.output.scan('nothing can be recorded').size
     expect_one_gap(lost)
-    boresight.recording_files.each { |file| replayed(file, 0, 3) }
+    # Alone, the one that was begun on the full disk may hold no checkpoint: exit code 2.
+    boresight.recording_files.each { |file| replayed(file, 0, 2, 3) }
   end
 
   def test_SWR_REC_040_a_run_that_ends_on_a_full_disk_says_how_many_cycles_are_in_no_recording
