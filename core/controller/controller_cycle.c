@@ -37,7 +37,7 @@ void controller_init(controller_t *self, const robot_t *robot)
     }
     robot_cards_find(&self->cards, robot);
     robot_cards_bound(&self->cards); /* Nobody has looked at the table yet. */
-    self->refused_cycle = 0U - LIMIT_REFUSED_VALUES_MS;
+    self->refused_cycle = (UINT32_MAX - LIMIT_REFUSED_VALUES_MS) + 1U;
     controller_seal(self);
 }
 

@@ -85,6 +85,7 @@ const held = live.copy().look("state pedal");
 pass(4 * RENEWAL_CYCLES);
 const left = live.copy().look("state pedal");
 act("workphase", { workphase: "STAND_BY" });
+pass(RENEWAL_CYCLES); // Until the log has it.
 
 const scene = readScene(course.write({ robot: name, seed: SEED }), live.vocabulary);
 

@@ -311,7 +311,7 @@ class TestSite < Minitest::Test
     %w[neuro prostate].each do |robot|
       differences, inputs = course(robot).values_at('differences', 'inputs')
       assert_equal [300], differences.values, robot
-      assert_match(/\A\d+: 4\z/, differences.keys.first, robot) # Notes: pedal, card, stop, pedal.
+      assert_match(/\A\d+: 8\z/, differences.keys.first, robot) # Notes: pedal, card, stop, pedal, and four requests.
       assert_includes inputs, 'card 3 silent'
       assert(inputs.any? { |input| input.match?(/\AWORKPHASE id=\d+ source=HTTP peer=4000000007 argument=1\z/) })
     end
