@@ -9,7 +9,6 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #define SECOND_US UINT64_C(1000000)
@@ -41,25 +40,6 @@ static uint32_t written_until(const black_box_t *self)
     return (self->writer.block.records > 0U) ? self->writer.block.cycle : self->next_cycle;
 }
 
-static void forget_earlier(black_box_t *self, uint32_t i)
-{
-    self->earlier_count--;
-    (void)memmove(&self->earlier[i], &self->earlier[i + 1U],
-                  (self->earlier_count - i) * sizeof self->earlier[0]);
-}
-
-/* There is room, unless old recordings could not be removed. */
-static void remember_file(black_box_t *self)
-{
-    if (self->earlier_count == LIMIT_RECORDINGS) {
-        forget_earlier(self, 0U);
-    }
-    self->present.end_cycle = self->kept_until;
-    self->present.size = self->writer.size;
-    self->earlier[self->earlier_count] = self->present;
-    self->earlier_count++;
-}
-
 /* What its last block held and did not reach the disk is still in the lane. A file without a block
  * would only take the place of one that has some. */
 static void leave_file(black_box_t *self)
@@ -68,7 +48,9 @@ static void leave_file(black_box_t *self)
 
     if (self->writer.blocks > 0U) {
         self->kept_until = written_until(self);
-        remember_file(self);
+        self->present.end_cycle = self->kept_until;
+        self->present.size = self->writer.size;
+        kept_files_add(&self->earlier, &self->present);
     } else {
         (void)unlink(self->path);
     }
@@ -135,39 +117,12 @@ static bool open_next(black_box_t *self)
     return is_open;
 }
 
-/* Removed, or not in its folder any more, where whoever looks for it looks, or shorter than it was
- * left, as by a shell that empties it. */
-static bool is_gone(const black_box_t *self, const black_box_file_t *file)
-{
-    char path[FILE_SERIES_PATH_SIZE];
-    struct stat found;
-
-    file_series_path(&file_series_recordings, self->directory, file->number, file->started_us,
-                     path);
-    if (stat(path, &found) != 0) {
-        return (errno == ENOENT) || (errno == ENOTDIR);
-    }
-    return (found.st_ino != file->inode) || (found.st_dev != file->device) ||
-           ((uint64_t)found.st_size < file->size);
-}
-
-/* The next file says what it lacks since the last one that is still there, so the newest comes
- * first. Returns the cycles of those that are gone. */
+/* Returns the cycles of those that are gone. */
 static uint32_t forget_gone(black_box_t *self)
 {
-    uint32_t cycles = 0U;
+    uint32_t *const kept_until = (self->writer.file < 0) ? &self->kept_until : NULL;
 
-    for (uint32_t i = self->earlier_count; i > 0U; i--) {
-        const black_box_file_t *file = &self->earlier[i - 1U];
-        if (is_gone(self, file)) {
-            cycles += file->end_cycle - file->first_cycle;
-            if ((self->writer.file < 0) && (self->kept_until == file->end_cycle)) {
-                self->kept_until = file->kept_before;
-            }
-            forget_earlier(self, i - 1U);
-        }
-    }
-    return cycles;
+    return kept_files_forget_gone(&self->earlier, self->directory, kept_until);
 }
 
 /*
@@ -192,16 +147,11 @@ static void look_for_earlier(black_box_t *self, uint64_t now_us)
 
 static void note_present(black_box_t *self, uint32_t cycle)
 {
-    struct stat status;
-
-    (void)memset(&status, 0, sizeof status);
-    (void)fstat(self->writer.file, &status);
-    self->present = (black_box_file_t){.started_us = self->header.started_us,
-                                       .number = self->number,
-                                       .first_cycle = cycle,
-                                       .kept_before = self->kept_until,
-                                       .inode = status.st_ino,
-                                       .device = status.st_dev};
+    self->present = (kept_file_t){.started_us = self->header.started_us,
+                                  .number = self->number,
+                                  .first_cycle = cycle,
+                                  .kept_before = self->kept_until};
+    kept_file_identify(&self->present, self->writer.file);
 }
 
 /* Old recordings make room only for one that exists: a failed attempt costs none of them. Those
@@ -332,14 +282,12 @@ static void record_one(black_box_t *self, const cycle_record_t *record, uint64_t
 /* Closing it writes once more, where a shortened file would get a hole. */
 static void close_gone(black_box_t *self)
 {
-    struct stat found;
-    const bool is_there = (stat(self->path, &found) == 0) &&
-                          (found.st_ino == self->present.inode) &&
-                          (found.st_dev == self->present.device);
+    off_t size = 0;
+    const bool is_there = kept_file_is_at(&self->present, self->path, &size);
 
     (void)recording_writer_close(&self->writer);
     if (is_there) {
-        (void)!truncate(self->path, found.st_size);
+        (void)!truncate(self->path, size);
     }
 }
 
@@ -357,7 +305,7 @@ static void give_up_file(black_box_t *self)
 static void look_for_file(black_box_t *self, uint64_t now_us)
 {
     self->present.size = self->writer.size;
-    if ((self->writer.file >= 0) && is_gone(self, &self->present)) {
+    if ((self->writer.file >= 0) && kept_file_is_gone(&self->present, self->directory)) {
         (void)fprintf(stderr,
                       "recorder: %s was removed, moved or shortened; a new recording is begun.\n",
                       self->path);

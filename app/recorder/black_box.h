@@ -19,26 +19,14 @@
 #include "exchange/exchange_files.h"
 #include "exchange/exchange_rows.h"
 #include "limits/requirement_limits.h"
+#include "recorder/kept_files.h"
 #include "recorder/recording_room.h"
 #include "recording/recording_writer.h"
 
 #include <stdbool.h>
-#include <sys/types.h>
 
 #define BLACK_BOX_FILE_US UINT64_C(600000000)                  /**< A new file after ten minutes. */
 #define BLACK_BOX_RETRY_US ((uint64_t)LIMIT_RECORDER_RETRY_US) /**< Between attempts to write. */
-
-/** A file that was begun, as it is found as long as nobody else touches it. */
-typedef struct {
-    uint64_t started_us; /**< In its name, as its number. */
-    uint32_t number;
-    uint32_t first_cycle;
-    uint32_t end_cycle;   /**< The cycle after its last one. */
-    uint32_t kept_before; /**< The cycle after the last one that the file before it has. */
-    uint64_t size;        /**< Bytes that were written. */
-    ino_t inode;
-    dev_t device;
-} black_box_file_t;
 
 typedef struct {
     const char *directory; /**< Lives as long as the black box. */
@@ -58,9 +46,8 @@ typedef struct {
     bool is_failing;     /**< The last attempt to write failed, and it was said. */
     uint64_t damaged_us; /**< When damage of the lane was last found; 0: never. */
     uint64_t looked_us;  /**< When the earlier files were last looked at. */
-    black_box_file_t present;
-    black_box_file_t earlier[LIMIT_RECORDINGS]; /**< Those that have a block, the oldest first. */
-    uint32_t earlier_count;
+    kept_file_t present;
+    kept_files_t earlier;  /**< Written before the present one. */
     uint64_t others_bytes; /**< Of all recordings but the present one, when it was begun. */
     recording_room_t room;
     cycle_record_t record;                        /**< The present one. */
@@ -90,8 +77,8 @@ void black_box_drain(black_box_t *self, uint64_t now_us);
  * Closes the present file with its trailer, which says that the run ends with it if control has
  * ended and the file has its last cycle.
  *
- * @return how many cycles at the end of the run are in no recording, which was said; 0 as well while
- * control runs and the recorder can write: the next one goes on
+ * @return how many cycles at the end of the run are in no recording, which was said; 0 as well
+ * while control runs and the recorder can write: the next one goes on
  *
  * @satisfies SWR-REC-031
  * @satisfies SWR-REC-040
