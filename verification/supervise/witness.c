@@ -18,8 +18,10 @@
 #define NEEDLE_OUT_MM 0.625
 #define HOME_MM 0.05 /* Of the place where homing sees a switch. */
 #define HOME_DEG 0.2
+#define ENDS_CYCLES                                                                                \
+    120000U /* Carriages and then the needle, over the strokes of the slowest robot. */
 #define SWEEP_ENDS_CYCLES 600000U
-#define ENDS_CYCLES 180000U /* The slowest robot homes, or moves all that it has. */
+#define HOMING_ENDS_CYCLES 180000U /* Of the slowest robot. */
 #define IDLE_CYCLES 1U             /* Who is homed is off in the next frame. */
 
 const char *witness_sentence(sentence_t sentence)
@@ -191,8 +193,10 @@ static void judge_end(witness_t *self, const rig_t *rig)
 {
     const bool is_moving = rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING;
     const bool is_sweep = self->order_watch.kind == (uint32_t)COMMAND_SWEEP;
+    const bool is_homing = rig->outputs.snapshot.mode == (uint32_t)MODE_HOMING;
+    const uint32_t most = is_homing ? HOMING_ENDS_CYCLES : ENDS_CYCLES;
     self->moving_cycles = is_moving ? (self->moving_cycles + 1U) : 0U;
-    if (self->moving_cycles > (is_sweep ? SWEEP_ENDS_CYCLES : ENDS_CYCLES)) {
+    if (self->moving_cycles > (is_sweep ? SWEEP_ENDS_CYCLES : most)) {
         complain(self, rig, SENTENCE_ENDS, 0U, self->moving_cycles / 1000.0);
     }
 }
