@@ -89,3 +89,16 @@ test("SWR-CON-006 a worker that fails or does not greet is done without", () => 
   vi.advanceTimersByTime(GREETING_MS);
   expect(openAlone).toHaveBeenCalledTimes(2);
 });
+
+test("SWR-CON-006 a worker that greets late takes the tab back from its own connection", () => {
+  const leave = vi.spyOn(Connection.prototype, "leave");
+  const stream = open();
+  vi.advanceTimersByTime(GREETING_MS);
+  expect(openAlone).toHaveBeenCalledOnce();
+  tell({ type: "joined" });
+  expect(leave).toHaveBeenCalledExactlyOnceWith(listener);
+  tell({ type: "hello", data: "h" });
+  expect(listener.hear).toHaveBeenCalledExactlyOnceWith("hello", "h");
+  stream.close();
+  expect(leave).toHaveBeenCalledOnce();
+});

@@ -24,7 +24,7 @@ export interface Port {
   close(): void;
 }
 
-/** A worker that has not even greeted for so long is none. */
+/** A worker that has not even greeted for so long may be dead: the tab has a connection of its own until it greets. */
 export const GREETING_MS = 2000;
 
 function startWorker(onFailure: () => void): Port {
@@ -36,7 +36,7 @@ function startWorker(onFailure: () => void): Port {
   return worker.port;
 }
 
-/** Listens to the stream by the shared worker. Falls back to a connection of its own, for good. */
+/** Listens to the stream by the shared worker, and by a connection of its own as long as there is none. */
 export class SharedStream implements Stream {
   private readonly listener: StreamListener;
   private readonly openAlone: () => Connection;
@@ -53,18 +53,18 @@ export class SharedStream implements Stream {
     this.listener = listener;
     this.openAlone = openAlone;
     try {
-      this.port = start(() => this.fallBack());
+      this.port = start(() => this.doWithout());
       this.port.onmessage = (event) => this.take(event.data);
-      this.timer = setTimeout(() => this.fallBack(), GREETING_MS);
+      this.timer = setTimeout(() => this.openOwn(), GREETING_MS);
     } catch {
-      this.fallBack(); // Not supported, or refused with the storage.
+      this.openOwn(); // Not supported, or refused with the storage.
     }
   }
 
   close(): void {
     this.isClosed = true;
     this.leaveWorker();
-    this.alone?.leave(this.listener);
+    this.closeOwn();
   }
 
   private leaveWorker(): void {
@@ -81,21 +81,31 @@ export class SharedStream implements Stream {
     }
   }
 
-  private fallBack(): void {
-    if (this.isClosed || this.alone !== null) {
-      return;
-    }
+  private doWithout(): void {
     this.leaveWorker();
-    this.alone = this.openAlone();
-    this.alone.join(this.listener);
+    this.openOwn();
+  }
+
+  private openOwn(): void {
+    if (!this.isClosed && this.alone === null) {
+      this.alone = this.openAlone();
+      this.alone.join(this.listener);
+    }
+  }
+
+  private closeOwn(): void {
+    this.alone?.leave(this.listener);
+    this.alone = null;
   }
 
   private take(message: WorkerMessage): void {
     this.stopTimer();
-    if (this.port === null || message.type === "joined") {
+    if (this.port === null) {
       return;
     }
-    if (message.type === "lost") {
+    if (message.type === "joined") {
+      this.closeOwn(); // The worker was slow, as on a busy machine.
+    } else if (message.type === "lost") {
       this.listener.lose(message.reason);
     } else if (streamEvents.includes(message.type)) {
       this.listener.hear(message.type, message.data);
