@@ -55,24 +55,13 @@ static bool share_a_limit(const robot_t *robot, uint32_t first, uint32_t second)
     return is_shared;
 }
 
-/* Of all that share a limit with `axis`, itself is the only one not homed. */
-static bool is_last(const rig_t *rig, uint32_t axis)
-{
-    bool is_only_one = !homing_part_is_homed(rig, axis);
-    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
-        is_only_one = is_only_one && ((i == axis) || homing_part_is_homed(rig, i) ||
-                                      !share_a_limit(rig->box.robot, axis, i));
-    }
-    return is_only_one;
-}
-
+/* Goes along so that a limit that both share is kept; that it is, is another sentence. */
 static bool is_escorting(const rig_t *rig, uint32_t axis)
 {
     bool is_with_one = false;
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
-        is_with_one = is_with_one ||
-                      ((i != axis) && homing_part_is_homing(rig, i) && is_last(rig, i) &&
-                       homing_part_is_homed(rig, axis) && share_a_limit(rig->box.robot, axis, i));
+        is_with_one = is_with_one || ((i != axis) && homing_part_is_homing(rig, i) &&
+                                      share_a_limit(rig->box.robot, axis, i));
     }
     return is_with_one;
 }

@@ -188,6 +188,18 @@ static bool is_any_late(const rig_t *rig)
     return is_any;
 }
 
+/* In the next cycle the same step is shown when nobody commands: no axis has just left its place.
+ */
+static bool is_lasting(const rig_t *rig, uint32_t step)
+{
+    static rig_t copy;
+    copy = *rig;
+    copy.command_count = 0U;
+    copy.is_page_away = true;
+    rig_cycle(&copy);
+    return copy.outputs.snapshot.next_step == step;
+}
+
 /* The controller is a pure function: on a copy of the world the command costs nothing. */
 static void check_promise(operator_t *self, const rig_t *rig)
 {
@@ -205,15 +217,17 @@ static void check_promise(operator_t *self, const rig_t *rig)
     copy.is_page_away = true;
     const status_t status = send(&copy, &command);
     self->checked_step = step;
-    if ((status != STATUS_OK) && !is_any_late(&copy) && is_box_same(&rig->inputs, &copy.inputs)) {
+    if ((status != STATUS_OK) && !is_any_late(&copy) && is_box_same(&rig->inputs, &copy.inputs) &&
+        is_lasting(rig, step)) {
         self->end = OPERATOR_REFUSED;
         self->refusal = status;
         self->last_step = step;
     }
 }
 
-/* The box is switched off and on, with the axes that have no switch at their marks, and the
- * programs are started anew; what is broken stays so. */
+/* The box is switched off and on, with the axes that have no switch at their marks, and with all of
+ * them where the robot is parked if some share a limit; the programs are started anew; what is
+ * broken stays so. */
 static void start_anew(operator_t *self, rig_t *rig)
 {
     static rig_t old;
@@ -223,9 +237,13 @@ static void start_anew(operator_t *self, rig_t *rig)
     self->robot = *rig->box.robot;
     for (uint32_t i = 0U; i < self->robot.axis_count; i++) {
         const axis_config_t *const axis = &self->robot.axes[i];
-        self->robot.start_ticks[i] = (axis->home_method == (uint8_t)HOME_BY_SWITCH)
-                                         ? (int32_t)lround(truth[i])
-                                         : axis->home_ticks;
+        if (axis->home_method != (uint8_t)HOME_BY_SWITCH) {
+            self->robot.start_ticks[i] = axis->home_ticks;
+        } else if (self->robot.coupled_limit_count == 0U) {
+            self->robot.start_ticks[i] = (int32_t)lround(truth[i]);
+        } else {
+            /* As it is parked. */
+        }
     }
     rig_start_robot(rig, &self->robot);
     self->has_started_anew = true;
@@ -285,8 +303,8 @@ static void compare(operator_t *self, rig_t *rig, uint32_t step)
     }
 }
 
-/* He measures where one with a switch stands, and says it, where that is obeyed. */
-static void place(operator_t *self, rig_t *rig, uint32_t step)
+/* He measures where it stands, and says it, where that is obeyed. */
+static void place(operator_t *self, rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
     const uint32_t heeding = ((uint32_t)1U << WORKPHASE_UNDEFINED) | (1U << WORKPHASE_MANUAL) |
@@ -299,9 +317,7 @@ static void place(operator_t *self, rig_t *rig, uint32_t step)
                          .source = party.source,
                          .peer = party.peer};
     double truth[ROBOT_AXIS_MAX];
-    if (rig->box.robot->axes[axis].home_method != (uint8_t)HOME_BY_SWITCH) {
-        compare(self, rig, step);
-    } else if (!authority_is_held(&rig->controller.authority)) {
+    if (!authority_is_held(&rig->controller.authority)) {
         act_by_command(self, rig, (uint32_t)NEXT_STEP_AUTHORITY);
     } else if (((heeding >> shown->workphase) & 1U) == 0U) {
         act_by_command(self, rig, (uint32_t)NEXT_STEP_STOP);
@@ -339,7 +355,7 @@ static void follow(operator_t *self, rig_t *rig, uint32_t step)
         hold_button(self, rig);
         break;
     case NEXT_STEP_PLACE:
-        place(self, rig, step);
+        place(self, rig);
         break;
     case NEXT_STEP_CONFIRM:
     case NEXT_STEP_COMPARE:

@@ -21,8 +21,10 @@
 #define ENDS_CYCLES                                                                                \
     120000U /* Carriages and then the needle, over the strokes of the slowest robot. */
 #define SWEEP_ENDS_CYCLES 600000U
-#define HOMING_ENDS_CYCLES 180000U /* Of the slowest robot. */
-#define IDLE_CYCLES 1U             /* Who is homed is off in the next frame. */
+#define HOMING_ENDS_CYCLES                                                                         \
+    300000U            /* Of the slowest robot: three carriages, one after the other.              \
+                        */
+#define IDLE_CYCLES 1U /* Who is homed is off in the next frame. */
 
 const char *witness_sentence(sentence_t sentence)
 {
@@ -144,13 +146,24 @@ static void judge_permit(witness_t *self, const rig_t *rig)
     }
 }
 
+/* A sweep knows no speed that counts could be judged by: the next drive shows that they are wrong.
+ */
+static void note_sweep(witness_t *self, const rig_t *rig, uint32_t axis)
+{
+    if (is_driven(rig, axis)) {
+        self->is_swept[axis] = self->order_watch.kind == (uint32_t)COMMAND_SWEEP;
+    }
+}
+
 /* An axis without a switch may be taken where it stands once: the operator has put it there. */
 static void judge_belief(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
 {
     const double believed = rig->outputs.snapshot.axes[axis].position_ticks;
     const double away = fabs(measure(rig, axis, truth - believed));
-    const bool is_astray =
-        !is_doubted(rig, axis) && (away > (is_length(rig, axis) ? BELIEVED_MM : BELIEVED_DEG));
+    const bool is_unjudged =
+        self->is_swept[axis] && (rig->box.axes[axis].encoder.fault != SIM_ENCODER_NORMAL);
+    const bool is_astray = !is_doubted(rig, axis) && !is_unjudged &&
+                           (away > (is_length(rig, axis) ? BELIEVED_MM : BELIEVED_DEG));
     self->astray_cycles[axis] = is_astray ? (self->astray_cycles[axis] + 1U) : 0U;
     if (self->astray_cycles[axis] > OFF_CYCLES) {
         complain(self, rig, SENTENCE_BELIEVED, axis, away);
@@ -608,6 +621,7 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
     judge_permit(self, rig);
     complain_of(self, rig, SENTENCE_REIGN, REIGN_RULES, reign_look(&self->reign, rig));
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        note_sweep(self, rig, i);
         judge_belief(self, rig, i, truth[i]);
         judge_rest(self, rig, i, truth[i]);
         if (!is_disturbed) {

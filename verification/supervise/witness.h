@@ -87,6 +87,7 @@ typedef struct {
     uint32_t off_cycles[ROBOT_AXIS_MAX];
     uint32_t half_cycles[ROBOT_AXIS_MAX]; /**< Left of a second after half counts. */
     uint32_t astray_cycles[ROBOT_AXIS_MAX];
+    bool is_swept[ROBOT_AXIS_MAX];               /**< Driven last by a sweep. */
     uint32_t untrue_cycles;                      /**< An arrival is shown that is none. */
     double places[ROBOT_AXIS_MAX][WITNESS_MEAN]; /**< True positions of the last cycles. */
     uint32_t looks;
