@@ -303,7 +303,16 @@ static void compare(operator_t *self, rig_t *rig, uint32_t step)
     }
 }
 
-/* He measures where it stands, and says it, where that is obeyed. */
+static bool is_beyond(const rig_t *rig, uint32_t axis)
+{
+    double truth[ROBOT_AXIS_MAX];
+    const axis_config_t *const config = &rig->box.robot->axes[axis];
+    box_true_positions(&rig->box, truth);
+    return (truth[axis] < config->minimum_ticks) || (truth[axis] > config->maximum_ticks);
+}
+
+/* He measures where it stands, and says it, where that is obeyed; from beyond its ends he brings it
+ * back by hand. */
 static void place(operator_t *self, rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
@@ -317,7 +326,9 @@ static void place(operator_t *self, rig_t *rig)
                          .source = party.source,
                          .peer = party.peer};
     double truth[ROBOT_AXIS_MAX];
-    if (!authority_is_held(&rig->controller.authority)) {
+    if (is_beyond(rig, axis)) {
+        start_anew(self, rig);
+    } else if (!authority_is_held(&rig->controller.authority)) {
         act_by_command(self, rig, (uint32_t)NEXT_STEP_AUTHORITY);
     } else if (((heeding >> shown->workphase) & 1U) == 0U) {
         act_by_command(self, rig, (uint32_t)NEXT_STEP_STOP);
