@@ -23,13 +23,33 @@ bool homing_part_is_homing(const rig_t *rig, uint32_t axis)
            (leg == (uint32_t)AXIS_REFERENCE_BACK_OFF) || (leg == (uint32_t)AXIS_REFERENCE_LATCH);
 }
 
+static bool share_a_limit(const robot_t *robot, uint32_t first, uint32_t second)
+{
+    const uint32_t both = ((uint32_t)1U << first) | ((uint32_t)1U << second);
+    bool is_shared = false;
+    for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
+        is_shared = is_shared || ((truth_coupled_axes(robot, i) & both) == both);
+    }
+    return is_shared;
+}
+
+/* Carriages that were lost home one after the other in an order of their own, which their counts
+ * decide. */
+static bool is_before(const rig_t *rig, uint32_t axis, uint32_t other)
+{
+    const bool is_fresh =
+        rig->outputs.snapshot.axes[other].reference == (uint32_t)AXIS_REFERENCE_FRESH;
+    return !homing_part_is_homed(rig, other) &&
+           (is_fresh || !share_a_limit(rig->box.robot, axis, other)) &&
+           (config_of(rig, other)->home_stage < config_of(rig, axis)->home_stage);
+}
+
 /* Nobody of a stage before its own is left to be homed. */
 static bool is_due(const rig_t *rig, uint32_t axis)
 {
     bool is_left = false;
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
-        is_left = is_left || (!homing_part_is_homed(rig, i) &&
-                              (config_of(rig, i)->home_stage < config_of(rig, axis)->home_stage));
+        is_left = is_left || is_before(rig, axis, i);
     }
     return !is_left;
 }
@@ -43,16 +63,6 @@ static bool is_following(const rig_t *rig, uint32_t axis)
                             (config_of(rig, leader - 1U)->home_stage == stage));
     }
     return is_led;
-}
-
-static bool share_a_limit(const robot_t *robot, uint32_t first, uint32_t second)
-{
-    const uint32_t both = ((uint32_t)1U << first) | ((uint32_t)1U << second);
-    bool is_shared = false;
-    for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
-        is_shared = is_shared || ((truth_coupled_axes(robot, i) & both) == both);
-    }
-    return is_shared;
 }
 
 /* Goes along so that a limit that both share is kept; that it is, is another sentence. */
