@@ -188,8 +188,7 @@ static bool is_any_late(const rig_t *rig)
     return is_any;
 }
 
-/* In the next cycle the same step is shown when nobody commands: no axis has just left its place.
- */
+/* Without a command the next cycle shows the same step: no axis has just left its place. */
 static bool is_lasting(const rig_t *rig, uint32_t step)
 {
     static rig_t copy;
@@ -311,8 +310,8 @@ static bool is_beyond(const rig_t *rig, uint32_t axis)
     return (truth[axis] < config->minimum_ticks) || (truth[axis] > config->maximum_ticks);
 }
 
-/* He measures where it stands, and says it, where that is obeyed; from beyond its ends he brings it
- * back by hand. */
+/* The operator measures where the axis stands and restores that position; an axis beyond its ends
+ * is brought back by hand. */
 static void place(operator_t *self, rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;

@@ -18,13 +18,13 @@
 #define NEEDLE_OUT_MM 0.625
 #define HOME_MM 0.05 /* Of the place where homing sees a switch. */
 #define HOME_DEG 0.2
-#define ENDS_CYCLES                                                                                \
-    120000U /* Carriages and then the needle, over the strokes of the slowest robot. */
+/* On the slowest robot: the carriages and then the needle go over their strokes. */
+#define ENDS_CYCLES 120000U
 #define SWEEP_ENDS_CYCLES 600000U
-#define HOMING_ENDS_CYCLES                                                                         \
-    300000U            /* Of the slowest robot: three carriages, one after the other.              \
-                        */
-#define IDLE_CYCLES 1U /* Who is homed is off in the next frame. */
+/* On the slowest robot: three carriages home one after the other. */
+#define HOMING_ENDS_CYCLES 300000U
+/* The drive of an axis that has homed is off in the next frame. */
+#define IDLE_CYCLES 1U
 
 const char *witness_sentence(sentence_t sentence)
 {
@@ -146,8 +146,7 @@ static void judge_permit(witness_t *self, const rig_t *rig)
     }
 }
 
-/* A sweep knows no speed that counts could be judged by: the next drive shows that they are wrong.
- */
+/* Counts in a sweep are compared with no expected speed: the next drive shows wrong ones. */
 static void note_sweep(witness_t *self, const rig_t *rig, uint32_t axis)
 {
     if (is_driven(rig, axis)) {
