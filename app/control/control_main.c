@@ -179,6 +179,7 @@ static void gather_inputs(uint64_t elapsed_ns)
     inputs.samples.error_us = board.sample_error_us;
     inputs.silent_sources = silent_sources();
     inputs.unfit = board.is_simulated ? 0U : computer.lacks;
+    inputs.lacks_black_box = cycle_lane_lacks_recorder(&lane, exchange) ? 1U : 0U;
     inputs.cycles_lost = lane.lost;
     inputs.is_recorder_failing = lane.is_failing ? 1U : 0U;
     inputs.recording_left_min = exchange_recording_left_min(exchange);

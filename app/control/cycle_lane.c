@@ -8,6 +8,8 @@
 
 #define PATIENCE_NS (UINT64_C(1000) * LIMIT_RECORDER_PATIENCE_US)
 #define NAP_NS UINT64_C(2000000)
+#define SILENT_NS (UINT64_C(1000) * LIMIT_RECORDER_SILENT_US)
+#define PROOF_NS (UINT64_C(1000) * LIMIT_RECORDER_PROOF_US)
 
 static bool has_room(const cycle_lane_t *self, exchange_t *exchange)
 {
@@ -76,4 +78,20 @@ bool cycle_lane_look(cycle_lane_t *self, exchange_t *exchange)
     self->is_gap = is_stopped || !has_room(self, exchange);
     self->lost += removed + (self->is_gap ? 1U : 0U);
     return was_gap && !self->is_gap;
+}
+
+bool cycle_lane_lacks_recorder(cycle_lane_t *self, const exchange_t *exchange)
+{
+    const uint32_t beats = exchange_beats(exchange, EXCHANGE_RECORDER);
+    const uint64_t now_ns = realtime_now_ns();
+
+    if ((beats != self->beats) || (self->beaten_ns == 0U)) {
+        self->beats = beats;
+        self->beaten_ns = now_ns;
+    }
+    if (self->is_gap) {
+        self->gap_ns = now_ns;
+    }
+    return ((self->gap_ns != 0U) && ((now_ns - self->gap_ns) < PROOF_NS)) ||
+           ((now_ns - self->beaten_ns) >= SILENT_NS);
 }

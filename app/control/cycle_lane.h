@@ -16,12 +16,15 @@
 
 /** At first all zero. */
 typedef struct {
-    bool is_gap;      /**< This cycle is not recorded. */
-    bool is_failing;  /**< As the recorder cannot write. */
-    bool has_waited;  /**< For a recorder that gave no sign of life */
-    uint32_t heard;   /**< since this one. */
-    uint32_t removed; /**< Cycles that it had written and that were removed since the start, */
-    uint32_t lost;    /**< and these and those that were not recorded. */
+    bool is_gap;        /**< This cycle is not recorded. */
+    bool is_failing;    /**< As the recorder cannot write. */
+    bool has_waited;    /**< For a recorder that gave no sign of life */
+    uint32_t heard;     /**< since this one. */
+    uint32_t removed;   /**< Cycles that it had written and that were removed since the start, */
+    uint32_t lost;      /**< and these and those that were not recorded. */
+    uint32_t beats;     /**< Of the recorder, as last seen, */
+    uint64_t beaten_ns; /**< and when they had changed, */
+    uint64_t gap_ns;    /**< and when a cycle was last not recorded; 0: never. */
 } cycle_lane_t;
 
 /**
@@ -42,5 +45,15 @@ void cycle_lane_wait(cycle_lane_t *self, exchange_t *exchange, const volatile si
  * @satisfies SWR-REC-033
  */
 bool cycle_lane_look(cycle_lane_t *self, exchange_t *exchange);
+
+/**
+ * In each cycle, after cycle_lane_look().
+ *
+ * @return whether this cycle or one of the last LIMIT_RECORDER_PROOF_US is not recorded, or the
+ * recorder has given no sign of life for LIMIT_RECORDER_SILENT_US, both in the world's time
+ *
+ * @satisfies SWR-REC-050
+ */
+bool cycle_lane_lacks_recorder(cycle_lane_t *self, const exchange_t *exchange);
 
 #endif

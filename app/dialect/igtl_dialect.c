@@ -55,6 +55,8 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_NO_TARGET:
     case STATUS_COMPUTER_UNFIT:
     case STATUS_MOVED_IN_VAIN:
+    case STATUS_NO_BLACK_BOX:
+    case STATUS_BLACK_BOX_THERE:
     case STATUS_HARDWARE_NOT_READY:
     case STATUS_CONFIRM_POSITIONS:
     case STATUS_FAULT_PRESENT:

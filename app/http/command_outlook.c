@@ -64,6 +64,9 @@ static status_t outlook_here(const robot_t *robot, const snapshot_t *snapshot, c
     case (uint32_t)COMMAND_LIST_BEGIN:
         status = rest_outlook(snapshot, true);
         break;
+    case (uint32_t)COMMAND_ACCEPT_NO_BLACK_BOX:
+        status = guards_have(snapshot->guards, GUARD_NO_BOX) ? STATUS_OK : STATUS_BLACK_BOX_THERE;
+        break;
     case (uint32_t)COMMAND_RESTORE:
         status = rest_outlook(snapshot, is_pedal_released(snapshot));
         break;

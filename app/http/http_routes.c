@@ -203,6 +203,9 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_motion_axis(server, call, COMMAND_ENABLE_AXIS, call->body.enable_axis.id);
     case ROUTE_DISABLE_AXIS:
         return http_motion_axis(server, call, COMMAND_DISABLE_AXIS, call->body.disable_axis.id);
+    case ROUTE_ACCEPT_NO_BLACK_BOX:
+        return http_motion_bare(server, call, COMMAND_ACCEPT_NO_BLACK_BOX,
+                                call->body.accept_no_black_box.id);
     case ROUTE_REGISTRATION:
         return http_targeting_register(server, call);
     case ROUTE_PROBE:

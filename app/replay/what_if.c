@@ -24,6 +24,7 @@ static const struct {
     {"treatment_stopped", offsetof(controller_inputs_t, treatment_stopped), 1U},
     {"silent_sources", offsetof(controller_inputs_t, silent_sources), UINT32_MAX},
     {"unfit", offsetof(controller_inputs_t, unfit), UINT32_MAX},
+    {"lacks_black_box", offsetof(controller_inputs_t, lacks_black_box), 1U},
     {"frames_received", offsetof(controller_inputs_t, frames_received), CARD_EVERY_SLOT},
     {"command_count", offsetof(controller_inputs_t, command_count), 0U},
 };

@@ -58,6 +58,8 @@ typedef struct {
     uint32_t silent_sources;
     /** Bits of computer_check_t: what the computer lacks for a real robot; 0 on a simulated one. */
     uint32_t unfit;
+    /** Nothing is recorded, or the recorder gives no sign of life: 0 or 1; 0 without one. */
+    uint32_t lacks_black_box;
     /** Cycles that could not be recorded since the start, up to this one; wraps. */
     uint32_t cycles_lost;
     /** The recorder cannot write, and no cycle is recorded: 0 or 1; 0 where there is none. */
@@ -137,6 +139,7 @@ typedef struct {
     uint32_t vain_card;      /**< Its slot; CARD_SLOT_COUNT: it was an axis. */
     uint32_t vain_event;     /**< event_id_t that ended it. */
     uint32_t account_state;  /**< homing_account_state_t: of account. */
+    uint32_t is_box_settled; /**< START_UP waits for no recording any more: 0 or 1. */
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
     uint32_t strangers;    /**< Bit n: a card that the robot does not name is in slot n. */

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_facts.h"
 
+#include "safety/needle.h"
+
 bool controller_is_homed(const controller_t *self)
 {
     for (uint32_t i = 0U; i < self->axis_count; i++) {
@@ -40,10 +42,19 @@ static bool is_box_ready(const controller_inputs_t *inputs)
     return (inputs->estop_open == 0U) && (inputs->pedal_a == inputs->pedal_b);
 }
 
+/* A robot that is there is looked at only where a recording is missing. */
+bool controller_lacks_box(const controller_t *self, const cycle_t *cycle)
+{
+    return (cycle->inputs->lacks_black_box != 0U) && (self->is_box_settled == 0U) &&
+           (self->awaited == 0U) && !controller_is_blind(self) &&
+           !needle_may_be_in(cycle->robot, self->axes);
+}
+
 uint32_t controller_bars(const controller_t *self, const cycle_t *cycle)
 {
     return fact(controller_is_blind(self), GUARD_BLIND) |
            fact(cycle->inputs->unfit != 0U, GUARD_UNFIT) |
+           fact(controller_lacks_box(self, cycle), GUARD_NO_BOX) |
            fact(controller_is_spent(self), GUARD_SPENT);
 }
 

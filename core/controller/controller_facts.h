@@ -48,7 +48,16 @@ static inline void controller_positions(const controller_t *self, int32_t ticks[
     }
 }
 
-/** GUARD_BLIND, GUARD_UNFIT and GUARD_SPENT, as far as they stand. */
+/**
+ * START_UP is refused, as nothing is recorded, none was accepted in this run, nobody has accepted
+ * that, and the needle is known to be out.
+ *
+ * @satisfies SWR-NEXT-027
+ * @satisfies SWR-NEXT-029
+ */
+bool controller_lacks_box(const controller_t *self, const cycle_t *cycle);
+
+/** GUARD_BLIND, GUARD_UNFIT, GUARD_NO_BOX and GUARD_SPENT, as far as they stand. */
 uint32_t controller_bars(const controller_t *self, const cycle_t *cycle);
 
 /** GUARD_ facts, all that stand now. */

@@ -154,6 +154,7 @@ static void forget_rest(controller_t *self)
     clear(self, &forgotten_range);
     (void)memset(self->records, 0, sizeof self->records);
     self->has_started = 1U;
+    self->is_box_settled = 1U; /* It may have been: START_UP is not refused later. */
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_forget(&self->axes[i]);
     }

@@ -32,29 +32,31 @@ static const bool rights[COMMAND_SOURCE_COUNT][COMMAND_KIND_COUNT] = {
                              [COMMAND_LIST_END] = true,      [COMMAND_RUN_TRAJECTORY] = true,
                              [COMMAND_PROGRAM_BEGIN] = true, [COMMAND_PROGRAM_STEP] = true,
                              [COMMAND_PROGRAM_END] = true,   [COMMAND_RUN_PROGRAM] = true},
-    [COMMAND_SOURCE_HTTP] = {[COMMAND_WORKPHASE] = true,      [COMMAND_REGISTRATION] = true,
-                             [COMMAND_TARGET] = true,         [COMMAND_JOG] = true,
-                             [COMMAND_RETRACT] = true,        [COMMAND_ALIGN] = true,
-                             [COMMAND_INSERT] = true,         [COMMAND_POSE] = true,
-                             [COMMAND_ENTRY] = true,          [COMMAND_ACCEPT_ENTRY] = true,
-                             [COMMAND_WITHDRAW] = true,       [COMMAND_LIST_BEGIN] = true,
-                             [COMMAND_LIST_ROW] = true,       [COMMAND_LIST_END] = true,
-                             [COMMAND_RUN_TRAJECTORY] = true, [COMMAND_TAKE] = true,
-                             [COMMAND_RENEW] = true,          [COMMAND_RELEASE] = true,
-                             [COMMAND_REQUEST] = true,        [COMMAND_RESTORE] = true,
-                             [COMMAND_NOTE] = true,           [COMMAND_HOME_AXIS] = true,
-                             [COMMAND_CLEAR_AXIS] = true,     [COMMAND_CONFIRM_AXIS] = true,
-                             [COMMAND_SET_HOME] = true,       [COMMAND_VELOCITY] = true,
-                             [COMMAND_PROBE] = true,          [COMMAND_JOG_BY] = true,
-                             [COMMAND_ENABLE_AXIS] = true,    [COMMAND_DISABLE_AXIS] = true,
-                             [COMMAND_PROGRAM_BEGIN] = true,  [COMMAND_PROGRAM_STEP] = true,
-                             [COMMAND_PROGRAM_END] = true,    [COMMAND_RUN_PROGRAM] = true,
-                             [COMMAND_SWEEP] = true}};
+    [COMMAND_SOURCE_HTTP] = {
+        [COMMAND_WORKPHASE] = true,      [COMMAND_REGISTRATION] = true,
+        [COMMAND_TARGET] = true,         [COMMAND_JOG] = true,
+        [COMMAND_RETRACT] = true,        [COMMAND_ALIGN] = true,
+        [COMMAND_INSERT] = true,         [COMMAND_POSE] = true,
+        [COMMAND_ENTRY] = true,          [COMMAND_ACCEPT_ENTRY] = true,
+        [COMMAND_WITHDRAW] = true,       [COMMAND_LIST_BEGIN] = true,
+        [COMMAND_LIST_ROW] = true,       [COMMAND_LIST_END] = true,
+        [COMMAND_RUN_TRAJECTORY] = true, [COMMAND_TAKE] = true,
+        [COMMAND_RENEW] = true,          [COMMAND_RELEASE] = true,
+        [COMMAND_REQUEST] = true,        [COMMAND_RESTORE] = true,
+        [COMMAND_NOTE] = true,           [COMMAND_HOME_AXIS] = true,
+        [COMMAND_CLEAR_AXIS] = true,     [COMMAND_CONFIRM_AXIS] = true,
+        [COMMAND_SET_HOME] = true,       [COMMAND_VELOCITY] = true,
+        [COMMAND_PROBE] = true,          [COMMAND_JOG_BY] = true,
+        [COMMAND_ENABLE_AXIS] = true,    [COMMAND_DISABLE_AXIS] = true,
+        [COMMAND_PROGRAM_BEGIN] = true,  [COMMAND_PROGRAM_STEP] = true,
+        [COMMAND_PROGRAM_END] = true,    [COMMAND_RUN_PROGRAM] = true,
+        [COMMAND_SWEEP] = true,          [COMMAND_ACCEPT_NO_BLACK_BOX] = true}};
 
 /* START_UP is the operator's act that clears what was latched. */
 static void begin_start_up(controller_t *self, const cycle_t *cycle)
 {
     const estop_latch_state_t before = self->estop.state;
+    self->is_box_settled = 1U;
     estop_latch_reset(&self->estop);
     if (self->estop.state != before) {
         controller_note(self, cycle, EVENT_ESTOP_CLEARED, 0U, 0);
@@ -71,6 +73,21 @@ static void begin_start_up(controller_t *self, const cycle_t *cycle)
             link_reset(&self->links[slot]);
         }
     }
+}
+
+/*
+ * Nothing is accepted ahead: what is recorded now may be missing when START_UP comes.
+ *
+ * @satisfies SWR-CMD-006
+ */
+static status_t accept_no_box(controller_t *self, const cycle_t *cycle)
+{
+    if (!controller_lacks_box(self, cycle)) {
+        return STATUS_BLACK_BOX_THERE;
+    }
+    self->is_box_settled = 1U;
+    controller_note(self, cycle, EVENT_NO_BLACK_BOX_ACCEPTED, 0U, 0);
+    return STATUS_OK;
 }
 
 /* What a command for a workphase asks the mode of that workphase for: the target, if it is a move.
@@ -155,6 +172,9 @@ static status_t carry_out(controller_t *self, const cycle_t *cycle, const comman
     case (uint32_t)COMMAND_RELEASE:
     case (uint32_t)COMMAND_REQUEST:
         status = controller_obey_authority(self, cycle, command);
+        break;
+    case (uint32_t)COMMAND_ACCEPT_NO_BLACK_BOX:
+        status = accept_no_box(self, cycle);
         break;
     case (uint32_t)COMMAND_RESTORE:
         status = controller_obey_restore(self, cycle, command, answer);

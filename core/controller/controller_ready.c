@@ -181,6 +181,9 @@ named_step_t controller_ready(const controller_t *self, const cycle_t *cycle)
     if (cycle->inputs->unfit != 0U) {
         return controller_step_only(NEXT_STEP_COMPUTER);
     }
+    if (controller_lacks_box(self, cycle)) {
+        return controller_step_only(NEXT_STEP_NO_BLACK_BOX);
+    }
     named_step_t found = find_card(self);
     if (is_start_up(&found)) {
         found = find_pedal(self, cycle->inputs);

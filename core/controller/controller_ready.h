@@ -22,8 +22,9 @@ static inline named_step_t controller_step_only(next_step_t step)
 /**
  * Where START_UP is wanted.
  *
- * @return the first obstacle to it: the computer, a card, the pedal, heat, a position to be
- * confirmed, a fault that came back in LIMIT_SERVICE_START_UPS tries; without one START_UP
+ * @return the first obstacle to it: the computer, the black box, a card, the pedal, heat, a
+ * position to be confirmed, a fault that came back in LIMIT_SERVICE_START_UPS tries; without one
+ * START_UP
  *
  * @satisfies SWR-NEXT-003
  * @satisfies SWR-NEXT-004
@@ -31,6 +32,7 @@ static inline named_step_t controller_step_only(next_step_t step)
  * @satisfies SWR-NEXT-007
  * @satisfies SWR-NEXT-021
  * @satisfies SWR-NEXT-022
+ * @satisfies SWR-NEXT-028
  */
 named_step_t controller_ready(const controller_t *self, const cycle_t *cycle);
 

@@ -173,7 +173,8 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
     const uint64_t calm = commanded | BIT(NEXT_STEP_RELEASE_PEDAL) | BIT(NEXT_STEP_PRESS_PEDAL) |
                           BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_COMPARE) | BIT(NEXT_STEP_PLACE) |
                           BIT(NEXT_STEP_BY_HAND) | BIT(NEXT_STEP_NOTHING) |
-                          BIT(NEXT_STEP_PROGRAM_DONE) | BIT(NEXT_STEP_RECORDER);
+                          BIT(NEXT_STEP_PROGRAM_DONE) | BIT(NEXT_STEP_RECORDER) |
+                          BIT(NEXT_STEP_NO_BLACK_BOX);
     next_step_t first = step;
     if (!is_one_of(step, calm)) {
         /* An act at the box, or a wait: whoever commands. */
@@ -187,19 +188,9 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
     return first;
 }
 
-/* START_UP has done something of which an axis still knows. */
-static bool has_begun(const controller_t *self)
-{
-    bool is_any_homed = false;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_any_homed = is_any_homed || axis_is_homed(&self->axes[i]);
-    }
-    return is_any_homed;
-}
-
 /*
- * Before the first START_UP, and then where the needle is out and a command is all that is missing:
- * a needle that may be in comes first.
+ * Where the needle is out and a command of the plan is all that is missing: START_UP is not put off
+ * by what does not refuse it, and a needle that may be in comes first.
  *
  * @satisfies SWR-REC-034
  */
@@ -211,9 +202,8 @@ static named_step_t recorder_first(const controller_t *self, const cycle_t *cycl
         BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING) | BIT(NEXT_STEP_CALIBRATION) |
         BIT(NEXT_STEP_PLANNING) | BIT(NEXT_STEP_MANUAL) | BIT(NEXT_STEP_DRAPING) |
         BIT(NEXT_STEP_NOTHING) | BIT(NEXT_STEP_PROGRAM_DONE);
-    const bool is_first = (named->step == NEXT_STEP_START_UP) && !has_begun(self);
     const bool is_in_time =
-        is_first || (is_one_of(named->step, planned) && needle_is_out(cycle->robot, self->axes));
+        is_one_of(named->step, planned) && needle_is_out(cycle->robot, self->axes);
     return is_in_time ? controller_step_only(NEXT_STEP_RECORDER) : *named;
 }
 

@@ -39,6 +39,8 @@ status_t guards_bar(uint32_t facts, uint32_t kind, uint32_t argument)
         status = STATUS_MEMORY_DAMAGED;
     } else if (guards_have(facts, GUARD_UNFIT) && enables(kind, argument)) {
         status = STATUS_COMPUTER_UNFIT;
+    } else if (guards_have(facts, GUARD_NO_BOX) && is_start_up(kind, argument)) {
+        status = STATUS_NO_BLACK_BOX;
     } else if (guards_have(facts, GUARD_SPENT) && homes(kind, argument)) {
         status = STATUS_MOVED_IN_VAIN;
     } else {

@@ -34,17 +34,20 @@
 #define GUARD_PEDAL_RELEASED 0x01000000U
 #define GUARD_LINKED 0x02000000U /**< Every card of an axis may be given a drive. */
 #define GUARD_SPENT 0x04000000U  /**< Vain START_UPs have moved an axis too far. */
+#define GUARD_NO_BOX 0x08000000U /**< Nothing is recorded, and nobody has accepted that. */
 
 /**
  * What bars a command of `kind` with `argument` (command_t) whatever it says.
  *
  * @return STATUS_OK; STATUS_MEMORY_DAMAGED while the robot's table is, unless the command changes
  * the workphase alone or is of authority; STATUS_COMPUTER_UNFIT for what enables axes;
+ * STATUS_NO_BLACK_BOX for START_UP alone while GUARD_NO_BOX stands;
  * STATUS_MOVED_IN_VAIN for what homes them while GUARD_SPENT stands
  *
  * @satisfies SWR-LOOP-006
  * @satisfies SWR-MEMORY-004
  * @satisfies SWR-NEXT-024
+ * @satisfies SWR-NEXT-027
  */
 status_t guards_bar(uint32_t facts, uint32_t kind, uint32_t argument);
 

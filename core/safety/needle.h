@@ -23,6 +23,15 @@ int32_t needle_retracted_ticks(const robot_t *robot);
 bool needle_is_out(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX]);
 
 /**
+ * @return false when nothing has been known of the needle since the power-on, so that it stands as
+ * it was parked, or its counts have said ever since that it is no deeper than needle_out_ticks();
+ * true also where its place was known and its counts cannot be believed
+ *
+ * @satisfies SWR-NEXT-029
+ */
+bool needle_may_be_in(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX]);
+
+/**
  * @return true when the needle is homed and in, and an axis across it is not homed: it must leave
  * before that homes
  *

@@ -17,14 +17,23 @@
 #define STEPS 60U
 
 static rig_t rig;
-static uint32_t random_state = 20261123U;
+static uint32_t random_state = 20261127U;
 static uint64_t allowed; /* Kinds that were. */
 static uint64_t barred;  /* Kinds that were not. */
 
-static const command_kind_t kinds[] = {
-    COMMAND_REGISTRATION, COMMAND_TARGET,       COMMAND_ENTRY,        COMMAND_PROBE,
-    COMMAND_RESTORE,      COMMAND_CLEAR_AXIS,   COMMAND_CONFIRM_AXIS, COMMAND_SET_HOME,
-    COMMAND_ENABLE_AXIS,  COMMAND_DISABLE_AXIS, COMMAND_LIST_BEGIN,   COMMAND_PROGRAM_BEGIN};
+static const command_kind_t kinds[] = {COMMAND_REGISTRATION,
+                                       COMMAND_TARGET,
+                                       COMMAND_ENTRY,
+                                       COMMAND_PROBE,
+                                       COMMAND_RESTORE,
+                                       COMMAND_CLEAR_AXIS,
+                                       COMMAND_CONFIRM_AXIS,
+                                       COMMAND_SET_HOME,
+                                       COMMAND_ENABLE_AXIS,
+                                       COMMAND_DISABLE_AXIS,
+                                       COMMAND_LIST_BEGIN,
+                                       COMMAND_PROGRAM_BEGIN,
+                                       COMMAND_ACCEPT_NO_BLACK_BOX};
 
 #define KINDS (sizeof kinds / sizeof kinds[0])
 
@@ -108,6 +117,7 @@ static void go_on(void)
         WORKPHASE_MOVE_TO_TARGET, WORKPHASE_MANUAL,   WORKPHASE_STOP};
     const command_t jog = {
         .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_INSERTION, .value = 9000};
+    rig.lacks_black_box = 0U;
     switch (below(12U)) {
     case 0:
         plan();
@@ -127,6 +137,11 @@ static void go_on(void)
         break;
     case 6:
         rig_box(&rig, "estop reset");
+        break;
+    case 7:
+        rig.lacks_black_box = 1U;
+        rig.controller.is_box_settled = 0U; /* As in a run that begins. */
+        controller_seal(&rig.controller);
         break;
     default:
         (void)rig_workphase(&rig, ways[below(sizeof ways / sizeof ways[0])]);

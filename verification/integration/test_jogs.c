@@ -511,10 +511,12 @@ void test_SWR_CMD_005_a_source_sends_what_is_its_own_and_nothing_else(void)
         [COMMAND_NEEDLE] = true,
     };
     static const bool is_http[COMMAND_KIND_COUNT] = {
-        [COMMAND_TAKE] = true,        [COMMAND_RENEW] = true,        [COMMAND_REQUEST] = true,
-        [COMMAND_HOME_AXIS] = true,   [COMMAND_CLEAR_AXIS] = true,   [COMMAND_CONFIRM_AXIS] = true,
-        [COMMAND_SET_HOME] = true,    [COMMAND_RESTORE] = true,      [COMMAND_NOTE] = true,
-        [COMMAND_ENABLE_AXIS] = true, [COMMAND_DISABLE_AXIS] = true,
+        [COMMAND_TAKE] = true,         [COMMAND_RENEW] = true,
+        [COMMAND_REQUEST] = true,      [COMMAND_HOME_AXIS] = true,
+        [COMMAND_CLEAR_AXIS] = true,   [COMMAND_CONFIRM_AXIS] = true,
+        [COMMAND_SET_HOME] = true,     [COMMAND_RESTORE] = true,
+        [COMMAND_NOTE] = true,         [COMMAND_ENABLE_AXIS] = true,
+        [COMMAND_DISABLE_AXIS] = true, [COMMAND_ACCEPT_NO_BLACK_BOX] = true,
     };
     for (uint32_t kind = (uint32_t)COMMAND_REGISTRATION; kind < COMMAND_KIND_COUNT; kind++) {
         start_manual();

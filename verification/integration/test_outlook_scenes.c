@@ -305,6 +305,7 @@ static void go_on(void)
         trajectory();
     } else if (choice == 12U) {
         rig.unfit = (rig.unfit == 0U) ? below(2U) : 0U;
+        rig.lacks_black_box = below(2U);
     } else if (choice == 13U) {
         be_late();
     } else if (choice == 14U) {
@@ -373,6 +374,7 @@ void test_SWR_MODE_004_what_is_said_is_what_becomes_of_it_wherever_chance_leads_
                                         STATUS_NOT_AT_REST,
                                         STATUS_MOTION_ARMED,
                                         STATUS_COMPUTER_UNFIT,
+                                        STATUS_NO_BLACK_BOX,
                                         STATUS_NOT_ALIGNED,
                                         STATUS_PROGRAM_OTHER,
                                         STATUS_TRAJECTORY_EMPTY,

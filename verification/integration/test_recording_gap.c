@@ -113,13 +113,8 @@ static void expect_steps(next_step_t with, next_step_t without)
     TEST_ASSERT_EQUAL_UINT32(with, rig.outputs.snapshot.next_step);
 }
 
-void test_SWR_REC_034_the_recorder_comes_before_the_first_start_up_and_each_command_at_rest(void)
+void test_SWR_REC_034_the_recorder_comes_before_each_command_of_the_plan_at_rest(void)
 {
-    rig_cycle(&rig);
-    expect_steps(NEXT_STEP_START_UP, NEXT_STEP_RECORDER);
-    (void)rig_workphase(&rig, WORKPHASE_STOP);
-    rig_cycle(&rig);
-    expect_steps(NEXT_STEP_START_UP, NEXT_STEP_RECORDER);
     rig_start_homed(&rig);
     rig_cycles(&rig, 2U);
     expect_steps(NEXT_STEP_PLANNING, NEXT_STEP_RECORDER);

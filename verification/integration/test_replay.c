@@ -143,6 +143,17 @@ void test_SWR_REPLAY_001_acts_on_single_axes_are_replayed_as_well(void)
     TEST_ASSERT_TRUE(axis_is_homing(&rig.controller.axes[NEURO_AXIS_YAW]));
 }
 
+void test_SWR_REPLAY_001_a_run_that_was_accepted_without_a_black_box_is_replayed_as_well(void)
+{
+    take_checkpoint();
+    rig.lacks_black_box = 1U;
+    replay_act(COMMAND_WORKPHASE, WORKPHASE_START_UP, 5U);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_UNDEFINED, rig.outputs.snapshot.workphase);
+    replay_act(COMMAND_ACCEPT_NO_BLACK_BOX, 0U, 5U);
+    replay_act(COMMAND_WORKPHASE, WORKPHASE_START_UP, 5U);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_START_UP, rig.outputs.snapshot.workphase);
+}
+
 static void expect_sentence(const char *where)
 {
     char text[256];

@@ -127,7 +127,7 @@ class TestRecorder < SystemTest
   def expect_failing
     boresight.wait_until('control knows it') { boresight.status['is_recorder_failing'] }
     boresight.wait_until('cycles are counted') { boresight.status['counts']['unrecorded'].positive? }
-    assert_equal 'RECORDER', boresight.status['next_step']['name']
+    assert_equal 'NO_BLACK_BOX', boresight.status['next_step']['name']
     boresight.wait_until('it is in the status line') { boresight.output.include?('NOT RECORDED, recorder CANNOT WRITE') }
   end
 
@@ -153,7 +153,7 @@ class TestRecorder < SystemTest
     assert_equal lost, last.to_i - first.to_i + 1, text
   end
 
-  def test_SWR_REC_032_SWR_REC_033_SWR_REC_034_a_full_disk_is_told_at_once_and_costs_what_is_told_alone
+  def test_SWR_REC_032_SWR_REC_033_SWR_NEXT_028_a_full_disk_is_told_at_once_and_costs_what_is_told_alone
     lost = 0
     record(500) do
       limit_files(File.size(boresight.recording_files.last) + 1000)

@@ -66,6 +66,7 @@ typedef struct {
     uint32_t dialect;
     uint32_t is_dialect_accepted;
     uint32_t is_recorder_failing;
+    uint32_t lacks_black_box;
     uint32_t recording_left_min;
     uint32_t cycles_lost;   /* As the controller was told in the last cycle. */
     uint32_t late_stage[2]; /* As it was told in the last two cycles, */
@@ -250,6 +251,7 @@ static void step(controller_t *self, const robot_t *robot, const controller_inpu
         record->frames_received = given->frames_received;
         record->unfit = given->unfit;
         record->is_recorder_failing = given->is_recorder_failing;
+        record->lacks_black_box = given->lacks_black_box;
         record->recording_left_min = given->recording_left_min;
         record->cycles_lost = given->cycles_lost;
         record->dialect = given->dialect;
@@ -693,6 +695,13 @@ void test_SWR_REC_033_the_controller_is_told_that_the_recorder_cannot_write(void
     TEST_ASSERT_EQUAL_UINT32(1U, record->is_recorder_failing);
     TEST_ASSERT_EQUAL_UINT32(LAST_CYCLE + 1U, record->cycles_lost);
     TEST_ASSERT_EQUAL_UINT64(0U, record->stood_ns);
+}
+
+void test_SWR_REC_050_the_controller_is_told_that_there_is_no_black_box(void)
+{
+    exchange_note_recorder(segment, true, 0U);
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32(1U, record->lacks_black_box);
 }
 
 void test_SWR_REC_036_the_controller_is_told_how_long_the_disk_lasts(void)

@@ -244,3 +244,47 @@ void test_SWR_REC_033_what_was_removed_is_counted_once_and_told_as_what_cannot_b
     (void)run_cycle();
     TEST_ASSERT_EQUAL_UINT32(502U, lane.lost);
 }
+
+static bool lacks_after(uint64_t passed_us)
+{
+    world_ns += UINT64_C(1000) * passed_us;
+    (void)cycle_lane_look(&lane, control);
+    return cycle_lane_lacks_recorder(&lane, control);
+}
+
+void test_SWR_REC_050_a_recorder_lives_that_gives_a_sign_within_its_time(void)
+{
+    TEST_ASSERT_FALSE(lacks_after(1U));
+    TEST_ASSERT_FALSE(lacks_after(LIMIT_RECORDER_SILENT_US - 1U));
+    exchange_beat(reader, EXCHANGE_RECORDER); /* Another one, in its place. */
+    TEST_ASSERT_FALSE(lacks_after(1U));
+    TEST_ASSERT_FALSE(lacks_after(LIMIT_RECORDER_SILENT_US - 1U));
+    TEST_ASSERT_TRUE(lacks_after(1U));
+    exchange_beat(reader, EXCHANGE_RECORDER);
+    TEST_ASSERT_FALSE(lacks_after(1U));
+}
+
+void test_SWR_REC_050_a_recorder_that_cannot_write_is_a_lack_until_it_has_written_for_a_time(void)
+{
+    TEST_ASSERT_FALSE(lacks_after(1U));
+    exchange_note_recorder(reader, true, 0U);
+    TEST_ASSERT_TRUE(lacks_after(1U));
+    exchange_note_recorder(reader, false, 0U);
+    TEST_ASSERT_TRUE(lacks_after(LIMIT_RECORDER_PROOF_US - 1U));
+    TEST_ASSERT_FALSE(lacks_after(1U));
+}
+
+void test_SWR_REC_050_so_is_a_gap_of_a_recorder_that_does_not_read(void)
+{
+    fill();
+    TEST_ASSERT_TRUE(lacks_after(1U));
+    read_cycles(LANE);
+    TEST_ASSERT_TRUE(lacks_after(1U));
+    TEST_ASSERT_FALSE(lacks_after(LIMIT_RECORDER_PROOF_US));
+}
+
+void test_SWR_REC_050_a_recording_that_others_remove_is_none(void)
+{
+    exchange_note_recorder(reader, false, 500U);
+    TEST_ASSERT_FALSE(lacks_after(1U));
+}

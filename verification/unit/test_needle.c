@@ -73,3 +73,28 @@ void test_SWR_JOG_003_before_homing_the_needle_goes_outwards_only(void)
     TEST_ASSERT_FALSE(forbids(NEURO_AXIS_INSERTION, false));
     TEST_ASSERT_FALSE(forbids(NEURO_AXIS_ROTATION, true));
 }
+
+void test_SWR_NEXT_029_a_needle_of_which_nothing_was_known_since_the_power_on_is_out(void)
+{
+    axes[NEURO_AXIS_INSERTION].chart.reference = AXIS_REFERENCE_FRESH;
+    axes[NEURO_AXIS_INSERTION].encoder.position_ticks = OUT_TICKS + 1;
+    TEST_ASSERT_FALSE(needle_may_be_in(&robot_neuro, axes));
+}
+
+void test_SWR_NEXT_029_counts_that_can_be_believed_say_whether_it_may_be_in(void)
+{
+    axes[NEURO_AXIS_INSERTION].place = AXIS_PLACE_COUNTED;
+    axes[NEURO_AXIS_INSERTION].encoder.position_ticks = OUT_TICKS;
+    TEST_ASSERT_FALSE(needle_may_be_in(&robot_neuro, axes));
+    axes[NEURO_AXIS_INSERTION].encoder.position_ticks = OUT_TICKS + 1;
+    TEST_ASSERT_TRUE(needle_may_be_in(&robot_neuro, axes));
+}
+
+void test_SWR_NEXT_029_where_they_cannot_it_may_be_in_wherever_they_have_it(void)
+{
+    axes[NEURO_AXIS_INSERTION].encoder.position_ticks = 0;
+    axes[NEURO_AXIS_INSERTION].place = AXIS_PLACE_COUNTED | AXIS_PLACE_BROKEN;
+    TEST_ASSERT_TRUE(needle_may_be_in(&robot_neuro, axes));
+    axes[NEURO_AXIS_INSERTION].place = AXIS_PLACE_BROKEN;
+    TEST_ASSERT_TRUE(needle_may_be_in(&robot_neuro, axes));
+}

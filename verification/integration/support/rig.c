@@ -160,6 +160,7 @@ static void gather(rig_t *self)
     self->inputs.has_button = self->has_no_button ? 0U : 1U;
     self->inputs.silent_sources = self->silent_sources;
     self->inputs.unfit = self->unfit;
+    self->inputs.lacks_black_box = self->lacks_black_box;
     self->inputs.cycles_lost = self->cycles_lost;
     self->inputs.is_recorder_failing = self->is_recorder_failing;
     self->inputs.recording_left_min = self->recording_left_min;

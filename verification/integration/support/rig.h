@@ -45,6 +45,7 @@ typedef struct {
     uint32_t next_id;
     uint32_t silent_sources;       /**< As controller_inputs_t. */
     uint32_t unfit;                /**< The same. */
+    uint32_t lacks_black_box;      /**< The same. */
     uint32_t cycles_lost;          /**< The same. */
     uint32_t is_recorder_failing;  /**< The same. */
     uint32_t recording_left_min;   /**< The same. */
