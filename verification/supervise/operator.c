@@ -245,6 +245,7 @@ static void start_anew(operator_t *self, rig_t *rig)
         }
     }
     rig_start_robot(rig, &self->robot);
+    rig->lacks_black_box = old.lacks_black_box;
     self->has_started_anew = true;
     for (uint32_t i = 0U; i < self->robot.axis_count; i++) {
         rig->box.axes[i].card_fault = old.box.axes[i].card_fault;
@@ -339,6 +340,24 @@ static void place(operator_t *self, rig_t *rig)
     }
 }
 
+/* An engineer accepts it, where the page commands; over another network he frees the disk. */
+static void settle_black_box(operator_t *self, rig_t *rig)
+{
+    const authority_party_t party = commander(rig);
+    const command_t accept = {.kind = (uint32_t)COMMAND_ACCEPT_NO_BLACK_BOX,
+                              .id = ID,
+                              .source = party.source,
+                              .peer = party.peer};
+    if (!authority_is_held(&rig->controller.authority)) {
+        act_by_command(self, rig, (uint32_t)NEXT_STEP_AUTHORITY);
+    } else if (party.source != (uint32_t)COMMAND_SOURCE_HTTP) {
+        rig->lacks_black_box = 0U;
+    } else {
+        rig->commands[rig->command_count] = accept;
+        rig->command_count++;
+    }
+}
+
 /* He looks again, if what is named is not broken any more. */
 static void check_card(operator_t *self, const rig_t *rig)
 {
@@ -377,6 +396,9 @@ static void follow(operator_t *self, rig_t *rig, uint32_t step)
         break;
     case NEXT_STEP_CHECK_CARDS:
         check_card(self, rig);
+        break;
+    case NEXT_STEP_NO_BLACK_BOX:
+        settle_black_box(self, rig);
         break;
     case NEXT_STEP_SERVICE:
         call_service(self, rig, step);
@@ -435,6 +457,7 @@ void operator_begin(operator_t *self, rig_t *rig, uint32_t seed)
     }
     rig_box(rig, "button release");
     rig->silent_sources = 0U;
+    rig->lacks_black_box = ((seed / 4U) % 2U == 0U) ? 1U : 0U;
     rig->is_page_away = chance_below(&self->random, 2U) == 0U;
     self->wait_cycles = chance_below(&self->random, LOOK_CYCLES);
 }
