@@ -9,7 +9,8 @@
 #
 # A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
 # structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `modes`, for the whole table of
-# core/interface/modes.yml; `limits`, for those of requirements/; `rooms`, for tools/rooms.yml; `decisions`, for docs/decisions;
+# core/interface/modes.yml; `limits`, for those of requirements/; `known_limits`, for those of
+# requirements/known_limits.yml; `rooms`, for tools/rooms.yml; `decisions`, for docs/decisions;
 # `robots`, for the axes of core/robot/*/robot.yml;
 # or one of tools/card_tables.rb, for the frames of the cards.
 
@@ -53,7 +54,9 @@ end
 # What can be shown as a table, read from one project.
 class TableSources
   # What is no enumeration and no structure: a method of the same name.
-  OTHERS = %w[decisions limits modes problems robots rooms routes].freeze
+  OTHERS = %w[decisions known_limits limits modes problems robots rooms routes].freeze
+
+  LINE = 130 # characters
 
   def initialize(root)
     @root = root
@@ -102,6 +105,16 @@ class TableSources
        field.column && "`#{field.column.name}`"]
     end
     markdown(['Field', 'Type', 'What it says', 'JSON', 'Column of the replay'], rows)
+  end
+
+  # A list, as its sentences are too long for a table.
+  #
+  # @satisfies SWR-TOOL-032
+  def known_limits
+    requirements = Trace::Requirements.load('requirements', @root)
+    requirements.of_kind('LIM').flat_map do |item|
+      "- **#{item.title}** (#{item.id}). #{requirements.sentence(item)}".scan(/\S.{0,#{LINE - 3}}(?=\s|\z)/).map.with_index { |line, number| number.zero? ? line : "  #{line}" }
+    end
   end
 
   def limits

@@ -16,6 +16,7 @@
 #   E05 ignored test                                                     E16 tested only at a smaller level
 #   E17 hazard in a chart that the element's       E18 results of another tree, checkout or machine
 #       requirements do not control
+#   E19 known limit that no test shows
 
 require 'optparse'
 require_relative 'trace/check'

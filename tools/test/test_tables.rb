@@ -149,7 +149,7 @@ class TestTables < Minitest::Test
       output, is_passed = run_tool(root)
       refute is_passed
       cards = CardTables::NAMES.keys.sort.join(', ')
-      assert_equal "docs/user-manual.md:1: there is no table shape; there are #{cards}, colour, decisions, limits, modes, paint, problems, " \
+      assert_equal "docs/user-manual.md:1: there is no table shape; there are #{cards}, colour, decisions, known_limits, limits, modes, paint, problems, " \
                    "robots, rooms, routes\n", output
     end
   end

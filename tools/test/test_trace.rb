@@ -179,6 +179,24 @@ class TestTrace < Minitest::Test
                    'requirements/risk.yml', 'parents: [HAZ-001]', 'parents: []'
   end
 
+  LIMIT = "- id: LIM-001\n  title: No jump\n  text: It cannot jump.\n  shown_by: [test_SWR_PEDAL_002_opens]\n"
+
+  def test_SWR_TOOL_031_e19_known_limit_without_a_test_that_is_there
+    in_project('requirements/known_limits.yml' => LIMIT) { |root| assert_empty trace('check', root).first.lines[0..-2] }
+    in_project('requirements/known_limits.yml' => LIMIT.sub('opens', 'shuts')) do |root|
+      assert_includes trace('check', root).first,
+                      'TRACE-E19 requirements/known_limits.yml:1: LIM-001 is shown by test_SWR_PEDAL_002_shuts, which is not there'
+    end
+  end
+
+  def test_SWR_TOOL_031_e15_known_limit_that_names_no_test
+    ['[]', ''].each do |none|
+      in_project('requirements/known_limits.yml' => LIMIT.sub('[test_SWR_PEDAL_002_opens]', none)) do |root|
+        assert_includes trace('check', root).first, 'TRACE-E15 requirements/known_limits.yml:1: LIM-001 lacks shown_by'
+      end
+    end
+  end
+
   def test_SWR_TRACE_001_e13_test_without_result_and_result_without_test
     findings = assert_finding 'E13 verification/unit/test_gate.c:12: test_SWR_PEDAL_002_closes was not executed',
                               'verification/unit/test_gate.c', 'test_SWR_PEDAL_002_opens', 'test_SWR_PEDAL_002_closes'
@@ -221,7 +239,7 @@ class TestTrace < Minitest::Test
       .each do |(old, new), text|
         assert_finding "E15 requirements/pedal.yml:1: #{text}", 'requirements/pedal.yml', old, new
       end
-    assert_finding 'E15 requirements/pedal.yml:9: REQ-PEDAL-002 is neither HAZ-, RC- nor SWR-',
+    assert_finding 'E15 requirements/pedal.yml:9: REQ-PEDAL-002 is neither HAZ-, RC-, SWR- nor LIM-',
                    'requirements/pedal.yml', 'SWR-PEDAL-002', 'REQ-PEDAL-002'
   end
 

@@ -65,7 +65,7 @@ module Trace
   # @satisfies SWR-TRACE-001
   class Check
     FIELDS = { 'SWR' => %w[title text parents source verification], 'RC' => %w[title text kind parents],
-               'HAZ' => %w[title severity situation harm] }.freeze
+               'HAZ' => %w[title severity situation harm], 'LIM' => %w[title text shown_by] }.freeze
     LEVELS = %w[unit integration system console tool].freeze
     KINDS = %w[design protective information].freeze
     SCENE = /\Arobot=\w+&seed=\d+&inputs=\d+:[\w,=\/;:-]+\z/
@@ -83,6 +83,7 @@ module Trace
       check_elements
       check_controls
       check_declarations
+      check_shown
       sorted
     end
 
@@ -128,7 +129,7 @@ module Trace
 
     def check_fields(item)
       fields = FIELDS[item.kind]
-      return complain('E15', item.place, "#{item.id} is neither HAZ-, RC- nor SWR-") unless fields
+      return complain('E15', item.place, "#{item.id} is neither HAZ-, RC-, SWR- nor LIM-") unless fields
 
       missing = fields.select { |field| item[field].nil? || item[field].empty? }
       complain('E15', item.place, "#{item.id} lacks #{missing.join(', ')}") unless missing.empty?
@@ -224,6 +225,16 @@ module Trace
       @project.sources.tests.each do |test|
         check_name(test.name, test.place)
         complain('E06', test.place, "#{test.name} asserts nothing") if test.is_empty
+      end
+    end
+
+    # A limit that no test shows may have gone.
+    #
+    # @satisfies SWR-TOOL-031
+    def check_shown
+      there = @project.sources.tests.map(&:name)
+      @project.requirements.of_kind('LIM').each do |item|
+        (Array(item['shown_by']) - there).each { |name| complain('E19', item.place, "#{item.id} is shown by #{name}, which is not there") }
       end
     end
 

@@ -163,4 +163,16 @@ class TestPositionStore < SystemTest
     assert_equal ['fresh'], references
     refute_match(/^control: the kept positions/, @boresight.output)
   end
+
+  # A known limit, see requirements/known_limits.yml.
+  def test_SWR_STORE_005_the_registration_is_not_kept_over_a_restart
+    home
+    @boresight.leave
+    @boresight.client('phase CALIBRATION', 'registration 1 0 0 0  0 1 0 0  0 0 1 0', 'wait STATUS CALIBRATION')
+    wait_until('a registration is accepted') { @boresight.targeting['registration'] }
+    @boresight.stop
+    programs
+    wait_until('every axis is restored') { references == ['unverified'] }
+    assert_nil @boresight.targeting['registration']
+  end
 end
