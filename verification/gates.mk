@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `make test` runs; included by the Makefile.
 
-.PHONY: gate one generated boards apart unit scenes coverage misra sanitize arm console-test objects programs trace demo velocity sweep charts-fuzz mutants worst-case \
+.PHONY: gate one generated boards apart pictures unit scenes coverage misra sanitize arm console-test objects programs trace demo velocity sweep charts-fuzz mutants worst-case \
     worst-case-approve
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
@@ -78,6 +78,10 @@ velocity: bootstrap-test ## Figures 29 to 31 of the thesis: 600 ticks at 833 tic
 sweep: bootstrap-test ## Frequency sweep of the ProstateRobot's rotation, six minutes; PICTURE=file.svg, FILE=sweep.csv only draws that
 	@$(MAKE) --no-print-directory -j2 programs
 	@ruby verification/demo/sweep.rb $(or $(PICTURE),$(CURDIR)/build/demo/sweep/sweep.svg) $(FILE)
+
+pictures: bootstrap-test ## The pictures of the documents, by the tests that show them: docs/images; NAME=console makes a part
+	@$(MAKE) --no-print-directory -j2 programs
+	@ruby tools/pictures.rb --make $(NAME)
 
 unit: $(GENERATED) .tools/gems/bin/ceedling ## Unit and integration tests with coverage
 	@$(MAKE) --no-print-directory -j2 CONFIG=gcov build/gcov/libtest.a

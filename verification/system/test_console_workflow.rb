@@ -4,8 +4,7 @@
 # Rule under test: with nothing but the browser a needle comes to its target, positions are saved and restored, command
 # passes from one to another, anybody stops, and a page outlives its server.
 # app/console/e2e/workflow.e2e.ts runs once, its parts in order; each test here is the verdict of its part for one
-# requirement. With BORESIGHT_PICTURES=FOLDER it leaves the pictures of the manual there, and the frames of the moving one:
-#   img2webp -loop 0 -lossy -q 60 -d 600 FOLDER/frames/*.png -o docs/images/procedure.webp    (Debian package webp)
+# requirement. With BORESIGHT_PICTURES=FOLDER it leaves the pictures of the documents there; `make pictures` does so.
 # With BORESIGHT_ROBOT=prostate the needle of the ProstateRobot goes to its target, which takes minutes, and nothing else is
 # done.
 
@@ -18,10 +17,19 @@ class TestConsoleWorkflow < Minitest::Test
 
   ROBOT = ENV.fetch('BORESIGHT_ROBOT', 'neuro')
 
+  PICTURES = ENV.fetch('BORESIGHT_PICTURES', nil)
+
   def self.results
-    @results ||= BrowserRun.results('workflow.e2e.ts', environment, *('--testNamePattern=SWR-CON-042' if ROBOT == 'prostate'))
+    @results ||= BrowserRun.results('workflow.e2e.ts', environment, *('--testNamePattern=SWR-CON-042' if ROBOT == 'prostate')).tap { join_frames if PICTURES }
   ensure
     boresight.kill_all
+  end
+
+  # The moving picture.
+  def self.join_frames
+    frames = Dir.glob(File.join(PICTURES, 'frames', '*.png')).sort
+    words = %w[img2webp -loop 0 -lossy -q 60 -d 600] + frames + ['-o', File.join(PICTURES, 'procedure.webp')]
+    system(*words, out: File::NULL) || raise('img2webp, of the Debian package webp, has failed')
   end
 
   def self.boresight
