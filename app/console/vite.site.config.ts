@@ -8,10 +8,14 @@ import { oneFile } from "./one_file.ts";
 import console from "./vite.config.ts";
 
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+// What src/site/expand.ts reads.
+const LZMA = ["--format=lzma", "--lzma1=preset=9e,lc=3,lp=0,pb=0"];
 const packed = (module: string) =>
-  execFileSync("zopfli", ["-c", at(`../../build/site/${module}`)]).toString(
-    "base64",
-  );
+  execFileSync("xz", [
+    ...LZMA,
+    "-c",
+    at(`../../build/site/${module}`),
+  ]).toString("base64");
 
 const robot = {
   page: "site.html",

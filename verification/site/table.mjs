@@ -7,7 +7,7 @@
 //   node table.mjs PAGE ROBOT
 
 import { readFileSync } from "node:fs";
-import { gunzipSync } from "node:zlib";
+import { expand } from "../../app/console/src/site/expand.ts";
 import { ServedRobot } from "../../app/console/src/site/served_robot.ts";
 
 const SEED = 7;
@@ -20,7 +20,7 @@ const MOST_RENEWALS = 240;
 
 const [file, name] = process.argv.slice(2);
 const packed = /id="?robot"?[^>]*>\s*([\w+/=]+)/.exec(readFileSync(file, "utf8"))[1];
-const robot = new ServedRobot(new WebAssembly.Module(gunzipSync(Buffer.from(packed, "base64"))));
+const robot = new ServedRobot(new WebAssembly.Module(expand(Buffer.from(packed, "base64"))));
 const identity = { "X-Boresight-Page": PAGE_NUMBER };
 let acts = 0;
 
