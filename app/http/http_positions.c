@@ -121,9 +121,10 @@ static problem_t problem_of(saved_verdict_t verdict)
 static cJSON *tell_row(const axis_config_t *config, const snapshot_axis_t *shown,
                        const saved_row_t *row)
 {
-    static const char *const whys[] = {"counts_agree", "other_power_on", "unsealed",    "old_list",
-                                       "moved",        "not_known",      "stands_there"};
-    const bool is_restored = row->why <= SAVED_WHY_OLD_LIST;
+    static const char *const whys[] = {"counts_agree", "other_power_on", "unsealed",
+                                       "old_list",     "miscounted",     "moved",
+                                       "not_known",    "stands_there"};
+    const bool is_restored = saved_plan_restores(row->why);
     const double now = telemetry_units_position(config, row->now_ticks);
     const double saved = telemetry_units_position(config, row->saved_ticks);
     const json_preview_axis_t told = {
@@ -170,6 +171,21 @@ static saved_verdict_t read_saved(saved_t *saved, const request_preview_t *body,
                           : saved_read_motors(saved, body->motors, body->motors_count, robot);
 }
 
+/* The bits of the named axes; one that the robot does not have is a bit of none. */
+static uint32_t find_miscounted(const request_preview_t *body, const robot_t *robot)
+{
+    uint32_t axes = 0U;
+    for (uint32_t i = 0U; i < body->miscounted_count; i++) {
+        uint32_t index = 0U;
+        while ((index < robot->axis_count) &&
+               (strcmp(robot->axes[index].name, body->miscounted[i]) != 0)) {
+            index++;
+        }
+        axes |= 1U << index;
+    }
+    return axes;
+}
+
 static int send_view(http_server_t *server, const http_call_t *call, saved_view_t *view)
 {
     const robot_t *robot = exchange_robot(server->exchange);
@@ -178,6 +194,9 @@ static int send_view(http_server_t *server, const http_call_t *call, saved_view_
         return http_reply_refuse(call->connection, PROBLEM_NO_DATA);
     }
     saved_plan_make(&view->plan, &view->saved, &snapshot, robot);
+    if (!saved_plan_fits(&view->plan, &view->saved)) {
+        return http_reply_refuse(call->connection, PROBLEM_SAVED_NOT_MOVED);
+    }
     view->shown_ms = telemetry_now_ms();
     saved_desk_show(&server->positions, view);
     return http_reply_object(call->connection, 200, tell_view(view, robot, &snapshot));
@@ -191,6 +210,7 @@ int http_positions_preview(http_server_t *server, const http_call_t *call)
         return http_reply_refuse(call->connection, PROBLEM_SAVED_NOT_ONE);
     }
     saved_verdict_t verdict = read_saved(&view.saved, body, exchange_robot(server->exchange));
+    view.saved.miscounted = find_miscounted(body, exchange_robot(server->exchange));
     if ((verdict == SAVED_GOOD) && (view.saved.origin == SAVED_SEALED) && !server->has_key) {
         return http_reply_refuse(call->connection, PROBLEM_NO_KEY);
     }

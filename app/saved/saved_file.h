@@ -41,6 +41,7 @@ typedef struct {
     saved_origin_t origin;
     position_record_t record;
     uint8_t seal[SAVED_SEAL_SIZE]; /**< Of SAVED_SEALED. */
+    uint32_t miscounted;           /**< Bit n: axis n has not moved, says the operator. */
 } saved_t;
 
 /** Writes whole seconds of `utc_us`. */

@@ -48,10 +48,14 @@ static saved_row_t row_of(const saved_t *saved, const snapshot_t *snapshot,
     saved_row_t row = {.why = why_restored(saved, is_same_power_on),
                        .now_ticks = shown->position_ticks,
                        .saved_ticks = kept->position_ticks};
+    const bool is_miscounted = ((saved->miscounted >> index) & 1U) != 0U;
     row.next_ticks = fixed_saturate((int64_t)kept->position_ticks + (int64_t)way_ticks);
     const int64_t away_ticks = (int64_t)row.next_ticks - (int64_t)row.now_ticks;
     if (kept->grade != (uint32_t)KEPT_KNOWN) {
         row.why = SAVED_WHY_NOT_KNOWN;
+    } else if (!is_within_rest(config, way_ticks) && is_miscounted) {
+        row.why = SAVED_WHY_MISCOUNTED;
+        row.next_ticks = row.saved_ticks;
     } else if (!is_within_rest(config, way_ticks)) {
         row.why = SAVED_WHY_MOVED;
     } else if (is_homed(shown) && is_within_rest(config, away_ticks)) {
@@ -62,6 +66,11 @@ static saved_row_t row_of(const saved_t *saved, const snapshot_t *snapshot,
     return row;
 }
 
+bool saved_plan_restores(saved_why_t why)
+{
+    return why <= SAVED_WHY_MISCOUNTED;
+}
+
 void saved_plan_make(saved_plan_t *self, const saved_t *saved, const snapshot_t *snapshot,
                      const robot_t *robot)
 {
@@ -70,8 +79,17 @@ void saved_plan_make(saved_plan_t *self, const saved_t *saved, const snapshot_t 
     self->power_on = snapshot->power_on;
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         self->rows[i] = row_of(saved, snapshot, &robot->axes[i], i);
-        self->axes |= (self->rows[i].why <= SAVED_WHY_OLD_LIST) ? (1U << i) : 0U;
+        self->axes |= saved_plan_restores(self->rows[i].why) ? (1U << i) : 0U;
     }
+}
+
+bool saved_plan_fits(const saved_plan_t *self, const saved_t *saved)
+{
+    uint32_t miscounted = 0U;
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        miscounted |= (self->rows[i].why == SAVED_WHY_MISCOUNTED) ? (1U << i) : 0U;
+    }
+    return miscounted == saved->miscounted;
 }
 
 bool saved_plan_holds(const saved_plan_t *self, const saved_plan_t *now, const robot_t *robot)

@@ -9,15 +9,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Why an axis gets what it gets. The first four: it is restored, unverified. */
+/** Why an axis gets what it gets. The first five: it is restored, unverified. */
 typedef enum {
     SAVED_WHY_COUNTS_AGREE = 0,   /**< In this power-on its counter has not moved since. */
     SAVED_WHY_OTHER_POWER_ON = 1, /**< It may have been moved by hand; the counts cannot tell. */
     SAVED_WHY_UNSEALED = 2,       /**< Nobody knows who wrote it. */
     SAVED_WHY_OLD_LIST = 3,       /**< Neither robot nor time is known. */
-    SAVED_WHY_MOVED = 4,          /**< It stays: its counter has moved since. */
-    SAVED_WHY_NOT_KNOWN = 5,      /**< It stays: its position was not known. */
-    SAVED_WHY_STANDS_THERE = 6    /**< It stays: it is homed, and there. */
+    SAVED_WHY_MISCOUNTED = 4,     /**< It has not moved, says the operator: its counts are wrong. */
+    SAVED_WHY_MOVED = 5,          /**< It stays: its counter has moved since. */
+    SAVED_WHY_NOT_KNOWN = 6,      /**< It stays: its position was not known. */
+    SAVED_WHY_STANDS_THERE = 7    /**< It stays: it is homed, and there. */
 } saved_why_t;
 
 typedef struct {
@@ -37,10 +38,21 @@ typedef struct {
 /**
  * Compares what was saved with what is.
  *
+ * @satisfies SWR-REF-020
  * @satisfies SWR-STORE-027
  */
 void saved_plan_make(saved_plan_t *self, const saved_t *saved, const snapshot_t *snapshot,
                      const robot_t *robot);
+
+/** `why` is one by which an axis is restored. */
+bool saved_plan_restores(saved_why_t why);
+
+/**
+ * Each axis of `saved->miscounted` is one whose counter has moved.
+ *
+ * @satisfies SWR-REF-020
+ */
+bool saved_plan_fits(const saved_plan_t *self, const saved_t *saved);
 
 /**
  * What was shown as `self` is still so in `now`, made of the same positions.

@@ -114,6 +114,29 @@ class TestHttpPositions < Minitest::Test
     assert_equal(axes.map { |axis| whys.fetch(axis['reference'], 'stands_there') }, shown['axes'].map { |axis| axis['why'] })
   end
 
+  # As after a scan that made an axis' counter count.
+  def miscounted(axis)
+    saved = file.except('hmac')
+    saved.merge('axes' => saved['axes'].map { |one| one['name'] == axis ? one.merge('reading_ticks' => one['reading_ticks'] - 500) : one })
+  end
+
+  def why_of(axis, shown)
+    shown.fetch('axes').find { |one| one['name'] == axis }.values_at('why', 'is_restored')
+  end
+
+  def test_SWR_REF_020_an_axis_that_has_not_moved_is_restored_against_its_counts
+    body = { file: miscounted('head') }
+    before = axes.first.fetch('position_ticks')
+    assert_equal ['moved', false], why_of('head', preview(body))
+    assert_refused 'SAVED_NOT_MOVED', body.merge(miscounted: %w[head yaw])
+    assert_refused 'SAVED_NOT_MOVED', body.merge(miscounted: ['nobody'])
+    shown = preview(body.merge(miscounted: ['head']))
+    assert_described "#{PATH}/preview", 'POST', @last
+    assert_equal ['miscounted', true], why_of('head', shown)
+    assert_equal 'done', restore(shown['token'])['state'], engineer.last.body
+    assert_equal ['head', 'unverified', before], axes.first.values_at('name', 'reference', 'position_ticks')
+  end
+
   def test_SWR_STORE_026_what_does_not_fit_is_refused_by_name
     saved = file
     assert_refused 'SAVED_ALTERED', { file: saved.merge('power_on' => saved['power_on'] ^ 1) }

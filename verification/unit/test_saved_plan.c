@@ -53,7 +53,7 @@ static const saved_row_t *head(void)
 
 static void expect_head(saved_why_t why)
 {
-    const bool is_restored = why <= SAVED_WHY_OLD_LIST;
+    const bool is_restored = why <= SAVED_WHY_MISCOUNTED;
     TEST_ASSERT_EQUAL(why, head()->why);
     TEST_ASSERT_EQUAL_UINT32(is_restored ? 1U : 0U, (plan.axes >> NEURO_AXIS_HEAD) & 1U);
 }
@@ -83,6 +83,33 @@ void test_SWR_STORE_027_an_axis_whose_counter_has_moved_stays(void)
     saved.origin = SAVED_UNSEALED;
     expect_head(SAVED_WHY_MOVED);
     TEST_ASSERT_EQUAL_HEX32(0x7FU & ~(1U << NEURO_AXIS_HEAD), plan.axes);
+}
+
+void test_SWR_REF_020_an_axis_that_is_miscounted_is_restored_where_it_was_saved(void)
+{
+    snapshot.axes[NEURO_AXIS_HEAD].reading_ticks += rest + 1;
+    saved.miscounted = 1U << NEURO_AXIS_HEAD;
+    expect_head(SAVED_WHY_MISCOUNTED);
+    TEST_ASSERT_EQUAL_HEX32(0x7FU, plan.axes);
+    TEST_ASSERT_EQUAL_INT32(head()->saved_ticks, head()->next_ticks);
+    TEST_ASSERT_TRUE(saved_plan_fits(&plan, &saved));
+}
+
+void test_SWR_REF_020_an_axis_that_has_not_moved_is_not_miscounted(void)
+{
+    static const uint32_t axes[] = {1U << NEURO_AXIS_FEET, 1U << 7, UINT32_MAX};
+    snapshot.axes[NEURO_AXIS_HEAD].reading_ticks += rest + 1;
+    expect_head(SAVED_WHY_MOVED);
+    TEST_ASSERT_TRUE(saved_plan_fits(&plan, &saved));
+    for (uint32_t i = 0U; i < (sizeof axes / sizeof axes[0]); i++) {
+        saved.miscounted = axes[i];
+        (void)head();
+        TEST_ASSERT_FALSE(saved_plan_fits(&plan, &saved));
+    }
+    saved.miscounted = 1U << NEURO_AXIS_HEAD;
+    snapshot.power_on++; /* The counts tell nothing there. */
+    expect_head(SAVED_WHY_OTHER_POWER_ON);
+    TEST_ASSERT_FALSE(saved_plan_fits(&plan, &saved));
 }
 
 void test_SWR_STORE_027_in_another_power_on_the_counts_say_nothing(void)

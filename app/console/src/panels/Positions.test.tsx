@@ -134,7 +134,7 @@ test("SWR-CON-028 shows what would become of each axis, and changes nothing", as
       "12.50 mm",
       "stays",
       "verified",
-      "Its counter has moved since.",
+      "Its counter has moved since. It has not moved",
     ],
   ]);
 });
@@ -192,6 +192,25 @@ test("SWR-CON-028 offers nothing to apply when no axis would be restored", async
   pick(saved);
   await screen.findByText("There is no axis to restore.");
   expect(screen.queryByRole("button", { name: "Apply…" })).toBeNull();
+});
+
+test("SWR-CON-105 an axis that has not moved is looked at again, and restored then", async () => {
+  await show();
+  pick(saved);
+  await screen.findByRole("table");
+  const [head] = preview.axes;
+  const feet = makeRow("feet", { why: "miscounted" });
+  const axes = head === undefined ? [feet] : [head, feet];
+  commander.answers[PREVIEW] = { body: { ...preview, token: 78, axes } };
+  press("It has not moved");
+  await screen.findByText(/its counts are wrong/);
+  expect(commander.acts().at(-1)).toEqual({
+    path: PREVIEW,
+    body: { file: saved, miscounted: ["feet"] },
+  });
+  expect(screen.queryByRole("button", { name: "It has not moved" })).toBeNull();
+  press("Apply…");
+  expect(screen.getByText(/^Restore head, feet/)).toBeTruthy();
 });
 
 test("SWR-CON-028 a list of motors is sent as that of the older program", async () => {

@@ -29,6 +29,7 @@ const whys: Readonly<Record<PreviewAxis["why"], string>> = {
   other_power_on: "The box was switched off since.",
   unsealed: "Nobody has sealed the file.",
   old_list: "A list of the older program: neither robot nor time is known.",
+  miscounted: "You say that it has not moved: its counts are wrong.",
   moved: "Its counter has moved since.",
   not_known: "Its position was not known when it was saved.",
   stands_there: "It is homed, and there.",
@@ -39,6 +40,11 @@ const origins: Readonly<Record<PositionsPreview["origin"], string>> = {
   unsealed: "Sealed by nobody",
   old_list: "A list of the older program",
 };
+
+/** What is shown, and of what. */
+interface Seen extends PositionsPreview {
+  file: TextFile;
+}
 
 /** The name of the reason stands in front: it is what the manual lists. */
 function told(problem: Partial<Problem>): string {
@@ -59,20 +65,22 @@ async function save(page: Page): Promise<string | null> {
 }
 
 /** A list of motors is what the older control program has saved. */
-function bodyOf(text: string): string {
+function bodyOf(text: string, miscounted: readonly string[]): string {
   const saved = JSON.parse(text) as unknown;
-  return JSON.stringify(
-    Array.isArray(saved) ? { motors: saved } : { file: saved },
-  );
+  return JSON.stringify({
+    ...(Array.isArray(saved) ? { motors: saved } : { file: saved }),
+    ...(miscounted.length > 0 && { miscounted }),
+  });
 }
 
 async function look(
   page: Page,
   text: string,
+  miscounted: readonly string[],
 ): Promise<PositionsPreview | string> {
   let body: string;
   try {
-    body = bodyOf(text);
+    body = bodyOf(text, miscounted);
   } catch {
     return "This file is no JSON.";
   }
@@ -83,8 +91,17 @@ async function look(
     : fitted(answer, PositionsPreview, PREVIEW_PATH);
 }
 
-/** `isKnown`: where it stands now. */
-function Row({ axis, isKnown }: { axis: PreviewAxis; isKnown: boolean }) {
+/** Looks again, with this axis where it was saved. */
+type Correct = (name: string) => void;
+
+interface RowProperties {
+  axis: PreviewAxis;
+  /** Where it stands now. */
+  isKnown: boolean;
+  correct: Correct;
+}
+
+function Row({ axis, isKnown, correct }: RowProperties) {
   const value = (number: number) => formatValue(number, axis.unit);
   const now = (number: number) => (isKnown ? value(number) : "unknown");
   return (
@@ -95,7 +112,17 @@ function Row({ axis, isKnown }: { axis: PreviewAxis; isKnown: boolean }) {
       <td className="number">{now(axis.delta)}</td>
       <td>{axis.is_restored ? "restored" : "stays"}</td>
       <td>{words(axis.grade)}</td>
-      <td>{whys[axis.why]}</td>
+      <td>
+        {whys[axis.why]}
+        {axis.why === "moved" && (
+          <>
+            {" "}
+            <button type="button" onClick={() => correct(axis.name)}>
+              It has not moved
+            </button>
+          </>
+        )}
+      </td>
     </tr>
   );
 }
@@ -104,9 +131,10 @@ interface DifferencesProperties {
   preview: PositionsPreview;
   /** The names of the axes that stand somewhere known. */
   known: readonly string[];
+  correct: Correct;
 }
 
-function Differences({ preview, known }: DifferencesProperties) {
+function Differences({ preview, known, correct }: DifferencesProperties) {
   return (
     <div
       className="positions-table"
@@ -145,6 +173,7 @@ function Differences({ preview, known }: DifferencesProperties) {
               key={axis.name}
               axis={axis}
               isKnown={known.includes(axis.name)}
+              correct={correct}
             />
           ))}
         </tbody>
@@ -156,6 +185,7 @@ function Differences({ preview, known }: DifferencesProperties) {
 function Preview({
   preview,
   known,
+  correct,
   commanding,
   onEnd,
 }: DifferencesProperties & {
@@ -167,7 +197,7 @@ function Preview({
     .map(({ name }) => name);
   return (
     <>
-      <Differences preview={preview} known={known} />
+      <Differences preview={preview} known={known} correct={correct} />
       <div className="orders">
         {names.length === 0 ? (
           <p>There is no axis to restore.</p>
@@ -200,6 +230,7 @@ function Preview({
  * Saves where the axes stand, and restores it in two steps: what would become of each axis is looked at first.
  *
  * @satisfies SWR-CON-028
+ * @satisfies SWR-CON-105
  */
 export function Positions({
   robot,
@@ -210,22 +241,28 @@ export function Positions({
 }) {
   const commanding = useCommanding(operation, robot.status.authority);
   const known = robot.motors.axes.filter(isKnown).map(({ name }) => name);
-  const [preview, setPreview] = useState<PositionsPreview | null>(null);
+  const [preview, setPreview] = useState<Seen | null>(null);
   const [note, setNote] = useState<string | null>(null);
   const attempt = (work: () => Promise<string | null>) =>
     void work()
       .catch(() => NO_ANSWER)
       .then(setNote);
-  const take = ({ name, text }: TextFile) =>
+  const take = (file: TextFile, miscounted: readonly string[] = []) =>
     attempt(async () => {
       setPreview(null);
-      const found = await look(operation.page, text);
+      const found = await look(operation.page, file.text, miscounted);
       if (typeof found === "string") {
-        return `${name} was refused. ${found}`;
+        return `${file.name} was refused. ${found}`;
       }
-      setPreview(found);
+      setPreview({ ...found, file });
       return null;
     });
+  const correct = (name: string) => {
+    if (preview !== null) {
+      const before = preview.axes.filter(({ why }) => why === "miscounted");
+      take(preview.file, [...before.map((axis) => axis.name), name]);
+    }
+  };
   const end = (isDone: boolean) => {
     setPreview(null);
     setNote(
@@ -261,6 +298,7 @@ export function Positions({
             key={preview.token}
             preview={preview}
             known={known}
+            correct={correct}
             commanding={commanding}
             onEnd={end}
           />
