@@ -30,6 +30,13 @@ export function originOf(matrix: readonly number[]): number[] {
   return [3, 7, 11].map((index) => matrix[index] ?? Number.NaN);
 }
 
+/** A homogeneous matrix in four lines, as other programs read it. */
+export function matrixText(matrix: readonly number[]): string {
+  return [0, 4, 8, 12]
+    .map((row) => matrix.slice(row, row + 4).join(" "))
+    .join("\n");
+}
+
 /** MOVE_TO_TARGET or back_off as people read it. */
 export function words(name: string): string {
   return name.replaceAll("_", " ");

@@ -2,7 +2,7 @@
 // Rule under test: the panel says which entry point decides the depth and which is only proposed, and shows the needle
 // that an image has shown.
 import type { Origin, Targeting as TargetingData } from "@interface";
-import { cleanup, render, screen } from "@testing-library/react";
+import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, expect, test } from "vitest";
 import { makeRobot } from "../testing/robot";
 import { Targeting } from "./Targeting";
@@ -98,6 +98,34 @@ test("SWR-IGTL-072 what counts is shown with who sent it and how old it is", () 
   expect(said("Entry point")).toBe(
     `5.00, 246.00, 60.00 (decides the depth)${from}`,
   );
+});
+
+test("SWR-CON-106 registration, pose and target are there as matrices, to be pasted elsewhere", () => {
+  show({ registration: null, scanner_treatment: null, target: null });
+  expect(screen.queryAllByRole("textbox")).toEqual([]);
+  cleanup();
+  const moved = [0, -1, 0, -5.25, 1, 0, 0, 6, 0, 0, 1, 7.5, 0, 0, 0, 1];
+  show({ registration: IDENTITY, scanner_treatment: moved, target: IDENTITY });
+  const value = (label: string) =>
+    screen.getByLabelText<HTMLTextAreaElement>(label).value;
+  const identity = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1";
+  expect(value("Scanner from z-frame (registration)")).toBe(identity);
+  expect(value("Scanner from target")).toBe(identity);
+  expect(value("Scanner from needle (now)")).toBe(
+    "0 -1 0 -5.25\n1 0 0 6\n0 0 1 7.5\n0 0 0 1",
+  );
+});
+
+test("SWR-CON-106 a matrix is selected whole when it is clicked", () => {
+  show({ registration: IDENTITY });
+  const area = screen.getByLabelText<HTMLTextAreaElement>(
+    "Scanner from z-frame (registration)",
+  );
+  fireEvent.focus(area);
+  expect([area.selectionStart, area.selectionEnd]).toEqual([
+    0,
+    area.value.length,
+  ]);
 });
 
 test("SWR-MOTION-024 the needle in the image is shown beside the target", () => {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Targeting as TargetingData } from "@interface";
 import { formatNumber, formatOrigin, formatPoint, originOf } from "../format";
+import { Matrix } from "../parts/Matrix";
 
 function pointText(matrix: readonly number[] | null, missing: string): string {
   return matrix === null ? missing : formatPoint(originOf(matrix));
@@ -63,39 +64,66 @@ function probeText({ probe }: TargetingData): string {
     .join(", ");
 }
 
+/** Those that are there, to be read and copied. */
+function Matrices({ targeting }: { targeting: TargetingData }) {
+  const matrices: [string, readonly number[] | null][] = [
+    ["Scanner from z-frame (registration)", targeting.registration],
+    ["Scanner from needle (now)", targeting.scanner_treatment],
+    ["Scanner from target", targeting.target],
+  ];
+  return (
+    <details>
+      <summary>Matrices, in mm by rows</summary>
+      {matrices.map(
+        ([label, matrix]) =>
+          matrix !== null && (
+            <Matrix key={label} label={label} matrix={matrix} />
+          ),
+      )}
+    </details>
+  );
+}
+
 /**
  * Points are in mm, in scanner coordinates where the robot is registered. Who sent what, and when.
  *
+ * @satisfies SWR-CON-106
  * @satisfies SWR-IGTL-072
  */
 export function Targeting({ targeting }: { targeting: TargetingData }) {
   const { distance_mm: distance } = targeting;
   return (
-    <dl className="facts">
-      <dt>Registration</dt>
-      <dd>{registrationText(targeting)}</dd>
-      <dt>Probe</dt>
-      <dd>{probeText(targeting)}</dd>
-      <dt>Treatment point, scanner</dt>
-      <dd>
-        {pointText(targeting.scanner_treatment, "not homed, or not registered")}
-      </dd>
-      <dt>Treatment point, base</dt>
-      <dd>{pointText(targeting.zframe_treatment, "not homed")}</dd>
-      <dt>Entry point</dt>
-      <dd>{entryText(targeting)}</dd>
-      <dt>Target</dt>
-      <dd>{targetText(targeting)}</dd>
-      <dt>Distance to target</dt>
-      <dd>{distance === null ? "–" : `${formatNumber(distance, 3)} mm`}</dd>
-      <dt>Needle seen in the image</dt>
-      <dd>{pointText(targeting.seen_needle, "none")}</dd>
-      <dt>Proposed registration</dt>
-      <dd>{proposedRegistrationText(targeting)}</dd>
-      <dt>Proposed entry point</dt>
-      <dd>{proposedEntryText(targeting)}</dd>
-      <dt>Proposed target</dt>
-      <dd>{proposalText(targeting)}</dd>
-    </dl>
+    <>
+      <dl className="facts">
+        <dt>Registration</dt>
+        <dd>{registrationText(targeting)}</dd>
+        <dt>Probe</dt>
+        <dd>{probeText(targeting)}</dd>
+        <dt>Treatment point, scanner</dt>
+        <dd>
+          {pointText(
+            targeting.scanner_treatment,
+            "not homed, or not registered",
+          )}
+        </dd>
+        <dt>Treatment point, base</dt>
+        <dd>{pointText(targeting.zframe_treatment, "not homed")}</dd>
+        <dt>Entry point</dt>
+        <dd>{entryText(targeting)}</dd>
+        <dt>Target</dt>
+        <dd>{targetText(targeting)}</dd>
+        <dt>Distance to target</dt>
+        <dd>{distance === null ? "–" : `${formatNumber(distance, 3)} mm`}</dd>
+        <dt>Needle seen in the image</dt>
+        <dd>{pointText(targeting.seen_needle, "none")}</dd>
+        <dt>Proposed registration</dt>
+        <dd>{proposedRegistrationText(targeting)}</dd>
+        <dt>Proposed entry point</dt>
+        <dd>{proposedEntryText(targeting)}</dd>
+        <dt>Proposed target</dt>
+        <dd>{proposalText(targeting)}</dd>
+      </dl>
+      <Matrices targeting={targeting} />
+    </>
   );
 }
