@@ -166,6 +166,40 @@ test("SWR-CON-018 a proposed entry is accepted as it is shown", async () => {
   ]);
 });
 
+test("SWR-CON-107 a proposed registration is shown with its rotation and accepted whole", async () => {
+  const registration = [0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7, 0, 0, 0, 1];
+  const proposals = {
+    ...makeRobot().targeting.proposals,
+    registration,
+    registration_by: {
+      source: "IGTL" as const,
+      peer: 21,
+      name: "crtk 10.0.0.8:40001",
+      age_s: 12,
+    },
+  };
+  await show("TARGETING", { proposals });
+  expect(button("Accept registration").disabled).toBe(true);
+  cleanup();
+  await show("CALIBRATION", { proposals });
+  const area = screen.getByLabelText<HTMLTextAreaElement>(
+    "Proposed registration, from crtk 10.0.0.8:40001, 12 s ago",
+  );
+  expect(area.value).toBe("0 -1 0 5\n1 0 0 6\n0 0 1 7\n0 0 0 1");
+  fireEvent.click(button("Accept registration"));
+  fireEvent.click(button("Withdraw registration"));
+  expect(commander.acts()).toEqual([
+    {
+      path: "/api/v1/targeting/registration",
+      body: { id: 1, matrix: registration },
+    },
+    {
+      path: "/api/v1/targeting/withdraw",
+      body: { id: 2, what: "proposed_registration" },
+    },
+  ]);
+});
+
 test("SWR-CON-060 a lost preview of a target is asked for again until it is there", async () => {
   await show("TARGETING");
   const body = { detail: "A target point needs an entry point." };

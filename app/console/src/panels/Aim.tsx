@@ -10,6 +10,7 @@ import {
   readNumbers,
 } from "../format";
 import { useCommanding, type Commanding, type Operation } from "../operation";
+import { Matrix } from "../parts/Matrix";
 import { Order, OrderNotes } from "../parts/Order";
 import { reasonAgainst } from "../outlook";
 import { refusalOf, type Page } from "../page";
@@ -151,6 +152,41 @@ function PointOrder({
   );
 }
 
+/**
+ * With its rotation, which is what a point does not show; it is accepted whole.
+ *
+ * @satisfies SWR-CON-107
+ */
+function ProposedRegistration({ robot, outlook, commanding }: AimProperties) {
+  const { registration: matrix, registration_by: by } =
+    robot.targeting.proposals;
+  return matrix === null ? null : (
+    <>
+      <Matrix
+        label={`Proposed registration${formatOrigin(by)}`}
+        matrix={matrix}
+      />
+      <div className="orders">
+        <Order
+          commanding={commanding}
+          path="/api/v1/targeting/registration"
+          fields={{ matrix }}
+          refusal={reasonAgainst(outlook, "REGISTRATION")}
+        >
+          Accept registration
+        </Order>
+        <Order
+          commanding={commanding}
+          path="/api/v1/targeting/withdraw"
+          fields={{ what: "proposed_registration" }}
+        >
+          Withdraw registration
+        </Order>
+      </div>
+    </>
+  );
+}
+
 /** What a navigation program proposes, to be accepted as it is shown. */
 function ProposedEntry({ robot, outlook, commanding }: AimProperties) {
   const { entry_mm: point, entry_by: by } = robot.targeting.proposals;
@@ -251,6 +287,7 @@ export function Aim({
   return (
     <>
       <OrderNotes commanding={commanding} />
+      <ProposedRegistration {...properties} />
       <Registration {...properties} />
       <Probe
         key={robot.targeting.probe.map((one) => one.length_mm).join()}
