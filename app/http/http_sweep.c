@@ -36,9 +36,9 @@ static cJSON *new_points(const sweep_curve_t *curve, const robot_t *robot)
         const bool is_known = sweep_expected(axis, point->hertz, &expected);
         const json_sweep_point_t told = {
             .frequency_hz = (uint32_t)point->hertz,
-            .upwards = sweep_curve_turns_per_min(axis, point->up_ticks),
-            .downwards = sweep_curve_turns_per_min(axis, point->down_ticks),
-            .expected = is_known ? &expected : NULL};
+            .upwards_rpm = sweep_curve_turns_per_min(axis, point->up_ticks),
+            .downwards_rpm = sweep_curve_turns_per_min(axis, point->down_ticks),
+            .expected_rpm = is_known ? &expected : NULL};
         (void)cJSON_AddItemToArray(list, json_sweep_point(&told));
     }
     return list;

@@ -258,7 +258,7 @@ static cJSON *new_robot_axis(const axis_config_t *axis)
         .homing = (axis->home_method == (uint8_t)HOME_BY_SWITCH) ? "switch" : "place",
         .minimum = telemetry_units_position(axis, axis->minimum_ticks),
         .maximum = telemetry_units_position(axis, axis->maximum_ticks),
-        .speed = telemetry_units_position(axis, axis->speed_ticks_per_s)};
+        .speed_per_s = telemetry_units_position(axis, axis->speed_ticks_per_s)};
     return json_robot_axis(&told);
 }
 

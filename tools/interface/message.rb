@@ -2,6 +2,7 @@
 # frozen_string_literal: true
 
 require_relative 'node'
+require_relative 'units'
 
 module Interface
   # How a value looks in JSON: the C that adds `value` to `object` as `key`, and its type in TypeScript.
@@ -67,10 +68,10 @@ module Interface
     CODES = 'problem_code'
 
     # `bounds`: least and most of a whole number, nil of all others.
-    attr_reader :name, :says, :node, :type, :words, :enumeration, :message, :bounds
+    attr_reader :name, :says, :node, :type, :words, :enumeration, :message, :bounds, :unit
 
     def initialize(node)
-      nodes = node.mapping(%w[name type], %w[says or_null optional list minimum maximum])
+      nodes = node.mapping(%w[name type], %w[says or_null optional list minimum maximum unit])
       @node = node
       @name = nodes['name'].identifier
       @says = nodes['says']&.text
@@ -80,6 +81,7 @@ module Interface
       @words = nodes['type'].sequence.map(&:identifier) if nodes['type'].list?
       @type = @words ? 'text' : nodes['type'].identifier
       @bounds = read_bounds(nodes)
+      @unit = nodes['unit']
     end
 
     def check(model)
@@ -94,6 +96,10 @@ module Interface
 
     def codes?
       @type == CODES
+    end
+
+    def number?
+      WHOLE.key?(@type) || @type == 'number'
     end
 
     def optional?
@@ -170,16 +176,27 @@ module Interface
 
     def check(model)
       members.each { |member| member.check(model) }
-      keys = model.sources(self).values.flatten(1).map { |_, shown| [shown.key, shown.node] } +
-             members.map { |member| [member.name, member.node] }
+      shown = model.sources(self).values.flatten(1)
+      keys = shown.map { |_, one| [one.key, one.node] } + members.map { |member| [member.name, member.node] }
       @node.refuse("#{name} holds nothing") if keys.empty?
       stray = members.find(&:optional?) unless by_hand?
       stray&.node&.refuse('is for messages by_hand alone')
       keys.group_by(&:first).each_value { |same| same[1]&.last&.refuse("is the second #{same[1].first} in #{name}") }
+      check_units(shown, keys.map(&:first))
     end
 
     def typescript
       name.split('_').map(&:capitalize).join
+    end
+
+    private
+
+    def check_units(shown, names)
+      shown.each do |field, one|
+        Units.check_form(one, names) if Units::FORMS.key?(one.form)
+        Units.check(one.node, one.key, field.unit, names) if Units::NUMBERS.include?(one.form)
+      end
+      members.select(&:number?).each { |one| Units.check(one.node, one.name, one.unit, names) }
     end
   end
 end

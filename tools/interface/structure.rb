@@ -150,16 +150,17 @@ module Interface
 
   # A field of a structure.
   class Field
-    attr_reader :name, :type, :says, :count, :shown, :column, :node
+    attr_reader :name, :type, :says, :count, :shown, :column, :unit, :node
 
     def initialize(node)
-      nodes = node.mapping(%w[name type], %w[says count shown column])
+      nodes = node.mapping(%w[name type], %w[says count shown column unit])
       @node = node
       @name = nodes['name'].identifier
       @type = Type.new(nodes['type'])
       @says = nodes['says']&.text
       @count = nodes['count']&.identifier(capitals: true)
       @shown = read_shown(nodes['shown'])
+      @unit = nodes['unit']
       @column = Column.read(nodes['column'], self) if nodes.key?('column')
     end
 

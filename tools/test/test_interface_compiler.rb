@@ -220,7 +220,7 @@ class TestInterfaceCompiler < Minitest::Test
 
   SHOWN = COLOURS.sub('says: "Of the paint."', 'says: "Of the paint.", shown: {in: tin, as: name, when: [is_dry]}')
                  .sub('lamp.state}', 'lamp.state, shown: tin}')
-                 .sub('tin."}', 'tin.", shown: {in: tin, key: litres}}')
+                 .sub('tin."}', 'tin.", unit: reading, shown: {in: tin, key: litres}}')
 
   def test_SWR_TOOL_011_a_value_that_is_none_of_those_counted_is_shown_as_null
     counted = SHOWN.sub('code: 7', 'code: 2').sub("says: Why something was refused.\n", "\\0    count: true\n")
@@ -269,7 +269,7 @@ class TestInterfaceCompiler < Minitest::Test
 
   def test_SWR_TOOL_011_console_checks_each_message_by_a_table
     messages = "#{MESSAGES}      - {name: size, type: [small, large]}\n      - {name: lid, type: lid}\n" \
-               "      - {name: coats, type: uint32, maximum: 3}\n      - {name: wear, type: int32, minimum: -5}\n" \
+               "      - {name: coats, type: uint32, maximum: 3, unit: count}\n      - {name: wear, type: int32, minimum: -5, unit: ratio}\n" \
                "  - name: lid\n    says: On top.\n    members:\n      - {name: tags, type: text, list: true}\n"
     with_output('colours.yml' => SHOWN, 'messages.yml' => messages) do |folder|
       types = File.read(File.join(folder, 'app/api.ts'))
@@ -300,6 +300,51 @@ class TestInterfaceCompiler < Minitest::Test
   def test_SWR_TOOL_012_refuses_bounds_of_what_is_no_whole_number
     messages = MESSAGES.sub('or_null: true', 'maximum: 3')
     assert_includes refusal('colours.yml' => SHOWN, 'messages.yml' => messages), 'bounds what is no whole number'
+  end
+
+  # What is wrong with a number beside others of a tin; nil: nothing.
+  def found_with(members)
+    refusal('colours.yml' => SHOWN, 'messages.yml' => MESSAGES + members)
+  end
+
+  UNIT = "      - {name: unit, type: [mm, deg]}\n"
+
+  def test_SWR_TOOL_028_a_number_has_its_unit_in_its_name_beside_it_or_says_what_it_is
+    ["      - {name: width_mm, type: number}\n", "      - {name: bytes, type: uint64}\n",
+     "#{UNIT}      - {name: width, type: number, unit: axis}\n", "      - {name: coats, type: uint32, unit: count}\n",
+     "#{UNIT}      - {name: flow_per_s, type: number, unit: axis}\n",
+     "      - {name: text, type: text}\n      - {name: value, type: int32, unit: text}\n"].each do |members|
+      with_output('colours.yml' => SHOWN, 'messages.yml' => MESSAGES + members) { |folder| assert File.exist?(File.join(folder, 'app/api.ts')), members }
+    end
+  end
+
+  def test_SWR_TOOL_028_refuses_a_number_without_a_unit
+    { "      - {name: width, type: number}\n" => 'is the number width without a unit; end it in one of mm, deg',
+      "      - {name: flow_per_s, type: number}\n" => 'is the number flow_per_s without a unit',
+      "      - {name: summary, type: uint32}\n" => 'is the number summary without a unit',
+      "      - {name: width, type: number, unit: axis}\n" => 'has the unit of width in unit, which is not there',
+      "      - {name: value, type: int32, unit: text}\n" => 'has the unit of value in text, which is not there',
+      "      - {name: width_mm, type: number, unit: count}\n" => 'is count, but width_mm ends in a unit',
+      "      - {name: width, type: number, unit: inch}\n" => 'is inch; expected axis or count' }.each do |members, reason|
+      message = found_with(members)
+      assert_includes message, reason
+      assert_match(/messages\.yml:6: /, message)
+    end
+    shown = SHOWN.sub('unit: reading, ', '')
+    assert_includes refusal('colours.yml' => shown), 'is the number litres without a unit'
+  end
+
+  def test_SWR_TOOL_028_refuses_positions_and_speeds_of_axes_without_their_unit
+    axis = "  - name: wheel\n    says: A wheel.\n    axis: true\n    members:\n      - {name: note, type: text}\n"
+    messages = MESSAGES + axis
+    field = ->(key, form) { SHOWN.sub('{in: tin, key: litres}', "{in: wheel, key: #{key}, as: #{form}}") }
+    assert_includes refusal('colours.yml' => field.call('place', 'position'), 'messages.yml' => messages),
+                    'has the unit of place in unit, which is not there'
+    assert_includes refusal('colours.yml' => field.call('turn', 'speed'), 'messages.yml' => messages + UNIT),
+                    'is the speed turn; expected a name that ends in _per_s'
+    with_output('colours.yml' => field.call('turn_per_s', 'speed'), 'messages.yml' => messages + UNIT) do |folder|
+      assert_includes File.read(File.join(folder, 'app/api.ts')), 'turn_per_s: number;'
+    end
   end
 
   # The length of an array stands where its name says.

@@ -42,10 +42,10 @@ class TestInterfaceRoutes < Minitest::Test
       - name: tin
         says: A tin.
         members:
-          - {name: litres, type: number, or_null: true}
+          - {name: litres, type: number, or_null: true, unit: reading}
           - {name: kind, type: [oil, water]}
           - {name: colour, type: colour}
-          - {name: parts, type: uint32, list: true}
+          - {name: parts, type: uint32, list: true, unit: count}
       - name: problem
         says: Why not.
         by_hand: true
@@ -227,7 +227,7 @@ class TestInterfaceRoutes < Minitest::Test
     - name: act
       says: What became of it.
       members:
-        - {name: id, type: uint32}
+        - {name: id, type: uint32, unit: id}
         - {name: code, type: problem_code}
   YAML
 

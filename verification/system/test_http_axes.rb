@@ -302,7 +302,7 @@ class TestHttpAxes < Minitest::Test
     whole = sweep_file(fetch_json('/api/v1/robot'))
     File.write(path, whole)
     assert_equal %w[kept rotation 2026-11-22T17:50:00.000Z SPEED], sweep_shown.values_at('state', 'axis', 'ended', 'end')
-    assert_in_delta 1.0, sweep_shown['points'].first['upwards'], 0.001
+    assert_in_delta 1.0, sweep_shown['points'].first['upwards_rpm'], 0.001
     assert_equal whole, get('/api/v1/sweep.csv').body
     File.write(path, whole.sub('673', '674'))
     assert_equal ['damaged', []], sweep_shown.values_at('state', 'points')

@@ -49,7 +49,7 @@ class TestIgtlPlanning < Minitest::Test
   end
 
   def test_SWR_IGTL_038_joints_come_in_the_order_of_the_robot_s_file
-    boresight.wait_until('all axes stand') { boresight.motors['axes'].all? { |axis| axis['speed'].zero? } }
+    boresight.wait_until('all axes stand') { boresight.motors['axes'].all? { |axis| axis['speed_per_s'].zero? } }
     values = planning { |client| numbers(client.await('STRING', 'measured_jp')) }
     axes = boresight.motors['axes'].to_h { |axis| [axis['name'], axis] }
     assert_equal ORDER.size, values.size

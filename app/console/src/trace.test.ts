@@ -53,7 +53,7 @@ test("SWR-CON-027 goes by control's time, over its wrap", () => {
 
 test("SWR-CON-027 has the set-point, position, speed and output of each axis", () => {
   const feed = new Feed();
-  feed.go(1, { setpoint: 2, position: 1, speed: 3, output_percent: -4 });
+  feed.go(1, { setpoint: 2, position: 1, speed_per_s: 3, output_percent: -4 });
   const { trace } = feed;
   expect(trace.column("head", "setpoint")).toEqual([2]);
   expect(trace.column("head", "position")).toEqual([1]);

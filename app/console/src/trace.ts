@@ -29,7 +29,8 @@ interface Row {
 }
 
 function valuesOf(axis: Axis): Values {
-  const { setpoint, position, speed, output_percent: output, target } = axis;
+  const { setpoint, position, speed_per_s: speed } = axis;
+  const { output_percent: output, target } = axis;
   const numbers = { setpoint, position, speed, output, goal: target };
   return { ...numbers, isKnown: isKnown(axis) };
 }

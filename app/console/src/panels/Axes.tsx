@@ -183,7 +183,7 @@ function AxisRow({ axis, shared }: AxisRowProperties) {
         <Place axis={axis} value={axis.position} />
       </td>
       <td role="cell" className="number" data-label="Speed">
-        {formatSpeed(axis.speed, axis.unit)}
+        {formatSpeed(axis.speed_per_s, axis.unit)}
       </td>
       <td role="cell" className="axis-state">
         <Shape level={state.level} />

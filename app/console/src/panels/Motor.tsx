@@ -85,7 +85,7 @@ function Numbers({ axis }: { axis: Axis }) {
       </div>
       <div>
         <dt>Speed</dt>
-        <dd>{formatSpeed(axis.speed, axis.unit)}</dd>
+        <dd>{formatSpeed(axis.speed_per_s, axis.unit)}</dd>
       </div>
       <div>
         <dt>Output</dt>

@@ -40,16 +40,16 @@ function curvesOf(points: readonly SweepPoint[]): Curve[] {
       return speed === null ? [] : [[point.frequency_hz, speed] as const];
     });
   return [
-    { name: "upwards", kind: "first", points: curve((one) => one.upwards) },
+    { name: "upwards", kind: "first", points: curve((one) => one.upwards_rpm) },
     {
       name: "downwards",
       kind: "second",
-      points: curve((one) => one.downwards),
+      points: curve((one) => one.downwards_rpm),
     },
     {
       name: "expected by the robot's file",
       kind: "third",
-      points: curve((one) => one.expected),
+      points: curve((one) => one.expected_rpm),
     },
   ];
 }
@@ -70,9 +70,9 @@ function PointRow({
       <th scope="row" className="number">
         {kilohertz(point.frequency_hz)}
       </th>
-      <td className="number">{speed(point.upwards)}</td>
-      <td className="number">{speed(point.downwards)}</td>
-      <td className="number">{speed(point.expected)}</td>
+      <td className="number">{speed(point.upwards_rpm)}</td>
+      <td className="number">{speed(point.downwards_rpm)}</td>
+      <td className="number">{speed(point.expected_rpm)}</td>
     </tr>
   );
 }
@@ -87,7 +87,7 @@ function KeptCurve({ kept }: { kept: readonly SweepPoint[] }) {
   if (point === undefined) {
     return null;
   }
-  const said = `${kilohertz(point.frequency_hz)}: upwards ${speed(point.upwards)}, downwards ${speed(point.downwards)}, expected ${speed(point.expected)} /min`;
+  const said = `${kilohertz(point.frequency_hz)}: upwards ${speed(point.upwards_rpm)}, downwards ${speed(point.downwards_rpm)}, expected ${speed(point.expected_rpm)} /min`;
   return (
     <>
       <GraphLegend curves={curves} />

@@ -19,7 +19,7 @@ const yaw: RobotAxis = {
   homing: "switch",
   minimum: -45,
   maximum: 45,
-  speed: 60,
+  speed_per_s: 60,
 };
 let commander: Commander;
 

@@ -45,7 +45,7 @@ function SpeedRow({
   text: string;
   setText(text: string): void;
 }) {
-  const most = robot?.axes.find(({ name }) => name === axis.name)?.speed;
+  const most = robot?.axes.find(({ name }) => name === axis.name)?.speed_per_s;
   return (
     <li>
       <label>

@@ -27,7 +27,7 @@ export function makeAxis(name: string, change: Partial<Axis> = {}): Axis {
     position: 10,
     setpoint: 12.5,
     target: 20,
-    speed: 1,
+    speed_per_s: 1,
     minimum: 0,
     maximum: 40,
     position_ticks: 100,

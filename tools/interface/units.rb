@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+module Interface
+  # The unit of each number that HTTP clients read: its name ends in it, or the member `unit` beside it says it
+  # (`unit: axis`), or the file says what it is instead of a quantity.
+  #
+  # @satisfies SWR-TOOL-028
+  module Units
+    # `dc` is 0.1 degree Celsius.
+    SUFFIXES = %w[mm deg rpm min s ms us cycles ticks hz mv ma dc bytes percent per_mille].freeze
+    AXIS = 'axis'
+    # What a number without a unit is. `text`: the sentence `text` beside it has its unit; `pose`: a matrix in mm.
+    NONE = %w[count id ratio reading pose text].freeze
+    BESIDE = { AXIS => 'unit', 'text' => 'text' }.freeze
+    # Not the one of a speed: what goes in a second is of the axis.
+    SUFFIX = /(?:\A|(?<!_per)_)(?:#{SUFFIXES.join('|')})\z/
+    # Forms that say their unit themselves.
+    FORMS = { 'position' => AXIS, 'speed' => AXIS, 'matrix' => 'pose' }.freeze
+    NUMBERS = %w[number point].freeze
+
+    # One number. `names`: of all that stands in the same object.
+    def self.check(node, name, unit, names)
+      is_said = name.match?(SUFFIX)
+      given = unit&.choice([AXIS, *NONE])
+      node.refuse("is the number #{name} without a unit; end it in one of #{SUFFIXES.join(', ')}, or say " \
+                  "`unit: #{AXIS}`, or which of #{NONE.join(', ')} it is") unless is_said || given
+      unit.refuse("is #{given}, but #{name} ends in a unit") if is_said && given
+      beside(node, name, given, names)
+    end
+
+    # A number whose form has the unit already.
+    def self.check_form(shown, names)
+      shown.node.refuse("is the speed #{shown.key}; expected a name that ends in _per_s") \
+        if shown.form == 'speed' && !shown.key.end_with?('_per_s')
+      beside(shown.node, shown.key, FORMS.fetch(shown.form), names)
+    end
+
+    def self.beside(node, name, given, names)
+      wanted = BESIDE[given]
+      node.refuse("has the unit of #{name} in #{wanted}, which is not there") if wanted && !names.include?(wanted)
+    end
+    private_class_method :beside
+  end
+end
