@@ -16,8 +16,9 @@ status_t list_terms_step(const robot_t *robot, const told_step_t *told, program_
 
     (void)memset(step, 0, sizeof *step);
     if ((told->has_angle != is_turning) || (told->dwell_s < 0.0) || (told->dwell_s > MOST_S) ||
-        !axis_terms_ticks(&robot->axes[robot->needle_axis], told->depth, &step->depth_ticks) ||
-        (is_turning && !axis_terms_ticks(&robot->axes[turning], told->angle, &step->angle_ticks))) {
+        !axis_terms_ticks(&robot->axes[robot->needle_axis], told->depth_mm, &step->depth_ticks) ||
+        (is_turning &&
+         !axis_terms_ticks(&robot->axes[turning], told->angle_deg, &step->angle_ticks))) {
         return STATUS_OUT_OF_RANGE;
     }
     step->dwell_ms = (uint32_t)round(told->dwell_s * MS_PER_S);

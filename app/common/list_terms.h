@@ -18,9 +18,9 @@
 
 /** A step of a treatment program; each number is finite. */
 typedef struct {
-    double depth; /**< Of the axis along the needle, in its unit. */
+    double depth_mm; /**< Of the axis along the needle. */
     bool has_angle;
-    double angle; /**< Of the one about it, in its unit; of no meaning without one. */
+    double angle_deg; /**< Of the one about it; of no meaning without one. */
     double dwell_s;
     bool is_gated;
 } told_step_t;

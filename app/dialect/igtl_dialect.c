@@ -46,6 +46,7 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_PROGRAM_DWELL:
     case STATUS_PROGRAM_DEPTH:
     case STATUS_PROGRAM_OTHER:
+    case STATUS_WRONG_UNIT:
         return IGTL_STATUS_CONFIG_ERROR;
     case STATUS_NO_AUTHORITY:
         return IGTL_STATUS_ACCESS_DENIED;

@@ -24,9 +24,9 @@ static bool has_angle(const robot_t *robot)
 static status_t read_words(const robot_t *robot, char **text, workphase_item_t *item)
 {
     told_step_t told = {.has_angle = has_angle(robot)};
-    const bool is_one = workphase_text_number(workphase_text_next(text), DBL_MAX, &told.depth) &&
-                        (!told.has_angle ||
-                         workphase_text_number(workphase_text_next(text), DBL_MAX, &told.angle)) &&
+    const bool is_one = workphase_text_number(workphase_text_next(text), DBL_MAX, &told.depth_mm) &&
+                        (!told.has_angle || workphase_text_number(workphase_text_next(text),
+                                                                  DBL_MAX, &told.angle_deg)) &&
                         workphase_text_number(workphase_text_next(text), DBL_MAX, &told.dwell_s);
     const char *gate = is_one ? workphase_text_next(text) : NULL;
 
@@ -45,13 +45,13 @@ static status_t read_row(const robot_t *robot, const igtl_message_t *message, ui
                          workphase_item_t *item)
 {
     told_step_t told = {.has_angle = has_angle(robot)};
-    double *const numbers[] = {&told.depth, &told.angle, &told.dwell_s};
+    double *const numbers[] = {&told.depth_mm, &told.angle_deg, &told.dwell_s};
     uint32_t at = index * message->columns;
     int32_t gate = 0;
     status_t status = STATUS_OK;
 
     for (uint32_t i = 0U; (i < 3U) && (status == STATUS_OK); i++) {
-        if ((numbers[i] != &told.angle) || told.has_angle) {
+        if ((numbers[i] != &told.angle_deg) || told.has_angle) {
             status = igtl_border_read_double(message, at, numbers[i]);
             at++;
         }

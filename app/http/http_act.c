@@ -3,11 +3,13 @@
 
 #include "http/http_door.h"
 #include "http/http_reply.h"
+#include "http/telemetry_units.h"
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
 #include "request/request_headers.h"
 
 #define NOT_SENT 499
+#define UNIT_SIZE 96U
 
 static int refuse(struct mg_connection *connection, problem_t problem)
 {
@@ -129,6 +131,18 @@ int http_act_refuse_member(const http_call_t *call, const char *pointer)
 {
     http_problem_t problem = http_problem_of(PROBLEM_OUT_OF_RANGE);
     problem.pointer = pointer;
+    return http_reply_problem(call->connection, &problem, NULL);
+}
+
+int http_act_refuse_unit(const http_call_t *call, const axis_config_t *axis, const char *pointer)
+{
+    char detail[UNIT_SIZE];
+    http_problem_t problem = http_problem_of(PROBLEM_WRONG_UNIT);
+    (void)snprintf(detail, sizeof detail, "Axis %s goes in %s: its numbers need \"unit\": \"%s\".",
+                   axis->name, telemetry_units_name(axis), telemetry_units_name(axis));
+    problem.detail = detail;
+    problem.pointer = pointer;
+    problem.axis = axis->name;
     return http_reply_problem(call->connection, &problem, NULL);
 }
 

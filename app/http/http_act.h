@@ -34,6 +34,13 @@ int http_act_command(http_server_t *server, const http_call_t *call, const comma
  * sent. */
 int http_act_refuse_member(const http_call_t *call, const char *pointer);
 
+/** Refuses the body for the unit that `pointer` leads to, which is missing or is not that of
+ * `axis`; the sentence says which it is. Returns the status sent.
+ *
+ * @satisfies SWR-HTTP-078
+ */
+int http_act_refuse_unit(const http_call_t *call, const axis_config_t *axis, const char *pointer);
+
 /** Refuses a body that has both of two members, or neither, where it shall have one; `pointer`
  * leads to the first. Returns the status sent. */
 int http_act_refuse_choice(const http_call_t *call, bool has_both, const char *pointer);

@@ -8,7 +8,13 @@
 #include <stdio.h>
 
 #define MS_PER_S 1000.0
-#define POINTER_SIZE 24U
+#define POINTER_SIZE 32U
+#define UNIT_MM 0U /* As routes.yml has its words. */
+
+static bool is_unit_of(const axis_config_t *axis, uint32_t unit)
+{
+    return (unit == UNIT_MM) == (axis->unit == (uint8_t)AXIS_UNIT_MM);
+}
 
 int http_motion_workphase(http_server_t *server, const http_call_t *call)
 {
@@ -27,6 +33,9 @@ int http_motion_jog(http_server_t *server, const http_call_t *call)
     command_t command = {.id = body->id, .kind = (uint32_t)kind, .argument = call->path.axis};
     if (body->has_distance == body->has_position) {
         return http_act_refuse_choice(call, body->has_distance, "/position");
+    }
+    if (!is_unit_of(axis, body->unit)) {
+        return http_act_refuse_unit(call, axis, "/unit");
     }
     return axis_terms_ticks(axis, way, &command.value)
                ? http_act_command(server, call, &command)
@@ -63,23 +72,48 @@ static bool read_speed(const robot_t *robot, const request_axis_speed_t *asked, 
     const uint32_t mask = (uint32_t)1U << axis;
     const bool is_new = (axis < robot->axis_count) && ((command->argument & mask) == 0U);
     command->argument |= mask;
-    return is_new && axis_terms_ticks(&robot->axes[axis], asked->speed, &command->ticks[axis]);
+    return is_new &&
+           axis_terms_ticks(&robot->axes[axis], asked->speed_per_s, &command->ticks[axis]);
 }
 
-/* As COMMAND_VELOCITY says; false when no way is so long. */
-static bool read_bound(const robot_t *robot, const request_velocity_t *body, command_t *command)
+/* 0, or the status of the refusal that was sent. */
+static int read_speeds(const http_call_t *call, const robot_t *robot, command_t *command)
 {
+    const request_velocity_t *body = &call->body.velocity;
+    char pointer[POINTER_SIZE];
+    for (uint32_t i = 0U; i < body->speeds_count; i++) {
+        const request_axis_speed_t *asked = &body->speeds[i];
+        if (!read_speed(robot, asked, command)) {
+            (void)snprintf(pointer, sizeof pointer, "/speeds/%u", (unsigned)i);
+            return http_act_refuse_member(call, pointer);
+        }
+        const axis_config_t *axis = &robot->axes[axis_terms_find(robot, asked->axis)];
+        if (!is_unit_of(axis, asked->unit)) {
+            (void)snprintf(pointer, sizeof pointer, "/speeds/%u/unit", (unsigned)i);
+            return http_act_refuse_unit(call, axis, pointer);
+        }
+    }
+    return 0;
+}
+
+/* As COMMAND_VELOCITY says. 0, or the status of the refusal that was sent. */
+static int read_bound(const http_call_t *call, const robot_t *robot, command_t *command)
+{
+    const request_velocity_t *body = &call->body.velocity;
     uint32_t axis = 0U;
     if (body->has_time_s) {
         command->value = (int32_t)round(body->time_s * MS_PER_S);
-        return true;
+        return 0;
     }
     while ((command->argument >> (axis + 1U)) != 0U) {
         axis++;
     }
+    if (!body->has_unit || !is_unit_of(&robot->axes[axis], body->unit)) {
+        return http_act_refuse_unit(call, &robot->axes[axis], "/unit");
+    }
     const bool is_one = axis_terms_ticks(&robot->axes[axis], body->way, &command->value);
     command->value = -command->value;
-    return is_one;
+    return is_one ? 0 : http_act_refuse_member(call, "/way");
 }
 
 int http_motion_velocity(http_server_t *server, const http_call_t *call)
@@ -87,16 +121,13 @@ int http_motion_velocity(http_server_t *server, const http_call_t *call)
     const request_velocity_t *body = &call->body.velocity;
     const robot_t *robot = exchange_robot(server->exchange);
     command_t command = {.id = body->id, .kind = (uint32_t)COMMAND_VELOCITY};
-    char pointer[POINTER_SIZE];
     if (body->has_time_s == body->has_way) {
         return http_act_refuse_choice(call, body->has_way, "/time_s");
     }
-    for (uint32_t i = 0U; i < body->speeds_count; i++) {
-        if (!read_speed(robot, &body->speeds[i], &command)) {
-            (void)snprintf(pointer, sizeof pointer, "/speeds/%u", (unsigned)i);
-            return http_act_refuse_member(call, pointer);
-        }
+    if (body->has_time_s && body->has_unit) {
+        return http_act_refuse_choice(call, true, "/unit");
     }
-    return read_bound(robot, body, &command) ? http_act_command(server, call, &command)
-                                             : http_act_refuse_member(call, "/way");
+    int status = read_speeds(call, robot, &command);
+    status = (status == 0) ? read_bound(call, robot, &command) : status;
+    return (status == 0) ? http_act_command(server, call, &command) : status;
 }

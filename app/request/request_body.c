@@ -24,7 +24,8 @@ typedef struct {
     level_t levels[REQUEST_DEPTH];
     uint32_t depth;
     request_fault_t fault;
-    char name[REQUEST_NAME_SIZE]; /* Beside the present object's pointer, where the fault is. */
+    const request_field_t *missing; /* NULL: it is another fault. */
+    char name[REQUEST_NAME_SIZE];   /* Beside the present object's pointer, where the fault is. */
 } reader_t;
 
 static void fail(reader_t *self, request_fault_t fault)
@@ -189,6 +190,7 @@ static void leave(reader_t *self, const level_t *level)
     const request_field_t *missing = request_names_missing(level->message, level->seen);
     if (missing != NULL) {
         (void)snprintf(self->name, sizeof self->name, "%s", missing->name);
+        self->missing = missing;
         fail(self, REQUEST_MISSING);
         return;
     }
@@ -278,6 +280,9 @@ request_result_t request_read_body(const request_message_t *message, const char 
         const request_message_t *at =
             (reader.depth > 0U) ? reader.levels[innermost].message : message;
         request_fault_set(&result, reader.fault, at);
+        if (reader.missing != NULL) {
+            request_fault_add_words(&result, reader.missing);
+        }
         write_place(&reader, result.place);
     }
     return result;

@@ -2,6 +2,7 @@
 # frozen_string_literal: true
 
 require_relative 'node'
+require_relative 'units'
 
 module Interface
   # A member of a request's body, or a parameter of its query.
@@ -13,9 +14,9 @@ module Interface
     }.freeze
     WHOLE = %w[uint32 int32].freeze
     NAME_MOST = 47 # REQUEST_NAME_SIZE
-    KEYS = %w[optional minimum maximum size list only].freeze
+    KEYS = %w[optional minimum maximum size list only unit].freeze
 
-    attr_reader :name, :says, :node, :type, :words, :enumeration, :message, :size, :list, :minimum, :maximum
+    attr_reader :name, :says, :node, :type, :words, :enumeration, :message, :size, :list, :minimum, :maximum, :unit
 
     def initialize(node)
       nodes = node.mapping(%w[name type], %w[says] + KEYS)
@@ -28,6 +29,7 @@ module Interface
       @size = nodes['size']&.integer(1..65_535)
       @list = read_list(nodes['list'])
       @only = nodes['only']
+      @unit = nodes['unit']
       read_bounds(nodes)
       node.refuse("has a name longer than #{NAME_MOST}") if name.size > NAME_MOST
     end
@@ -54,6 +56,10 @@ module Interface
 
     def whole?
       WHOLE.include?(@type)
+    end
+
+    def number?
+      whole? || @type == 'number'
     end
 
     # [word, value] of a word.
@@ -135,6 +141,7 @@ module Interface
 
     def check(model, requests)
       members.each { |member| member.check(model, requests) }
+      members.select(&:number?).each { |one| Units.check(one.node, one.name, one.unit, members.map(&:name)) }
       members.group_by(&:name).each_value { |same| same[1]&.node&.refuse("is the second #{same.first.name} in #{name}") }
       others = @choices.flatten - members.select(&:optional?).map(&:name)
       @node.refuse("one_of of #{name} names #{others.join(', ')}, no optional member") unless others.empty?

@@ -2,7 +2,7 @@
 # frozen_string_literal: true
 
 module Interface
-  # The unit of each number that HTTP clients read: its name ends in it, or the member `unit` beside it says it
+  # The unit of each number that HTTP clients read or write: its name ends in it, or the member `unit` beside it says it
   # (`unit: axis`), or the file says what it is instead of a quantity.
   #
   # @satisfies SWR-TOOL-028

@@ -20,6 +20,7 @@ module Robot
       @parts = Psych.safe_load_file(path)
       needles = axes.count { |axis| needle(axis) == 'along' }
       refuse('axes', "are #{needles} along the needle; expected 1") unless needles == 1
+      check_needle_units
     end
 
     # Their names, in order.
@@ -81,6 +82,18 @@ module Robot
     # Of what stands in `field`.
     def refuse(field, reason)
       raise Refused.new(@path, field, reason)
+    end
+
+    private
+
+    # Depths are told in mm and angles in degrees, whatever the robot.
+    #
+    # @satisfies SWR-TOOL-029
+    def check_needle_units
+      { 'along' => 'mm', 'about' => 'rad' }.each do |motion, expected|
+        odd = axes.find { |axis| needle(axis) == motion && unit(axis) != expected }
+        refuse("axes.#{odd}", "goes #{motion} the needle in #{unit(odd)}; expected #{expected}") if odd
+      end
     end
   end
 end

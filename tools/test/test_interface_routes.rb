@@ -70,8 +70,8 @@ class TestInterfaceRoutes < Minitest::Test
         says: What to paint.
         members:
           - {name: colour, type: colour, says: "Of it."}
-          - {name: coats, type: uint32, minimum: 1, maximum: 9}
-          - {name: shift, type: int32}
+          - {name: coats, type: uint32, unit: count, minimum: 1, maximum: 9}
+          - {name: shift, type: int32, unit: count}
           - {name: wet, type: flag}
           - {name: kind, type: [oil, water]}
           - {name: name, type: text, size: 6}
@@ -241,7 +241,7 @@ class TestInterfaceRoutes < Minitest::Test
     - name: stroke
       says: A stroke.
       members:
-        - {name: id, type: uint32}
+        - {name: id, type: uint32, unit: id}
         - {name: colour, type: colour, only: [BLUE]}
   YAML
 
@@ -291,7 +291,7 @@ class TestInterfaceRoutes < Minitest::Test
   { 'a_value_that_is_none' => ['{axis}', '{wall}', 'has wall; expected at most one of axis, number, name'],
     'two_values' => ['/walls/', '/walls/{name}/', 'has name, axis; expected at most one'],
     'a_word_that_the_type_has_not' => ['[BLUE]', '[GREEN]', 'holds GREEN, which its type has not'],
-    'an_act_without_an_id' => ['{name: id, type: uint32}', '{name: it, type: uint32}', 'its body has no id'],
+    'an_act_without_an_id' => ['{name: id, type: uint32,', '{name: it, type: uint32,', 'its body has no id'],
     'authority_for_anyone' => ["POST\n    who: PAINTER", "POST\n    who: anyone", 'is of a page, but is a GET or for anyone'],
     'a_command_that_is_none' => ['authority: true', 'command: WHISTLE', 'is no command'] }
     .each do |what, (old, new, reason)|
@@ -327,7 +327,7 @@ class TestInterfaceRoutes < Minitest::Test
     'a body and another medium' => ['body_most: 300', 'body_most: 300, sends: text/csv', 26, 'has both body and sends'],
     'a body of a GET' => ['says: "The tin."', 'says: "The tin.", body: stripe, body_most: 9', 25, 'has a body, but is a GET'],
     'a route without an answer' => ["    media: text/event-stream\n", '', 28, 'has neither answer nor media'],
-    'a list in a query' => ['{name: of, type: colour}', '{name: of, type: uint32, list: [1, 2]}', 25, 'is a list or an object'],
+    'a list in a query' => ['{name: of, type: colour}', '{name: of, type: uint32, unit: id, list: [1, 2]}', 25, 'is a list or an object'],
     'an unknown key' => ['lenient: true', 'lenent: true', 27, 'lenent: is unknown'],
     'a name beyond its room' => ['name: shift', "name: #{'a' * 48}", 17, 'has a name longer than 47']
   }.freeze

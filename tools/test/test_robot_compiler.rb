@@ -617,6 +617,19 @@ class TestRobotCompiler < Minitest::Test
     end
   end
 
+  def test_SWR_TOOL_029_the_needle_goes_in_mm_and_is_turned_by_an_angle
+    Dir.mktmpdir do |folder|
+      FileUtils.mkdir_p(File.join(folder, 'odd'))
+      path = File.join(folder, 'odd', 'kinematics.yml')
+      { 'axes: {a: [rad, along]}' => 'axes.a: goes along the needle in rad; expected mm',
+        'axes: {a: [mm, along], b: [mm, about]}' => 'axes.b: goes about the needle in mm; expected rad' }.each do |text, reason|
+        File.write(path, text)
+        error = assert_raises(Robot::Refused) { Robot::Kinematics.new('odd', folder) }
+        assert_equal "#{path}: #{reason}", error.message
+      end
+    end
+  end
+
   def test_SWR_ROBOT_001_a_home_outside_the_separation_limits_is_refused
     assert_refused(with('home_separation_mm: 143', 'home_separation_mm: 146.5'),
                    'geometry.home_separation_mm: is 146.5; expected between 75 and 146',

@@ -56,7 +56,8 @@ class VelocityTest
 
   def run(robot, page)
     speed = -SPEED_TICKS_PER_S * DEGREES_PER_TICK
-    asked = { speeds: [{ axis: AXIS, speed: speed.round(6) }], way: (WAY_TICKS * DEGREES_PER_TICK).round(6) }
+    asked = { speeds: [{ axis: AXIS, speed_per_s: speed.round(6), unit: 'deg' }], way: (WAY_TICKS * DEGREES_PER_TICK).round(6),
+              unit: 'deg' }
     expect(page.act('velocity', asked), 'accepted')
     robot.simctl('pedal', 'press')
     robot.wait_until('it has ended') { state(page.act('velocity', asked, id: page.id)) == 'done' }

@@ -98,7 +98,7 @@ class Page < Player
 
   def jog
     @client.act('workphase', { workphase: 'MANUAL' })
-    @client.act('motors/needle/jog', { position: @random.rand(0.0..30.0) })
+    @client.act('motors/needle/jog', { position: @random.rand(0.0..30.0), unit: 'mm' })
   end
 
   # On the way, if the pedal is pressed soon.

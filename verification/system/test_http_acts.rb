@@ -34,9 +34,9 @@ class TestHttpActs < Minitest::Test
   def test_SWR_HTTP_021_control_refuses_by_name
     anna = holder
     anna.act('workphase', { workphase: 'PLANNING' })
-    assert_answer '409', 'WRONG_WORKPHASE', anna.act('motors/yaw/jog', { position: 0 })
+    assert_answer '409', 'WRONG_WORKPHASE', anna.act('motors/yaw/jog', { position: 0, unit: 'deg' })
     anna.act('workphase', { workphase: 'MANUAL' })
-    told = assert_answer '409', 'AXIS_LIMIT', anna.act('motors/yaw/jog', { position: 1000 })
+    told = assert_answer '409', 'AXIS_LIMIT', anna.act('motors/yaw/jog', { position: 1000, unit: 'deg' })
     assert_equal %w[yaw upper], told.values_at('axis', 'limit')
     assert_described '/api/v1/motors/{axis}/jog', 'POST', anna.last
   end
@@ -116,7 +116,7 @@ class TestHttpActs < Minitest::Test
     anna = holder
     stream = open_stream
     anna.act('workphase', { workphase: 'MANUAL' })
-    begun = assert_answer '202', 'accepted', anna.act('motors/yaw/jog', { position: -3 })
+    begun = assert_answer '202', 'accepted', anna.act('motors/yaw/jog', { position: -3, unit: 'deg' })
     assert_equal ['OK', 'Accepted; its end is told later.'], begun.values_at('code', 'message')
     anna.give_up
     told = stream.next_of('act')
@@ -134,13 +134,13 @@ class TestHttpActs < Minitest::Test
     anna = holder
     anna.act('workphase', { workphase: 'MANUAL' })
     before = yaw.fetch('position')
-    assert_answer '202', 'accepted', anna.act('motors/6/jog', { position: -2 })
+    assert_answer '202', 'accepted', anna.act('motors/6/jog', { position: -2, unit: 'deg' })
     refute yaw.fetch('is_driven')
     assert_equal before, yaw.fetch('position')
     assert_equal 0, yaw.fetch('output_percent')
     boresight.simctl('pedal', 'press')
     wait_until('it is driven downwards') { yaw.fetch('output_percent').negative? }
-    wait_until('it is done') { JSON.parse(anna.act('motors/6/jog', { position: -2 }, id: anna.id).body)['state'] == 'done' }
+    wait_until('it is done') { JSON.parse(anna.act('motors/6/jog', { position: -2, unit: 'deg' }, id: anna.id).body)['state'] == 'done' }
     assert_in_delta(-2, yaw.fetch('position'), 0.02)
   ensure
     boresight.simctl('pedal', 'release')
@@ -149,16 +149,16 @@ class TestHttpActs < Minitest::Test
   def test_SWR_HTTP_027_an_axis_that_is_not_there_is_refused
     anna = holder
     ['nose', '7', '00', '-1', 'yaw%20', 'YAW', '4294967296', "a#{'b' * 100}"].each do |axis|
-      assert_answer '404', 'NOT_THERE', anna.act("motors/#{axis}/jog", { position: 0 })
+      assert_answer '404', 'NOT_THERE', anna.act("motors/#{axis}/jog", { position: 0, unit: 'deg' })
     end
-    ['', 'yaw/x', '/yaw', 'yaw/'].each { |axis| assert_answer '404', 'NOT_FOUND', anna.act("motors/#{axis}/jog", { position: 0 }) }
+    ['', 'yaw/x', '/yaw', 'yaw/'].each { |axis| assert_answer '404', 'NOT_FOUND', anna.act("motors/#{axis}/jog", { position: 0, unit: 'deg' }) }
     assert_equal '405', anna.request('get', '/api/v1/motors/yaw/jog').code
   end
 
   def test_SWR_HTTP_029_what_no_axis_can_mean_is_refused_where_it_stands
     anna = holder
     ['1e7', '-1e7'].each do |text|
-      found = anna.request('post', '/api/v1/motors/yaw/jog', "{\"id\":#{anna.id += 1},\"position\":#{text}}", 'X-Boresight-Page' => anna.page.to_s)
+      found = anna.request('post', '/api/v1/motors/yaw/jog', "{\"id\":#{anna.id += 1},\"position\":#{text},\"unit\":\"deg\"}", 'X-Boresight-Page' => anna.page.to_s)
       assert_equal %w[OUT_OF_RANGE /position], JSON.parse(found.body).values_at('code', 'pointer')
     end
   end
@@ -191,7 +191,7 @@ class TestHttpActs < Minitest::Test
     head[:axis] = 'yaw'
     head[:observer] = { 'Cookie' => olga.cookie, 'X-Boresight-Token' => olga.token }
     anna.id += 1
-    body = +"{\"id\":#{anna.id},\"position\":-3}"
+    body = +"{\"id\":#{anna.id},\"position\":-3,\"unit\":\"deg\"}"
     faults.reverse.each { |fault| FAULTS.fetch(fault).call(head, body) }
     head.delete(:observer)
     axis = head.delete(:axis)

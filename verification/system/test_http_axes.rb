@@ -99,7 +99,7 @@ class TestHttpAxes < Minitest::Test
   PROGRAM = '/api/v1/program'
 
   def send_program(page, *steps)
-    steps = steps.map { |depth, angle, dwell_s, gate| { depth:, angle:, dwell_s:, gate: } }
+    steps = steps.map { |depth_mm, angle_deg, dwell_s, gate| { depth_mm:, angle_deg:, dwell_s:, gate: } }
     page.request('post', PROGRAM, JSON.generate({ steps: }), 'X-Boresight-Page' => page.page.to_s)
   end
 
@@ -244,30 +244,67 @@ class TestHttpAxes < Minitest::Test
     told
   end
 
+  def speed(axis, speed_per_s, unit = 'deg')
+    { axis:, speed_per_s:, unit: }
+  end
+
   def test_SWR_VEL_013_an_axis_runs_at_a_speed_for_a_way_and_up_to_its_limit
     anna = holder('anna')
     start = position('rotation')
-    told = run_at(anna, { speeds: [{ axis: 'rotation', speed: -50 }], way: 40 })
+    told = run_at(anna, { speeds: [speed('rotation', -50)], way: 40, unit: 'deg' })
     assert_equal 'done', told['state'], told
     assert_in_delta start - 40, position('rotation'), 0.1
-    told = run_at(anna, { speeds: [{ axis: 'pitch', speed: 50 }, { axis: 'rotation', speed: 20 }], time_s: 3 })
+    told = run_at(anna, { speeds: [speed('pitch', 50), speed('rotation', 20)], time_s: 3 })
     assert_equal %w[failed SWITCH_ZONE pitch], told.values_at('state', 'code', 'axis'), told
   end
 
   def test_SWR_VEL_013_what_is_no_speed_is_refused_by_its_place_or_name
     anna = holder('anna')
-    yaw = { axis: 'yaw', speed: -5 }
-    { { speeds: [yaw, { axis: 'nose', speed: 1 }], time_s: 1 } => ['422', 'OUT_OF_RANGE', '/speeds/1'],
+    yaw = speed('yaw', -5)
+    { { speeds: [yaw, speed('nose', 1)], time_s: 1 } => ['422', 'OUT_OF_RANGE', '/speeds/1'],
       { speeds: [yaw, yaw], time_s: 1 } => ['422', 'OUT_OF_RANGE', '/speeds/1'],
-      { speeds: [yaw], time_s: 1, way: 1 } => ['400', 'BAD_BODY', '/time_s'],
+      { speeds: [yaw], time_s: 1, way: 1, unit: 'deg' } => ['400', 'BAD_BODY', '/time_s'],
       { speeds: [yaw] } => ['400', 'BAD_BODY', '/time_s'],
-      { speeds: [{ axis: 'yaw', speed: 61 }], time_s: 1 } => ['409', 'TOO_FAST', nil],
-      { speeds: [{ axis: 'yaw', speed: 0 }], time_s: 1 } => ['409', 'OUT_OF_RANGE', nil] }.each do |fields, expected|
+      { speeds: [speed('yaw', 61)], time_s: 1 } => ['409', 'TOO_FAST', nil],
+      { speeds: [speed('yaw', 0)], time_s: 1 } => ['409', 'OUT_OF_RANGE', nil] }.each do |fields, expected|
       refusal = anna.act('velocity', fields)
       told = JSON.parse(refusal.body)
       assert_equal expected, [refusal.code, *told.values_at('code', 'pointer')], refusal.body
       assert_described '/api/v1/velocity', 'POST', refusal
     end
+  end
+
+  # Code of HTTP, name, place and sentence of the refusal of `fields`.
+  def refusal_of(page, path, fields)
+    refusal = page.act(path, fields)
+    [refusal.code, *JSON.parse(refusal.body).values_at('code', 'pointer', 'detail')]
+  end
+
+  def test_SWR_HTTP_078_the_unit_of_another_axis_is_refused_with_that_of_this_one
+    anna = holder('anna')
+    yaw = 'Axis yaw goes in deg: its numbers need "unit": "deg".'
+    assert_equal ['422', 'WRONG_UNIT', '/unit', yaw], refusal_of(anna, 'motors/yaw/jog', { position: 0, unit: 'mm' })
+    assert_act_described 'jog', anna.last
+    assert_equal ['422', 'WRONG_UNIT', '/unit', yaw.gsub('yaw', 'head').gsub('deg', 'mm')],
+                 refusal_of(anna, 'motors/head/jog', { distance: 1, unit: 'deg' })
+    assert_equal ['422', 'WRONG_UNIT', '/speeds/0/unit', yaw], refusal_of(anna, 'velocity', { speeds: [speed('yaw', -5, 'mm')], time_s: 1 })
+    [{}, { unit: 'mm' }].each do |unit|
+      assert_equal ['422', 'WRONG_UNIT', '/unit', yaw], refusal_of(anna, 'velocity', { speeds: [speed('yaw', -5)], way: 1, **unit })
+      assert_described '/api/v1/velocity', 'POST', anna.last
+    end
+    assert_equal %w[400 BAD_BODY /unit], refusal_of(anna, 'velocity', { speeds: [speed('yaw', -5)], time_s: 1, unit: 'deg' }).take(3)
+  end
+
+  def test_SWR_HTTP_079_a_number_of_before_is_refused_with_what_is_expected_now
+    anna = holder('anna')
+    assert_equal ['400', 'BAD_BODY', '/unit', 'This is missing. Expected is one of mm, deg.'],
+                 refusal_of(anna, 'motors/yaw/jog', { position: 0 })
+    assert_equal ['400', 'BAD_BODY', '/speeds/0/speed', 'Nothing of this name is expected. Expected are axis, speed_per_s, unit.'],
+                 refusal_of(anna, 'velocity', { speeds: [{ axis: 'yaw', speed: 5 }], time_s: 1 })
+    step = { depth: 1, angle: 0, dwell_s: 1, gate: false }
+    refusal = anna.request('post', PROGRAM, JSON.generate({ steps: [step] }), 'X-Boresight-Page' => anna.page.to_s)
+    assert_equal ['/steps/0/depth', 'Nothing of this name is expected. Expected are depth_mm, angle_deg, dwell_s, gate.'],
+                 JSON.parse(refusal.body).values_at('pointer', 'detail')
   end
 
   def test_SWR_SWEEP_012_a_sweep_is_commanded_by_name_and_refused_by_name
@@ -315,13 +352,13 @@ class TestHttpAxes < Minitest::Test
     anna = holder('anna')
     assert_answer '200', 'done', anna.act('motors/yaw/disable')
     assert_act_described 'disable', anna.last
-    assert_answer '409', 'FAULT_PRESENT', anna.act('motors/yaw/jog', { distance: -1 })
+    assert_answer '409', 'FAULT_PRESENT', anna.act('motors/yaw/jog', { distance: -1, unit: 'deg' })
     assert_answer '200', 'done', anna.act('motors/yaw/enable')
     assert_act_described 'enable', anna.last
-    assert_answer '202', 'accepted', anna.act('motors/yaw/jog', { distance: -1 })
+    assert_answer '202', 'accepted', anna.act('motors/yaw/jog', { distance: -1, unit: 'deg' })
     assert_act_described 'jog', anna.last
     [{}, { position: 0, distance: -1 }].each do |body|
-      anna.act('motors/yaw/jog', body)
+      anna.act('motors/yaw/jog', body.merge(unit: 'deg'))
       assert_equal ['400', '/position'], [anna.last.code, JSON.parse(anna.last.body)['pointer']]
     end
   end

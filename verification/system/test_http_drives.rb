@@ -24,9 +24,9 @@ class TestHttpDrives < Minitest::Test
     assert_equal 'verified', needle.fetch('reference')
     anna = holder
     assert_answer '200', 'done', anna.act('workphase', { workphase: 'MANUAL' })
-    assert_answer '202', 'accepted', anna.act('motors/needle/jog', { position: 5 })
+    assert_answer '202', 'accepted', anna.act('motors/needle/jog', { position: 5, unit: 'mm' })
     boresight.simctl('pedal', 'press')
-    wait_until('the jog is done') { JSON.parse(anna.act('motors/needle/jog', { position: 5 }, id: anna.id).body)['state'] == 'done' }
+    wait_until('the jog is done') { JSON.parse(anna.act('motors/needle/jog', { position: 5, unit: 'mm' }, id: anna.id).body)['state'] == 'done' }
     assert_in_delta 5, needle.fetch('position'), 0.002
   ensure
     boresight.simctl('pedal', 'release')

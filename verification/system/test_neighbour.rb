@@ -48,10 +48,10 @@ class TestNeighbour < SystemTest
     boresight.simctl('pedal', 'release')
     boresight.await_released_pedal
     assert_equal '200', page.act('workphase', { workphase: 'MANUAL' }).code, page.last.body
-    assert_equal '202', page.act('motors/needle/jog', { position: 5 }).code, page.last.body
+    assert_equal '202', page.act('motors/needle/jog', { position: 5, unit: 'mm' }).code, page.last.body
     boresight.simctl('pedal', 'press')
     wait_until('the jog is done') do
-      JSON.parse(page.act('motors/needle/jog', { position: 5 }, id: page.id).body)['state'] == 'done'
+      JSON.parse(page.act('motors/needle/jog', { position: 5, unit: 'mm' }, id: page.id).body)['state'] == 'done'
     end
     boresight.simctl('pedal', 'release')
   end

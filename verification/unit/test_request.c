@@ -132,6 +132,17 @@ void test_SWR_HTTP_011_nothing_and_an_empty_object_say_nothing(void)
     TEST_ASSERT_EQUAL_STRING("/a", result.place);
 }
 
+void test_SWR_HTTP_079_a_word_that_is_missing_is_asked_for_with_its_words(void)
+{
+    static const request_word_t units[] = {{"mm", 0U}, {"deg", 1U}};
+    static const request_field_t unit = {
+        .name = "unit", .kind = REQUEST_WORD, .word_count = 2U, .words = units};
+    static const request_message_t message = {&unit, 1U};
+    const request_result_t result = request_read_body(&message, "{}", 2U, NULL);
+    TEST_ASSERT_EQUAL_STRING("/unit", result.place);
+    TEST_ASSERT_EQUAL_STRING("This is missing. Expected is one of mm, deg.", result.text);
+}
+
 void test_SWR_HTTP_011_members_are_known_single_and_complete(void)
 {
     refuse(with("speed", "1"), REQUEST_UNKNOWN, "/speed");

@@ -24,12 +24,12 @@ function isStep(one: unknown): one is Step {
   if (typeof one !== "object" || one === null) {
     return false;
   }
-  const { depth, angle, dwell_s, gate } = one as Partial<Step>;
+  const { depth_mm, angle_deg, dwell_s, gate } = one as Partial<Step>;
   return (
-    typeof depth === "number" &&
+    typeof depth_mm === "number" &&
     typeof dwell_s === "number" &&
     typeof gate === "boolean" &&
-    (angle === undefined || typeof angle === "number")
+    (angle_deg === undefined || typeof angle_deg === "number")
   );
 }
 
@@ -38,9 +38,9 @@ export function readProgram(text: string): StepText[] | null {
   try {
     const { steps } = JSON.parse(text) as { steps?: unknown };
     return Array.isArray(steps) && steps.length > 0 && steps.every(isStep)
-      ? steps.map(({ depth, angle, dwell_s, gate }) => ({
-          depth: String(depth),
-          angle: angle === undefined ? "" : String(angle),
+      ? steps.map(({ depth_mm, angle_deg, dwell_s, gate }) => ({
+          depth: String(depth_mm),
+          angle: angle_deg === undefined ? "" : String(angle_deg),
           dwell: String(dwell_s),
           gate,
         }))
@@ -63,8 +63,8 @@ export function writeProgram(
     return depthNumber === undefined || dwellNumber === undefined
       ? null
       : {
-          depth: depthNumber,
-          ...(angleNumber !== undefined && { angle: angleNumber }),
+          depth_mm: depthNumber,
+          ...(angleNumber !== undefined && { angle_deg: angleNumber }),
           dwell_s: dwellNumber,
           gate,
         };

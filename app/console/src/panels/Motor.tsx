@@ -152,7 +152,7 @@ function Jog({
           key={way}
           commanding={commanding}
           path={path}
-          fields={{ distance: way * step }}
+          fields={{ distance: way * step, unit: axis.unit }}
           refusal={refusals.JOG ?? barred[way < 0 ? "downwards" : "upwards"]}
           isTold
         >

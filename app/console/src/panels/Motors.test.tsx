@@ -108,7 +108,10 @@ test("SWR-CON-017 an axis is jogged by the step that was chosen", async () => {
   fireEvent.change(screen.getByLabelText(/^Step/), { target: { value: "5" } });
   press("yaw", "−5.00 °");
   expect(commander.acts()).toEqual([
-    { path: "/api/v1/motors/yaw/jog", body: { id: 1, distance: -5 } },
+    {
+      path: "/api/v1/motors/yaw/jog",
+      body: { id: 1, distance: -5, unit: "deg" },
+    },
   ]);
 });
 
@@ -122,7 +125,10 @@ test("SWR-CON-017 an axis goes to a position that is a number", async () => {
   fireEvent.change(place, { target: { value: "-2.5" } });
   press("head", "Go to");
   expect(commander.acts()).toEqual([
-    { path: "/api/v1/motors/head/jog", body: { id: 1, position: -2.5 } },
+    {
+      path: "/api/v1/motors/head/jog",
+      body: { id: 1, position: -2.5, unit: "mm" },
+    },
   ]);
 });
 
@@ -201,7 +207,10 @@ test("SWR-CON-025 a slider that is let go arms a jog, and stands there until tha
     await Promise.resolve();
   });
   expect(commander.acts()).toEqual([
-    { path: "/api/v1/motors/head/jog", body: { id: 1, position: 13.5 } },
+    {
+      path: "/api/v1/motors/head/jog",
+      body: { id: 1, position: 13.5, unit: "mm" },
+    },
   ]);
   expect(sliderOf("head").getAttribute("aria-valuenow")).toBe("13.5");
   const mode = { name: "JOG", text: "" };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useState } from "react";
-import type { Modes, Path, RobotState } from "@interface";
+import type { Axis, Modes, Path, RobotState } from "@interface";
 import { useCommanding, type Commanding, type Operation } from "../operation";
 import { reasonAgainst, reasonAgainstAxis, type Way } from "../outlook";
 import { OrderNotes } from "../parts/Order";
@@ -61,10 +61,10 @@ function useAsked(robot: RobotState, commanding: Commanding) {
       setAsked(null);
     }
   }, [order]);
-  const send = async (axis: string, position: number) => {
+  const send = async ({ name: axis, unit }: Axis, position: number) => {
     setAsked({ axis, position });
     const path: Path = `/api/v1/motors/${axis}/jog`;
-    if (!(await commanding.command(path, { position }))) {
+    if (!(await commanding.command(path, { position, unit }))) {
       setAsked(null);
     }
   };
@@ -116,7 +116,7 @@ export function Motors({
             barred={barredWaysOf(outlook, axis.name)}
             shared={shared}
             asked={asked?.axis === axis.name ? asked.position : null}
-            send={(position) => void send(axis.name, position)}
+            send={(position) => void send(axis, position)}
           />
         ))}
       </ul>

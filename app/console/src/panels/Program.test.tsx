@@ -22,8 +22,8 @@ const held = {
   dwelt_s: 3.25,
 };
 const steps = [
-  { depth: 12, angle: 90, dwell_s: 30, gate: true },
-  { depth: 8, dwell_s: 0, gate: false },
+  { depth_mm: 12, angle_deg: 90, dwell_s: 30, gate: true },
+  { depth_mm: 8, dwell_s: 0, gate: false },
 ];
 let commander: Commander;
 
@@ -74,15 +74,15 @@ test("SWR-CON-034 steps are written, added, removed and sent", () => {
   press("Add a step");
   press("Remove step 1");
   press("Add a step");
-  write("Depth of step 1", "12");
-  write("Angle of step 1", "90");
+  write("Depth, mm of step 1", "12");
+  write("Angle, ° of step 1", "90");
   write("Dwell, s of step 1", "30");
   fireEvent.click(screen.getByLabelText("Gate of step 1"));
   expect(
     screen.getByRole<HTMLButtonElement>("button", { name: "Send and check" })
       .disabled,
   ).toBe(true);
-  write("Depth of step 2", "8");
+  write("Depth, mm of step 2", "8");
   press("Send and check");
   expect(commander.acts()).toEqual([{ path: PATH, body: { steps } }]);
 });
@@ -117,15 +117,18 @@ test("SWR-CON-034 another's program is not taken for the one that stands here", 
   expect(screen.queryByText("done")).toBeNull();
 });
 
-test.each(["", "{}", '{"steps": []}', '{"steps": [{"depth": "1"}]}'])(
-  "SWR-CON-034 a file of %j is no program",
-  async (text) => {
-    await take(text);
-    expect(screen.getByRole("alert").textContent).toBe(
-      "program.json is no treatment program.",
-    );
-  },
-);
+test.each([
+  "",
+  "{}",
+  '{"steps": []}',
+  '{"steps": [{"depth_mm": "1"}]}',
+  '{"steps": [{"depth": 1, "dwell_s": 1, "gate": false}]}',
+])("SWR-CON-034 a file of %j is no program", async (text) => {
+  await take(text);
+  expect(screen.getByRole("alert").textContent).toBe(
+    "program.json is no treatment program.",
+  );
+});
 
 test("SWR-CON-034 a refusal names the step", async () => {
   await take(JSON.stringify({ steps }));

@@ -21,8 +21,8 @@ const PATH: Path = "/api/v1/program";
 type Field = "depth" | "angle" | "dwell";
 
 const fields: readonly (readonly [Field, string])[] = [
-  ["depth", "Depth"],
-  ["angle", "Angle"],
+  ["depth", "Depth, mm"],
+  ["angle", "Angle, °"],
   ["dwell", "Dwell, s"],
 ];
 

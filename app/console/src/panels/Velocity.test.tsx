@@ -63,8 +63,8 @@ test("SWR-CON-035 axes run at their speeds for a time", () => {
   write("of seconds, ramps included", "2");
   fireEvent.click(run());
   const speeds = [
-    { axis: "head", speed: 3 },
-    { axis: "yaw", speed: -12.5 },
+    { axis: "head", speed_per_s: 3, unit: "mm" },
+    { axis: "yaw", speed_per_s: -12.5, unit: "deg" },
   ];
   expect(commander.acts()).toEqual([
     { path: "/api/v1/velocity", body: { id: 1, speeds, time_s: 2 } },
@@ -78,8 +78,9 @@ test("SWR-CON-035 one axis runs for a way in its unit", () => {
   fireEvent.click(run());
   expect(commander.acts()[0]?.body).toEqual({
     id: 1,
-    speeds: [{ axis: "yaw", speed: 10 }],
+    speeds: [{ axis: "yaw", speed_per_s: 10, unit: "deg" }],
     way: 5,
+    unit: "deg",
   });
 });
 

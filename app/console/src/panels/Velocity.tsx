@@ -12,7 +12,8 @@ type Bound = "time_s" | "way";
 
 interface AxisSpeed {
   axis: string;
-  speed: number | undefined;
+  speed_per_s: number | undefined;
+  unit: Axis["unit"];
 }
 
 /** What is missing before it can be commanded, or null. Limits are the server's to judge. */
@@ -21,7 +22,7 @@ function missingOf(
   bound: Bound,
   amount: number | undefined,
 ): string | null {
-  const bad = speeds.find(({ speed }) => speed === undefined);
+  const bad = speeds.find(({ speed_per_s }) => speed_per_s === undefined);
   if (speeds.length === 0) {
     return "Write the speed of an axis.";
   }
@@ -85,9 +86,10 @@ export function Velocity({
   const { axes } = robot.motors;
   const speeds = axes
     .filter(({ name }) => (texts[name] ?? "").trim() !== "")
-    .map(({ name }): AxisSpeed => ({
+    .map(({ name, unit }): AxisSpeed => ({
       axis: name,
-      speed: readNumbers(texts[name] ?? "", 1)?.[0],
+      speed_per_s: readNumbers(texts[name] ?? "", 1)?.[0],
+      unit,
     }));
   const amount = readNumbers(amountText, 1)?.[0];
   const moved = axes.find(({ name }) => name === speeds[0]?.axis);
@@ -131,7 +133,11 @@ export function Velocity({
         <Order
           commanding={commanding}
           path="/api/v1/velocity"
-          fields={{ speeds, [bound]: amount }}
+          fields={{
+            speeds,
+            [bound]: amount,
+            ...(bound === "way" && { unit: moved?.unit }),
+          }}
           refusal={refusal ?? missingOf(speeds, bound, amount)}
         >
           Run
