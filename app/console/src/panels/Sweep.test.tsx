@@ -20,8 +20,18 @@ const kept: Kept = {
   ended: "2026-11-22T17:50:00.123Z",
   end: "POINTS",
   points: [
-    { frequency_hz: 53000, upwards_rpm: 1.5, downwards_rpm: 1.25, expected_rpm: null },
-    { frequency_hz: 51000, upwards_rpm: 120, downwards_rpm: 118.5, expected_rpm: 121 },
+    {
+      frequency_hz: 53000,
+      upwards_rpm: 1.5,
+      downwards_rpm: 1.25,
+      expected_rpm: null,
+    },
+    {
+      frequency_hz: 51000,
+      upwards_rpm: 120,
+      downwards_rpm: 118.5,
+      expected_rpm: 121,
+    },
   ],
 };
 const begun = ["SWEEP_BEGUN", "SWEEP_WORD", "SWEEP_UPWARDS", "SWEEP_WORD"];
