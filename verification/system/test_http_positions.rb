@@ -125,16 +125,17 @@ class TestHttpPositions < Minitest::Test
   end
 
   def test_SWR_REF_020_an_axis_that_has_not_moved_is_restored_against_its_counts
-    body = { file: miscounted('head') }
-    before = axes.first.fetch('position_ticks')
-    assert_equal ['moved', false], why_of('head', preview(body))
-    assert_refused 'SAVED_NOT_MOVED', body.merge(miscounted: %w[head yaw])
+    known, before = axes.find { |axis| axis['reference'] != 'lost' }.values_at('name', 'position_ticks')
+    body = { file: miscounted(known) }
+    assert_equal ['moved', false], why_of(known, preview(body))
+    assert_refused 'SAVED_NOT_MOVED', body.merge(miscounted: [known, axes.last['name']])
     assert_refused 'SAVED_NOT_MOVED', body.merge(miscounted: ['nobody'])
-    shown = preview(body.merge(miscounted: ['head']))
+    shown = preview(body.merge(miscounted: [known]))
     assert_described "#{PATH}/preview", 'POST', @last
-    assert_equal ['miscounted', true], why_of('head', shown)
+    assert_equal ['miscounted', true], why_of(known, shown)
     assert_equal 'done', restore(shown['token'])['state'], engineer.last.body
-    assert_equal ['head', 'unverified', before], axes.first.values_at('name', 'reference', 'position_ticks')
+    assert_equal ['unverified', before],
+                 axes.find { |axis| axis['name'] == known }.values_at('reference', 'position_ticks')
   end
 
   def test_SWR_STORE_026_what_does_not_fit_is_refused_by_name

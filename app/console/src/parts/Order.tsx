@@ -38,9 +38,12 @@ function stateOf(
   return isThis ? outcome.state : undefined;
 }
 
-/** As /api/v1/motors/yaw/jog is read. */
+/** As /api/v1/motors/yaw/jog is read, with the words that were chosen; a unit is none. */
 export function nameOf({ path, fields }: Outcome): string {
-  const what = Object.values(fields).filter((one) => typeof one === "string");
+  const what = Object.entries(fields)
+    .filter(([field]) => field !== "unit")
+    .map(([, value]: [string, unknown]) => value)
+    .filter((value) => typeof value === "string");
   const name = path.replace("/api/v1/", "").replaceAll(/[/-]/g, " ");
   return [name, ...what.map(words)].join(" ");
 }
