@@ -64,6 +64,7 @@ static void give_up(link_t *self, card_link_event_t event, link_cause_t cause)
     (void)card_link_chart_dispatch(&self->chart, &inputs, event);
     if (self->chart.state != before) {
         self->cause = (uint16_t)cause;
+        self->lost_heartbeat = self->report.heartbeat;
     }
 }
 
@@ -164,4 +165,17 @@ bool link_was_only_silent(const link_t *self)
     const bool is_only_tripped = (self->report.status & CARD_STATUS_FAULTS) == CARD_STATUS_WATCHDOG;
     return (self->cause == (uint16_t)LINK_CAUSE_AGE) ||
            ((self->cause == (uint16_t)LINK_CAUSE_FAULT) && is_only_tripped);
+}
+
+bool link_has_broken(link_t *self, uint32_t missed_cycles)
+{
+    if (self->is_fresh == 0U) {
+        return false;
+    }
+    const uint32_t step = self->report.heartbeat - self->lost_heartbeat;
+    const uint32_t faults = self->report.status & CARD_STATUS_FAULTS & ~CARD_STATUS_WATCHDOG;
+    const bool is_the_same = (faults == 0U) && link_is_right_card(self);
+    self->lost_heartbeat = self->report.heartbeat;
+    return (step > (missed_cycles + LIMIT_SEQUENCE_WINDOW)) ||
+           ((missed_cycles != 0U) && !is_the_same);
 }

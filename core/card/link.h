@@ -18,11 +18,11 @@
 /** From `sent` on sixteen words, which cost the seal least. */
 typedef struct {
     card_link_chart_t chart;
-    card_report_t report; /**< The last valid one; all zero before the first. */
-    uint32_t sampled_us;  /**< When that was sampled, as the board has it. */
-    uint32_t reported_us; /**< From the sample before to that of this cycle; 0: none came. */
-    uint32_t is_timed;    /**< The card's clock says so, and no cycle was missed: 0 or 1. */
-    uint32_t reserved;
+    card_report_t report;     /**< The last valid one; all zero before the first. */
+    uint32_t sampled_us;      /**< When that was sampled, as the board has it. */
+    uint32_t reported_us;     /**< From the sample before to that of this cycle; 0: none came. */
+    uint32_t is_timed;        /**< The card's clock says so, and no cycle was missed: 0 or 1. */
+    uint32_t lost_heartbeat;  /**< Of the last valid report since it was lost, or until then. */
     uint16_t last_error;      /**< card_frame_result_t of this cycle's frame. */
     uint16_t is_fresh;        /**< A valid frame arrived in this cycle: 0 or 1. */
     card_drive_t sent;        /**< Drive of the last command. */
@@ -130,6 +130,16 @@ static inline bool link_is_usable(const link_t *self)
 /** Nothing was known against the lost card but that frames did not come through, one way or the
  * other. */
 bool link_was_only_silent(const link_t *self);
+
+/**
+ * Called in each cycle of a lost card but the one in which it was lost; `missed_cycles` without a
+ * report came before this one. True when its report shows that its counts may not go on from the
+ * last one: it has begun anew, or comes back as another card or with a fault besides its
+ * watchdog's.
+ *
+ * @satisfies SWR-REF-016
+ */
+bool link_has_broken(link_t *self, uint32_t missed_cycles);
 
 /** The last report is of the card that must be there. */
 static inline bool link_is_right_card(const link_t *self)

@@ -16,21 +16,22 @@ static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
     const link_t *const link = controller_link(self, index);
     return supervision_is_at_rest(&self->axes[index].supervision) &&
            (link->sent.mode == (uint32_t)CARD_DRIVE_OFF) &&
-           (link->sent_before.mode == (uint32_t)CARD_DRIVE_OFF) && link_was_only_silent(link);
+           (link->sent_before.mode == (uint32_t)CARD_DRIVE_OFF);
 }
 
-/* The loop was late, so that the card has switched off by itself; its counts go on. That it was not
- * restarted is known, as its report was taken for the next one while it was used. */
-static bool has_only_waited(const link_t *link)
+/* Cards of another dialect do not tell whether they have begun to count anew. */
+static bool tells_new_beginning(const cycle_t *cycle)
 {
-    return (link->cause == (uint16_t)LINK_CAUSE_FAULT) && link_was_only_silent(link) &&
-           (link->reported_us > LIMIT_LOOP_SILENT_US);
+    return cycle->inputs->dialect == (uint32_t)CARD_DIALECT_OWN;
 }
 
-static card_loss_t judge_loss(const controller_t *self, uint32_t index)
+/* What its counter did while it was not heard, its next report shows. */
+static card_loss_t judge_loss(const controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     card_loss_t loss = CARD_LOSS_LOSES;
-    if (has_only_waited(controller_link(self, index))) {
+    if (!link_was_only_silent(controller_link(self, index))) {
+        /* What its counts are worth is not known. */
+    } else if (tells_new_beginning(cycle)) {
         loss = CARD_LOSS_KEEPS;
     } else if (is_only_out_of_sight(self, index)) {
         loss = CARD_LOSS_DOUBTS;
@@ -40,13 +41,19 @@ static card_loss_t judge_loss(const controller_t *self, uint32_t index)
     return loss;
 }
 
+static bool is_loop_late(const link_t *link)
+{
+    return (link->cause == (uint16_t)LINK_CAUSE_FAULT) && link_was_only_silent(link) &&
+           (link->reported_us > LIMIT_LOOP_SILENT_US);
+}
+
 /* Why the card was lost; of one that was not heard also what became of its frame in this cycle. */
 static void note_loss(controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
     const link_t *const link = &self->links[slot];
     const uint32_t bit = (uint32_t)1U << slot;
     uint32_t cause = link->cause;
-    if (has_only_waited(link)) {
+    if (is_loop_late(link)) {
         cause = (uint32_t)LINK_CAUSE_LOOP_LATE;
     } else if (cause != (uint32_t)LINK_CAUSE_AGE) {
         /* It says it all. */
@@ -62,6 +69,12 @@ static void note_loss(controller_t *self, const cycle_t *cycle, uint32_t slot)
     controller_note(self, cycle, EVENT_CARD_LOST, slot, (int32_t)cause);
 }
 
+static void lose_position(axis_t *axis)
+{
+    axis_lose_reference(axis);
+    axis_break_place(axis);
+}
+
 void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
                           card_loss_t loss)
 {
@@ -72,8 +85,7 @@ void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t ind
         axis_doubt(axis);
     }
     if (loss == CARD_LOSS_LOSES) {
-        axis_lose_reference(axis);
-        axis_break_place(axis);
+        lose_position(axis);
     }
     axis_disable(axis);
     if (loss != CARD_LOSS_KEEPS) {
@@ -123,17 +135,33 @@ static inline link_step_t step_link(controller_t *self, const cycle_t *cycle, ui
     return (link_step_t){.is_lost = is_lost, .is_damaged = is_damaged};
 }
 
+/* A card that was lost before: what its counts are worth. */
+static void watch_lost(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    link_t *const link = &self->links[self->cards.slots[index]];
+    axis_t *const axis = &self->axes[index];
+    const uint32_t missed_cycles = axis->encoder.missed_cycles;
+    if (tells_new_beginning(cycle) && link_has_broken(link, missed_cycles)) {
+        lose_position(axis);
+    }
+    const uint32_t most =
+        tells_new_beginning(cycle) ? LIMIT_SILENT_KEPT_CYCLES : LIMIT_LINK_AGE_CYCLES;
+    if ((link->is_fresh == 0U) && ((missed_cycles + 1U) >= most)) {
+        axis_doubt(axis);
+    }
+}
+
 void controller_observe_card(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const uint32_t slot = self->cards.slots[index];
     const link_step_t step = step_link(self, cycle, slot);
     if (step.is_lost) {
         controller_lose_card(self, cycle, index,
-                             step.is_damaged ? CARD_LOSS_LOSES : judge_loss(self, index));
-    }
-    /* Also what was confirmed and fell silent again before START_UP. */
-    if (self->links[slot].age_cycles >= LIMIT_LINK_AGE_CYCLES) {
-        axis_doubt(&self->axes[index]);
+                             step.is_damaged ? CARD_LOSS_LOSES : judge_loss(self, cycle, index));
+    } else if (self->links[slot].chart.state == CARD_LINK_STATE_LOST) {
+        watch_lost(self, cycle, index);
+    } else {
+        /* It is used, or was never heard. */
     }
 }
 

@@ -98,3 +98,62 @@ void test_SWR_NI_006_cards_that_protect_themselves_need_nobodys_word(void)
     TEST_ASSERT_EQUAL_UINT32(CARD_DIALECT_OWN, rig.inputs.dialect);
     TEST_ASSERT_FALSE(is_reason_standing(0U));
 }
+
+/* Homed, in MANUAL, with a jog armed. */
+static void start_jog(void)
+{
+    const command_t jog = {.kind = COMMAND_JOG, .argument = NEURO_AXIS_LATERAL, .value = -2000};
+    setUp();
+    rig.is_dialect_accepted = 1U;
+    rig_home(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig_cycles(&rig, 20U);
+}
+
+static uint32_t grade(void)
+{
+    return rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].reference;
+}
+
+/* Whether it has begun to count anew nobody tells. */
+void test_SWR_REF_009_an_axis_whose_card_falls_silent_at_rest_is_unverified(void)
+{
+    start_jog();
+    rig_box(&rig, "card lateral silent");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade());
+    rig_box(&rig, "card lateral normal");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
+    rig_cycles(&rig, LIMIT_SPEED_TIMEOUT_US / LIMIT_CYCLE_US);
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 1U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade());
+    rig_box(&rig, "card lateral silent");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade());
+}
+
+/* The card falls silent once it has been driven for so long; the pedal opens so much later. */
+static void expect_lost_after(uint32_t driven_cycles, uint32_t pedal_cycles)
+{
+    start_jog();
+    rig_box(&rig, "pedal press");
+    while (!rig_is_driving(&rig)) {
+        rig_cycle(&rig);
+    }
+    rig_cycles(&rig, driven_cycles);
+    rig_box(&rig, "card lateral silent");
+    rig_cycles(&rig, pedal_cycles);
+    rig_box(&rig, "pedal a open");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade());
+}
+
+void test_SWR_REF_009_an_axis_that_may_have_been_driven_unseen_is_lost(void)
+{
+    expect_lost_after(100U, 0U);
+    expect_lost_after(0U, LIMIT_LINK_AGE_CYCLES);
+    expect_lost_after(0U, LIMIT_LINK_AGE_CYCLES - 2U);
+}

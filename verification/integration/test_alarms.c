@@ -278,7 +278,7 @@ void test_SWR_HTTP_065_after_a_fault_the_last_known_position_stays_and_ages(void
     insert();
     const double before = number_of(needle, "position");
     rig_box(&rig, "card insertion silent");
-    run(2000U);
+    run(LIMIT_SILENT_KEPT_CYCLES + 2000U);
     TEST_ASSERT_FALSE(is_true("is_known"));
     TEST_ASSERT_TRUE(is_true("may_be_in"));
     TEST_ASSERT_DOUBLE_WITHIN(0.5, before, number_of(needle, "position"));

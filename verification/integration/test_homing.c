@@ -196,7 +196,7 @@ static void lose_deep_needle(void)
     rig.box.axes[NEURO_AXIS_INSERTION].motor.position_ticks = 60000.0;
     rig.box.axes[NEURO_AXIS_INSERTION].encoder.state = 60000;
     rig_box(&rig, "card insertion silent");
-    rig_cycles(&rig, 20U);
+    rig_cycles(&rig, LIMIT_SILENT_KEPT_CYCLES);
     rig_box(&rig, "card insertion normal");
     rig_cycles(&rig, 20U);
     rig_forget(&rig);
@@ -291,7 +291,7 @@ static void move_uncounted(uint32_t axis, double ticks)
 static void lose_needle(void)
 {
     rig_box(&rig, "card insertion silent");
-    rig_cycles(&rig, 20U);
+    rig_cycles(&rig, LIMIT_SILENT_KEPT_CYCLES);
     rig_box(&rig, "card insertion normal");
     rig_cycles(&rig, 20U);
     rig_forget(&rig);

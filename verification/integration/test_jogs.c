@@ -279,7 +279,7 @@ static void lose_head_far_out(void)
     go(NEURO_AXIS_HEAD, -3500);
     go(NEURO_AXIS_FEET, -3000);
     rig_box(&rig, "card head silent");
-    rig_cycles(&rig, 20U);
+    rig_cycles(&rig, LIMIT_SILENT_KEPT_CYCLES + 20U);
     rig_box(&rig, "card head normal");
     rig_cycles(&rig, 20U);
     rig_forget(&rig);

@@ -2,8 +2,8 @@
 /**
  * @file
  * Rule under test: a loop that is late too often stops the motion, and nothing is lost by that. It
- * says which stage was late and by how much; one START_UP without homing goes on. Only an axis
- * whose card's counts do not go on is lost.
+ * says which stage was late and by how much; one START_UP without homing goes on. The same holds
+ * for a box that stutters. Only an axis whose card's counts do not go on is lost.
  */
 #include "integration/support/rig.h"
 
@@ -40,6 +40,14 @@ static void be_late(uint32_t count, uint32_t late_us)
         rig_cycle(&rig);
     }
     rig.late_us = 0U;
+}
+
+/* The box stands for `cycles`, with all its cards: no report comes, and of what is sent meanwhile
+ * only the first command arrives, when it goes on. */
+static void be_held(uint32_t cycles)
+{
+    rig.held_cycles = cycles;
+    rig_cycles(&rig, cycles);
 }
 
 static void expect_stopped(void)
@@ -97,11 +105,9 @@ static void start_up_at_rest(void)
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_DONE));
 }
 
-/* From the stop to the target, by START_UP alone. */
-static void go_on(void)
+/* From where it pauses to the target, by START_UP alone. */
+static void go_on_from_pause(void)
 {
-    rig_cycles(&rig, AFTER_CYCLES);
-    expect_stopped();
     rig_release(&rig);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
     expect_all_homed();
@@ -116,6 +122,13 @@ static void go_on(void)
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, MOVE_CYCLES).kind);
     rig_release(&rig);
     expect_true();
+}
+
+static void go_on(void)
+{
+    rig_cycles(&rig, AFTER_CYCLES);
+    expect_stopped();
+    go_on_from_pause();
 }
 
 void test_SWR_LOOP_009_a_cycle_in_which_cards_may_switch_off_stops_the_loop_alone(void)
@@ -174,15 +187,15 @@ void test_SWR_LOOP_010_a_card_that_counts_a_jump_meanwhile_is_lost(void)
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
 }
 
-/* The loop is punctual: why the watchdog has tripped is not known. */
-void test_SWR_LOOP_010_a_trip_in_a_punctual_loop_loses_the_position(void)
+/* The loop is punctual, and every count was seen. */
+void test_SWR_LOOP_010_a_trip_in_a_punctual_loop_loses_nothing(void)
 {
     start_moving();
     rig.box.axes[NEURO_AXIS_LATERAL].card.faults |= CARD_STATUS_WATCHDOG;
     rig_cycles(&rig, AFTER_CYCLES);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST,
-                             rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].reference);
-    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
+    go_on_from_pause();
 }
 
 /* Any other fault that is reported with it. */
@@ -213,6 +226,124 @@ void test_SWR_LOOP_010_a_homing_that_is_late_begins_again_for_its_axis_alone(voi
     rig_forget(&rig);
     rig_home(&rig);
     expect_all_homed();
+}
+
+static void expect_paused(uint32_t cards)
+{
+    rig_cycles(&rig, AFTER_CYCLES);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(cards, rig_count(&rig, EVENT_CARD_LOST));
+    go_on_from_pause();
+}
+
+void test_SWR_REF_014_a_box_that_stands_for_a_while_loses_nothing(void)
+{
+    static const uint32_t held[] = {5U, 8U, 9U, 10U, 11U, 14U, 25U, 60U};
+    for (uint32_t i = 0U; i < (sizeof held / sizeof held[0]); i++) {
+        start_moving();
+        rig_cycles(&rig, 37U * i);
+        be_held(held[i]);
+        expect_paused(robot_neuro.axis_count);
+    }
+}
+
+/* Neither alone is as long as the watchdog of a card. */
+void test_SWR_REF_014_a_box_that_stands_beside_a_late_loop_loses_nothing(void)
+{
+    static const uint32_t late_us[] = {2000U, 4000U, 6000U, 8000U};
+    for (uint32_t i = 0U; i < (sizeof late_us / sizeof late_us[0]); i++) {
+        start_moving();
+        be_held(4U);
+        be_late(1U, late_us[i]);
+        rig.held_cycles = 3U;
+        be_late(3U, late_us[i] / 2U);
+        rig_cycles(&rig, AFTER_CYCLES);
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+        go_on_from_pause();
+    }
+}
+
+void test_SWR_REF_014_frames_that_the_board_has_too_late_lose_nothing(void)
+{
+    for (uint32_t cycles = 5U; cycles <= 60U; cycles += 11U) {
+        start_moving();
+        rig.frames_late = CARD_EVERY_SLOT;
+        rig_cycles(&rig, cycles);
+        rig.frames_late = 0U;
+        expect_paused(robot_neuro.axis_count);
+    }
+}
+
+void test_SWR_REF_014_one_card_that_is_silent_for_a_while_loses_nothing(void)
+{
+    start_moving();
+    rig_box(&rig, "card lateral silent");
+    rig_cycles(&rig, LIMIT_SILENT_KEPT_CYCLES - 1U);
+    rig_box(&rig, "card lateral normal");
+    expect_paused(1U);
+}
+
+void test_SWR_REF_015_a_silence_that_lasts_leaves_the_position_in_doubt(void)
+{
+    start_moving();
+    rig_box(&rig, "card lateral silent");
+    rig_cycles(&rig, LIMIT_SILENT_KEPT_CYCLES - 1U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+    expect_all_homed();
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
+                             rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].reference);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    rig_box(&rig, "card lateral normal");
+    rig_cycles(&rig, AFTER_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
+                             rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].reference);
+    TEST_ASSERT_TRUE(fabs(apart(NEURO_AXIS_LATERAL) - homed[NEURO_AXIS_LATERAL]) < 2.0);
+}
+
+/* It lost its counter with its power; what it counts is right by chance at most. */
+static void expect_lost_alone(uint32_t lost)
+{
+    rig_cycles(&rig, AFTER_CYCLES);
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        TEST_ASSERT_EQUAL(i != lost, axis_is_homed(&rig.controller.axes[i]));
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_REFERENCE_LOST));
+}
+
+void test_SWR_REF_016_a_card_that_began_anew_while_the_box_stood_is_lost_alone(void)
+{
+    start_moving();
+    be_held(12U);
+    rig.box.axes[NEURO_AXIS_LATERAL].card.heartbeat = 0U;
+    expect_lost_alone(NEURO_AXIS_LATERAL);
+}
+
+void test_SWR_REF_016_a_card_that_begins_anew_while_it_waits_for_start_up_is_lost(void)
+{
+    start_moving();
+    be_held(12U);
+    rig_cycles(&rig, AFTER_CYCLES);
+    expect_all_homed();
+    rig.box.axes[NEURO_AXIS_LATERAL].card.heartbeat = 0U;
+    expect_lost_alone(NEURO_AXIS_LATERAL);
+}
+
+void test_SWR_REF_016_a_card_that_comes_back_with_a_fault_is_lost_alone(void)
+{
+    start_moving();
+    be_held(12U);
+    rig.box.axes[NEURO_AXIS_LATERAL].card.faults |= CARD_STATUS_HOT;
+    expect_lost_alone(NEURO_AXIS_LATERAL);
+}
+
+void test_SWR_REF_016_another_card_that_answers_instead_is_lost_alone(void)
+{
+    start_moving();
+    be_held(12U);
+    rig_box(&rig, "card lateral foreign");
+    expect_lost_alone(NEURO_AXIS_LATERAL);
 }
 
 static const event_t *find(event_id_t id)

@@ -37,7 +37,7 @@ void test_SWR_IGTL_014_the_pose_is_known_only_while_every_axis_is_homed_and_regi
     rig_register(&rig, &identity);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, shown->pose_status);
     rig_box(&rig, "card lateral silent");
-    rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES + 2U);
+    rig_cycles(&rig, LIMIT_SILENT_KEPT_CYCLES + 2U);
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED, shown->pose_status);
 }
 

@@ -193,7 +193,7 @@ void test_SWR_AXIS_053_a_carriage_in_doubt_is_not_driven_beyond_its_end(void)
     start_at(rear_at_its_end);
     rig_box(&rig, "card front_left silent");
     rig_box(&rig, "card rear_right silent");
-    rig_cycles(&rig, 30U);
+    rig_cycles(&rig, LIMIT_SILENT_KEPT_CYCLES + 30U);
     rig_box(&rig, "card front_left normal");
     rig_box(&rig, "card rear_right normal");
     rig_cycles(&rig, 100U);

@@ -150,7 +150,7 @@ void test_SWR_PHASE_009_refusals_name_what_is_missing(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, rig_command(&rig, retract).status);
     rig_start_moving(&rig);
     rig_box(&rig, "card yaw silent");
-    rig_cycles(&rig, 20U);
+    rig_cycles(&rig, LIMIT_SILENT_KEPT_CYCLES + 20U);
     TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT, rig_command(&rig, retract).status);
     rig_start_moving(&rig);
     rig_box(&rig, "pedal a open");
@@ -327,6 +327,6 @@ void test_SWR_MOTION_024_a_needle_is_seen_in_move_to_target_only_and_forgotten_w
     rig_start_moving(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, seen).status);
     rig_box(&rig, "card yaw silent");
-    rig_cycles(&rig, 20U);
+    rig_cycles(&rig, LIMIT_SILENT_KEPT_CYCLES + 20U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_seen_needle);
 }

@@ -118,7 +118,7 @@ void test_SWR_REF_010_any_other_doubt_forgets_the_target_of_one_that_has_drifted
     drift_to(NEURO_AXIS_HEAD, (int32_t)robot_neuro.axes[NEURO_AXIS_HEAD].drift_ticks);
     expect_in_doubt(NEURO_AXIS_HEAD, 1U);
     rig_box(&rig, "card pitch silent");
-    rig_cycles(&rig, 100U);
+    rig_cycles(&rig, LIMIT_SILENT_KEPT_CYCLES + 1U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
 }
 

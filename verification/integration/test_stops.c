@@ -94,7 +94,7 @@ void test_SWR_LINK_003_a_lost_card_returns_only_by_start_up_and_is_homed_again(v
 {
     rig_start_moving(&rig);
     rig_box(&rig, "card lateral silent");
-    rig_cycles(&rig, 30U);
+    rig_cycles(&rig, LIMIT_SILENT_KEPT_CYCLES);
     rig_release(&rig);
     (void)rig_workphase(&rig, WORKPHASE_STOP);
     TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY,
@@ -105,7 +105,7 @@ void test_SWR_LINK_003_a_lost_card_returns_only_by_start_up_and_is_homed_again(v
                           rig.outputs.snapshot.axes[0].permit_reasons);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST,
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
                              rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].reference);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED,
                              rig.outputs.snapshot.axes[NEURO_AXIS_HEAD].reference);
