@@ -69,9 +69,17 @@ static void add(char text[IGTL_REASON_SIZE], const char *format, ...)
     va_end(arguments);
 }
 
+/** @satisfies SWR-IGTL-080 */
+static void write_lateness(const snapshot_t *shown, char text[IGTL_REASON_SIZE])
+{
+    add(text, " The loop was late too often: %s by %.1f ms, %u in %.1f ms.",
+        loop_stage_name((int32_t)shown->late_stage), (double)shown->late_us / 1000.0,
+        (unsigned)shown->late_count, (double)shown->late_span_us / 1000.0);
+}
+
 /* `ender`: the axis that ended an order, which may show no fault of its own. */
 static void write_failures(const robot_t *robot, const workphase_facts_t *facts, uint32_t ender,
-                           char text[IGTL_REASON_SIZE])
+                           const snapshot_t *shown, char text[IGTL_REASON_SIZE])
 {
     const bool is_ended_by_axis =
         (ender < robot->axis_count) && ((facts->axis_faults & (1U << ender)) == 0U);
@@ -88,7 +96,7 @@ static void write_failures(const robot_t *robot, const workphase_facts_t *facts,
         }
     }
     if (facts->is_loop_stopped != 0U) {
-        add(text, " The loop was late too often.");
+        write_lateness(shown, text);
     }
     if (facts->is_pedal_faulty != 0U) {
         add(text, " The pedal's channels disagree.");
@@ -110,7 +118,7 @@ void workphase_watch_fault_text(const workphase_dialect_t *self, uint32_t axis,
     if (moment->snapshot != NULL) {
         observe(&facts, self->robot, moment->snapshot);
     }
-    write_failures(self->robot, &facts, axis, text);
+    write_failures(self->robot, &facts, axis, moment->snapshot, text);
 }
 
 /* How far the pose of the needle is from being known. */
@@ -142,7 +150,7 @@ static void tell_failures(workphase_dialect_t *self, const workphase_facts_t *fa
     char text[IGTL_REASON_SIZE];
     const igtl_status_t status = {IGTL_STATUS_HARDWARE_FAILURE, "HARDWARE_FAILURE", text};
 
-    write_failures(self->robot, failures, ROBOT_AXIS_MAX, text);
+    write_failures(self->robot, failures, ROBOT_AXIS_MAX, moment->snapshot, text);
     tell(self, workphase, &status, moment);
 }
 

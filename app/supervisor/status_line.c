@@ -228,6 +228,7 @@ void status_line_take(status_parts_t *parts, const exchange_t *exchange, family_
         status_parts_add(parts, STATUS_PLAIN, "%s", workphase_name((int32_t)snapshot.workphase));
         add_permit(parts, &snapshot);
         add_inputs(parts, &snapshot);
+        status_parts_add_lateness(parts, &snapshot);
         add_gap(parts, &snapshot);
         status_parts_add_room(parts, snapshot.recording_left_min);
         add_request(parts, exchange, &snapshot);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervisor/status_parts.h"
 
+#include "charts/loop_guard_chart.h"
+#include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 
 #include <stdarg.h>
@@ -44,6 +46,16 @@ void status_parts_add_room(status_parts_t *self, uint32_t minutes)
         status_parts_add(self, tone, "disk full in %u min at this rate", (unsigned)minutes);
     } else {
         /* Nothing to say. */
+    }
+}
+
+void status_parts_add_lateness(status_parts_t *self, const snapshot_t *shown)
+{
+    if (shown->loop == (uint32_t)LOOP_GUARD_STATE_STOPPED) {
+        status_parts_add(self, STATUS_BAD, "loop STOPPED: %s late by %.1f ms, %u in %.1f ms",
+                         loop_stage_name((int32_t)shown->late_stage),
+                         (double)shown->late_us / 1000.0, (unsigned)shown->late_count,
+                         (double)shown->late_span_us / 1000.0);
     }
 }
 

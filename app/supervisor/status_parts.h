@@ -3,6 +3,8 @@
 #ifndef BORESIGHT_STATUS_PARTS_H
 #define BORESIGHT_STATUS_PARTS_H
 
+#include "interface/snapshot.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -39,6 +41,13 @@ void status_parts_add(status_parts_t *self, status_tone_t tone, const char *form
  * @satisfies SWR-REC-037
  */
 void status_parts_add_room(status_parts_t *self, uint32_t minutes);
+
+/**
+ * Adds what has stopped a loop that was late too often; nothing while it is not stopped.
+ *
+ * @satisfies SWR-CTRL-030
+ */
+void status_parts_add_lateness(status_parts_t *self, const snapshot_t *shown);
 
 /**
  * Writes the parts that fit into `columns`, each whole and in their order, and "..." for those that

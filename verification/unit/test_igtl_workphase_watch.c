@@ -217,8 +217,20 @@ void test_SWR_IGTL_033_what_stops_everything_is_said(void)
     snapshot.loop = (uint32_t)LOOP_GUARD_STATE_STOPPED;
     snapshot.pedal = (uint32_t)PEDAL_GATE_STATE_FAULT;
     pass_us(0U);
-    EXPECT(0U, "STATUS PLANNING 18 HARDWARE_FAILURE|HARDWARE_FAILURE: The loop was late too often. "
-               "The pedal's channels disagree.");
+    EXPECT(0U, "STATUS PLANNING 18 HARDWARE_FAILURE|HARDWARE_FAILURE: The loop was late too often: "
+               "WAKE by 0.0 ms, 0 in 0.0 ms. The pedal's channels disagree.");
+}
+
+void test_SWR_IGTL_080_a_loop_that_was_late_names_stage_and_figures(void)
+{
+    snapshot.loop = (uint32_t)LOOP_GUARD_STATE_STOPPED;
+    snapshot.late_stage = (uint32_t)LOOP_STAGE_CARDS;
+    snapshot.late_us = 4100U;
+    snapshot.late_count = 3U;
+    snapshot.late_span_us = 8700U;
+    pass_us(0U);
+    EXPECT(0U, "STATUS PLANNING 18 HARDWARE_FAILURE|HARDWARE_FAILURE: The loop was late too often: "
+               "CARDS by 4.1 ms, 3 in 8.7 ms.");
 }
 
 void test_SWR_IGTL_033_a_lost_reference_is_said(void)

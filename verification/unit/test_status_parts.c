@@ -5,6 +5,9 @@
  */
 #include "unity.h"
 
+#include "charts/loop_guard_chart.h"
+#include "interface/app/names.h"
+#include "interface/loop_figures.h"
 #include "limits/requirement_limits.h"
 #include "supervisor/status_parts.h"
 
@@ -107,5 +110,23 @@ void test_SWR_REC_037_the_time_until_the_disk_is_full_is_a_part_to_look_at_below
     expect_room(LIMIT_RECORDING_LEFT_MIN - 1U, STATUS_NOTE, "disk full in 29 min at this rate");
     parts.count = 0U;
     status_parts_add_room(&parts, 0U);
+    TEST_ASSERT_EQUAL_UINT32(0U, parts.count);
+}
+
+void test_SWR_CTRL_030_a_loop_that_was_late_too_often_names_stage_and_figures(void)
+{
+    snapshot_t shown = {.loop = (uint32_t)LOOP_GUARD_STATE_STOPPED,
+                        .late_stage = (uint32_t)LOOP_STAGE_WAKE,
+                        .late_us = 4100U,
+                        .late_count = 3U,
+                        .late_span_us = 8700U};
+    parts.count = 0U;
+    status_parts_add_lateness(&parts, &shown);
+    TEST_ASSERT_EQUAL_UINT32(1U, parts.count);
+    TEST_ASSERT_EQUAL(STATUS_BAD, parts.parts[0].tone);
+    TEST_ASSERT_EQUAL_STRING("loop STOPPED: WAKE late by 4.1 ms, 3 in 8.7 ms", parts.parts[0].text);
+    parts.count = 0U;
+    shown.loop = (uint32_t)LOOP_GUARD_STATE_ON_TIME;
+    status_parts_add_lateness(&parts, &shown);
     TEST_ASSERT_EQUAL_UINT32(0U, parts.count);
 }
