@@ -6,6 +6,8 @@
 #include <stddef.h>
 #include <string.h>
 
+#define CYCLES_PER_S (1000000U / LIMIT_CYCLE_US)
+
 static bool are_drives_equal(const card_drive_t *a, const card_drive_t *b)
 {
     return (a->mode == b->mode) && (a->direction == b->direction) && (a->duty == b->duty) &&
@@ -175,7 +177,9 @@ bool link_has_broken(link_t *self, uint32_t missed_cycles)
     const uint32_t step = self->report.heartbeat - self->lost_heartbeat;
     const uint32_t faults = self->report.status & CARD_STATUS_FAULTS & ~CARD_STATUS_WATCHDOG;
     const bool is_the_same = (faults == 0U) && link_is_right_card(self);
+    /* One that began anew meanwhile is on for no longer than that. */
+    const bool is_old_enough = self->report.uptime_s > (missed_cycles / CYCLES_PER_S);
     self->lost_heartbeat = self->report.heartbeat;
     return (step > (missed_cycles + LIMIT_SEQUENCE_WINDOW)) ||
-           ((missed_cycles != 0U) && !is_the_same);
+           ((missed_cycles != 0U) && (!is_the_same || !is_old_enough));
 }

@@ -11,6 +11,7 @@
 #include "card/card_frame.h"
 #include "charts/card_link_chart.h"
 #include "interface/link_cause.h"
+#include "limits/requirement_limits.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -134,12 +135,21 @@ bool link_was_only_silent(const link_t *self);
 /**
  * Called in each cycle of a lost card but the one in which it was lost; `missed_cycles` without a
  * report came before this one. True when its report shows that its counts may not go on from the
- * last one: it has begun anew, or comes back as another card or with a fault besides its
- * watchdog's.
+ * last one: it has begun anew, or may have, or comes back as another card or with a fault besides
+ * its watchdog's.
  *
  * @satisfies SWR-REF-016
+ * @satisfies SWR-REF-030
  */
 bool link_has_broken(link_t *self, uint32_t missed_cycles);
+
+/** The card answers, and for so long always by the same report: its program stands, and who knows
+ * what it counts. */
+static inline bool link_is_standing(const link_t *self)
+{
+    return (self->last_error == (uint16_t)CARD_FRAME_REPEATED) &&
+           (self->age_cycles >= LIMIT_LINK_AGE_CYCLES);
+}
 
 /** The last report is of the card that must be there. */
 static inline bool link_is_right_card(const link_t *self)

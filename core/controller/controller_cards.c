@@ -25,13 +25,14 @@ static bool tells_new_beginning(const cycle_t *cycle)
     return cycle->inputs->dialect == (uint32_t)CARD_DIALECT_OWN;
 }
 
-/* What its counter did while it was not heard, its next report shows. */
+/* What its counter did while it was not heard, its next report shows, unless its program stood. */
 static card_loss_t judge_loss(const controller_t *self, const cycle_t *cycle, uint32_t index)
 {
+    const link_t *const link = controller_link(self, index);
     card_loss_t loss = CARD_LOSS_LOSES;
-    if (!link_was_only_silent(controller_link(self, index))) {
+    if (!link_was_only_silent(link)) {
         /* What its counts are worth is not known. */
-    } else if (tells_new_beginning(cycle)) {
+    } else if (tells_new_beginning(cycle) && !link_is_standing(link)) {
         loss = CARD_LOSS_KEEPS;
     } else if (is_only_out_of_sight(self, index)) {
         loss = CARD_LOSS_DOUBTS;
@@ -75,18 +76,23 @@ static void lose_position(axis_t *axis)
     axis_break_place(axis);
 }
 
-void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
-                          card_loss_t loss)
+static void apply_loss(axis_t *axis, card_loss_t loss)
 {
-    const uint32_t slot = self->cards.slots[index];
-    axis_t *const axis = &self->axes[index];
-    note_loss(self, cycle, slot);
     if (loss == CARD_LOSS_DOUBTS) {
         axis_doubt(axis);
     }
     if (loss == CARD_LOSS_LOSES) {
         lose_position(axis);
     }
+}
+
+void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
+                          card_loss_t loss)
+{
+    const uint32_t slot = self->cards.slots[index];
+    axis_t *const axis = &self->axes[index];
+    note_loss(self, cycle, slot);
+    apply_loss(axis, loss);
     axis_disable(axis);
     if (loss != CARD_LOSS_KEEPS) {
         plan_forget_target(&self->plan);
@@ -143,6 +149,9 @@ static void watch_lost(controller_t *self, const cycle_t *cycle, uint32_t index)
     const uint32_t missed_cycles = axis->encoder.missed_cycles;
     if (tells_new_beginning(cycle) && link_has_broken(link, missed_cycles)) {
         lose_position(axis);
+    }
+    if (link_is_standing(link)) {
+        apply_loss(axis, judge_loss(self, cycle, index));
     }
     const uint32_t most =
         tells_new_beginning(cycle) ? LIMIT_SILENT_KEPT_CYCLES : LIMIT_LINK_AGE_CYCLES;

@@ -31,6 +31,7 @@ void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t ind
  * @satisfies SWR-REF-009
  * @satisfies SWR-REF-014
  * @satisfies SWR-REF-015
+ * @satisfies SWR-REF-031
  * @satisfies SWR-LOOP-010
  */
 void controller_observe_card(controller_t *self, const cycle_t *cycle, uint32_t index);

@@ -346,6 +346,90 @@ void test_SWR_REF_016_another_card_that_answers_instead_is_lost_alone(void)
     expect_lost_alone(NEURO_AXIS_LATERAL);
 }
 
+/* Its program stands: the reports of the next cycles are all the same. */
+static void stand(uint32_t axis, uint32_t cycles)
+{
+    for (uint32_t i = 0U; i < cycles; i++) {
+        rig.box.axes[axis].card.heartbeat--;
+        rig_cycle(&rig);
+    }
+}
+
+static uint32_t grade(uint32_t axis)
+{
+    return rig.outputs.snapshot.axes[axis].reference;
+}
+
+/* The silence is longer than the card was on before, and its new heartbeat seems to go on. */
+void test_SWR_REF_030_a_card_that_may_have_begun_anew_in_a_silence_is_lost(void)
+{
+    start_moving();
+    rig_box(&rig, "card lateral silent");
+    const uint32_t age = rig.box.axes[NEURO_AXIS_LATERAL].card.heartbeat;
+    rig_cycles(&rig, age + 100U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(NEURO_AXIS_LATERAL));
+    rig.box.axes[NEURO_AXIS_LATERAL].card.heartbeat = age + 50U;
+    rig.box.axes[NEURO_AXIS_LATERAL].card.uptime_us = (age + 50U) * LIMIT_CYCLE_US;
+    rig_box(&rig, "card lateral normal");
+    rig_cycles(&rig, AFTER_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(NEURO_AXIS_LATERAL));
+}
+
+void test_SWR_REF_030_a_card_that_was_silent_for_longer_than_it_was_on_is_in_doubt(void)
+{
+    start_moving();
+    rig_box(&rig, "card lateral silent");
+    rig_cycles(&rig, rig.box.axes[NEURO_AXIS_LATERAL].card.heartbeat + 100U);
+    rig_box(&rig, "card lateral normal");
+    rig_cycles(&rig, AFTER_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(NEURO_AXIS_LATERAL));
+}
+
+void test_SWR_REF_031_a_driven_card_that_repeats_its_report_is_lost_alone(void)
+{
+    start_moving();
+    stand(NEURO_AXIS_LATERAL, LIMIT_LINK_AGE_CYCLES);
+    expect_lost_alone(NEURO_AXIS_LATERAL);
+}
+
+void test_SWR_REF_031_a_card_that_repeats_its_report_at_rest_is_in_doubt(void)
+{
+    rig_start_homed(&rig);
+    rig_cycles(&rig, 300U);
+    stand(NEURO_AXIS_LATERAL, LIMIT_LINK_AGE_CYCLES);
+    rig_cycles(&rig, AFTER_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(NEURO_AXIS_LATERAL));
+}
+
+/* It was silent first; the motor was driven then. */
+void test_SWR_REF_031_a_silent_card_that_comes_back_with_its_last_report_is_lost_alone(void)
+{
+    start_moving();
+    rig_box(&rig, "card lateral silent");
+    rig_cycles(&rig, 12U);
+    expect_all_homed();
+    rig_box(&rig, "card lateral normal");
+    stand(NEURO_AXIS_LATERAL, 1U);
+    expect_lost_alone(NEURO_AXIS_LATERAL);
+}
+
+/* Nobody drives it: what it was moved by meanwhile was counted all the same. */
+void test_SWR_REF_014_an_axis_that_is_moved_in_a_silence_is_where_it_is_shown(void)
+{
+    for (uint32_t cycles = 10U; cycles < LIMIT_SILENT_KEPT_CYCLES; cycles += 30U) {
+        start_moving();
+        rig_box(&rig, "card lateral silent");
+        rig_cycles(&rig, cycles);
+        rig_box(&rig, "motor lateral runs");
+        rig_cycles(&rig, 8U);
+        rig_box(&rig, "motor lateral normal");
+        rig_box(&rig, "card lateral normal");
+        rig_cycles(&rig, AFTER_CYCLES);
+        TEST_ASSERT_TRUE((grade(NEURO_AXIS_LATERAL) == (uint32_t)AXIS_REFERENCE_LOST) ||
+                         (fabs(apart(NEURO_AXIS_LATERAL) - homed[NEURO_AXIS_LATERAL]) < 2.0));
+    }
+}
+
 static const event_t *find(event_id_t id)
 {
     const event_t *found = NULL;

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #define ORDER_SIZE 48U
-#define LOST_CYCLES 60U    /* A card is silent for so long. */
+#define LOST_CYCLES (LIMIT_SILENT_KEPT_CYCLES + 60U) /* A card is silent for so long. */
 #define MERCY_CYCLES 3000U /* Until it is broken again. */
 #define STRAY_CYCLES 200U  /* An impostor stays pressed after homing. */
 
