@@ -135,7 +135,8 @@ typedef struct {
     uint32_t has_arrived;  /**< The last order led to the target, or through a program, and ended as
                               asked. */
     uint32_t vain_start_ups; /**< Those that an axis or a card has ended since one was done. */
-    uint32_t vain_axis;      /**< Of the last of them; ROBOT_AXIS_MAX: it was a card. */
+    uint32_t vain_moves;     /**< The same of MOVE_TO_TARGET; START_UP after service ends it too. */
+    uint32_t vain_axis;      /**< Of the last of both; ROBOT_AXIS_MAX: it was a card. */
     uint32_t vain_card;      /**< Its slot; CARD_SLOT_COUNT: it was an axis. */
     uint32_t vain_event;     /**< event_id_t that ended it. */
     uint32_t account_state;  /**< homing_account_state_t: of account. */

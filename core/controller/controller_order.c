@@ -63,18 +63,9 @@ void controller_abandon_order(controller_t *self, const cycle_t *cycle)
     mode_stop(&self->mode, self->axes, self->axis_count);
 }
 
-/* An axis or a card has ended START_UP; what it was, was noted just before. */
-static void count_vain(controller_t *self, const cycle_t *cycle)
+static void count_vain_start_up(controller_t *self, const cycle_t *cycle)
 {
-    const bool is_of_axis = self->cause == (uint32_t)EVENT_CAUSE_AXIS;
-    const bool is_of_card = self->cause == (uint32_t)EVENT_CAUSE_CARD;
-    if ((self->mode.kind != (uint32_t)MODE_HOMING) || (!is_of_axis && !is_of_card)) {
-        return;
-    }
     self->vain_start_ups++;
-    self->vain_axis = is_of_axis ? self->peer : ROBOT_AXIS_MAX;
-    self->vain_card = is_of_card ? self->peer : CARD_SLOT_COUNT;
-    self->vain_event = self->last_event;
     homing_account_charge(&self->account, cycle->robot, self->axes, self->vain_axis);
     if ((self->vain_start_ups >= LIMIT_SERVICE_START_UPS) &&
         homing_account_is_beyond(&self->account, cycle->robot)) {
@@ -82,10 +73,40 @@ static void count_vain(controller_t *self, const cycle_t *cycle)
     }
 }
 
+/* An axis or a card has ended START_UP or a move; what it was, was noted just before. */
+static void count_vain(controller_t *self, const cycle_t *cycle)
+{
+    const bool is_of_axis = self->cause == (uint32_t)EVENT_CAUSE_AXIS;
+    const bool is_of_card = self->cause == (uint32_t)EVENT_CAUSE_CARD;
+    const bool is_homing = self->mode.kind == (uint32_t)MODE_HOMING;
+    const bool is_move = self->mode.kind == (uint32_t)MODE_MOVE;
+    if ((!is_homing && !is_move) || (!is_of_axis && !is_of_card)) {
+        return;
+    }
+    self->vain_axis = is_of_axis ? self->peer : ROBOT_AXIS_MAX;
+    self->vain_card = is_of_card ? self->peer : CARD_SLOT_COUNT;
+    self->vain_event = self->last_event;
+    if (is_homing) {
+        count_vain_start_up(self, cycle);
+    } else {
+        self->vain_moves++;
+    }
+}
+
 static void close_account(controller_t *self)
 {
     self->vain_start_ups = 0U;
     self->account_state = (uint32_t)HOMING_ACCOUNT_EMPTY;
+}
+
+/* Moves that fail between START_UPs add up until service has been called. */
+static void close_moves(controller_t *self)
+{
+    const bool is_served =
+        (self->mode.kind == (uint32_t)MODE_HOMING) && (self->vain_moves >= LIMIT_SERVICE_MOVES);
+    if (is_served || (self->mode.kind == (uint32_t)MODE_MOVE)) {
+        self->vain_moves = 0U;
+    }
 }
 
 void controller_renew_account(controller_t *self)
@@ -119,6 +140,7 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
         if (self->mode.kind == (uint32_t)MODE_HOMING) {
             close_account(self);
         }
+        close_moves(self);
         answer_pending(self, cycle, ANSWER_DONE, STATUS_OK);
         mode_stop(&self->mode, self->axes, self->axis_count);
     }

@@ -160,11 +160,21 @@ static named_step_t of_vain(const controller_t *self)
     return (named_step_t){NEXT_STEP_SERVICE, self->vain_axis, self->vain_card, self->vain_event};
 }
 
-static named_step_t find_vain(const controller_t *self)
+static bool are_moves_vain(const controller_t *self)
 {
-    return (self->vain_start_ups >= LIMIT_SERVICE_START_UPS)
-               ? of_vain(self)
-               : controller_step_only(NEXT_STEP_START_UP);
+    return self->vain_moves >= LIMIT_SERVICE_MOVES;
+}
+
+static bool is_in_vain(const controller_t *self)
+{
+    return (self->vain_start_ups >= LIMIT_SERVICE_START_UPS) || are_moves_vain(self);
+}
+
+/* What is placed again and again would end START_UP once more. */
+static bool is_vain_axis(const controller_t *self, const named_step_t *found)
+{
+    const bool is_placing = (found->step == NEXT_STEP_PLACE) || (found->step == NEXT_STEP_CONFIRM);
+    return is_placing && (found->axis == self->vain_axis);
 }
 
 static named_step_t find_position(const controller_t *self, const cycle_t *cycle)
@@ -173,7 +183,10 @@ static named_step_t find_position(const controller_t *self, const cycle_t *cycle
         return of_vain(self); /* What is confirmed before service would only allow more of it. */
     }
     const named_step_t found = find_doubt(self, cycle->robot);
-    return is_start_up(&found) ? find_vain(self) : free_button(self, cycle, &found);
+    if (is_in_vain(self) && (is_start_up(&found) || is_vain_axis(self, &found))) {
+        return of_vain(self);
+    }
+    return is_start_up(&found) ? found : free_button(self, cycle, &found);
 }
 
 named_step_t controller_ready(const controller_t *self, const cycle_t *cycle)
@@ -195,4 +208,9 @@ named_step_t controller_ready(const controller_t *self, const cycle_t *cycle)
         found = find_position(self, cycle);
     }
     return found;
+}
+
+named_step_t controller_ready_to_move(const controller_t *self)
+{
+    return are_moves_vain(self) ? of_vain(self) : controller_step_only(NEXT_STEP_MOVE);
 }

@@ -33,7 +33,17 @@ static inline named_step_t controller_step_only(next_step_t step)
  * @satisfies SWR-NEXT-021
  * @satisfies SWR-NEXT-022
  * @satisfies SWR-NEXT-028
+ * @satisfies SWR-NEXT-035
  */
 named_step_t controller_ready(const controller_t *self, const cycle_t *cycle);
+
+/**
+ * Where a move is wanted.
+ *
+ * @return MOVE, or SERVICE with what has ended LIMIT_SERVICE_MOVES of them
+ *
+ * @satisfies SWR-NEXT-036
+ */
+named_step_t controller_ready_to_move(const controller_t *self);
 
 #endif

@@ -212,6 +212,10 @@ static void show_step(const controller_t *self, const cycle_t *cycle, snapshot_t
     named_step_t named = controller_step_only(next_step(self, cycle->robot, shown->is_homed != 0U));
     if (is_one_of(named.step, FOR_START_UP)) {
         named = controller_ready(self, cycle);
+    } else if (named.step == NEXT_STEP_MOVE) {
+        named = controller_ready_to_move(self);
+    } else {
+        /* It needs no more than it says. */
     }
     if (cycle->inputs->is_recorder_failing != 0U) {
         named = recorder_first(self, cycle, &named);

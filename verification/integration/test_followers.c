@@ -386,6 +386,38 @@ void test_SWR_NEXT_021_one_without_a_switch_that_is_lost_is_to_be_placed_and_con
     TEST_ASSERT_TRUE(is_homed(REAR_LEFT));
 }
 
+/* It moves by itself under START_UP, rests, and is placed where it stands. */
+static void lose_and_place(uint32_t axis)
+{
+    command_t restore = {.kind = COMMAND_RESTORE, .argument = 1U << axis};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig.box.axes[axis].motor.fault = SIM_MOTOR_RUNS;
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 1000U).kind);
+    rig.box.axes[axis].motor.fault = SIM_MOTOR_NORMAL;
+    rig_cycles(&rig, 500U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    restore.ticks[axis] = rig_position(&rig, axis);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, restore).status);
+}
+
+/* The button would only lead to the next START_UP that fails. */
+void test_SWR_NEXT_035_one_that_is_placed_in_vain_is_for_service(void)
+{
+    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = FRONT_LEFT};
+    start_at_home();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
+    for (uint32_t i = 1U; i < LIMIT_SERVICE_START_UPS; i++) {
+        lose_and_place(REAR_LEFT);
+        expect_step(NEXT_STEP_CONFIRM, REAR_LEFT);
+        hold_button();
+    }
+    lose_and_place(REAR_LEFT);
+    expect_step(NEXT_STEP_SERVICE, REAR_LEFT);
+    hold_button();
+    expect_step(NEXT_STEP_SERVICE, REAR_LEFT);
+}
+
 /* Its encoder counts half: each try moves it unseen until it is found out, by 0.13 mm. */
 static void lose_with_half_an_encoder(void)
 {

@@ -114,8 +114,9 @@ void test_SWR_MEMORY_002_a_damaged_card_is_lost_and_known_again_from_the_table(v
 
 void test_SWR_MEMORY_002_what_is_known_of_vain_START_UPs_is_under_a_seal(void)
 {
-    uint32_t *const known[] = {&rig.controller.vain_start_ups, &rig.controller.vain_axis,
-                               &rig.controller.vain_card, &rig.controller.vain_event};
+    uint32_t *const known[] = {&rig.controller.vain_start_ups, &rig.controller.vain_moves,
+                               &rig.controller.vain_axis, &rig.controller.vain_card,
+                               &rig.controller.vain_event};
     for (uint32_t i = 0U; i < (sizeof known / sizeof known[0]); i++) {
         begin_move();
         *known[i] ^= 3U;

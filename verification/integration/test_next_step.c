@@ -397,6 +397,79 @@ void test_SWR_NEXT_004_an_encoder_that_stays_reversed_is_for_service_and_named(v
     expect(NEXT_STEP_START_UP);
 }
 
+static void go_targeting(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_PLANNING).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_TARGETING).status);
+    rig_cycles(&rig, 4U);
+}
+
+/* All axes are homed: it is done before the pedal. */
+static void start_up_at_once(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_cycles(&rig, 10U);
+}
+
+/* The step MOVE is due, and so many moves have failed. */
+static void start_after_vain_moves(uint32_t count)
+{
+    rig_start_targeted(&rig);
+    rig.controller.vain_moves = count;
+    rig.controller.vain_axis = NEURO_AXIS_YAW;
+    rig.controller.vain_card = CARD_SLOT_COUNT;
+    rig.controller.vain_event = (uint32_t)EVENT_ORDER_OVERDUE;
+    controller_seal(&rig.controller);
+    go_targeting();
+}
+
+/* The motor gets hot under way, and has cooled when the pedal is released. */
+static void move_in_vain(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    rig_press(&rig);
+    rig.box.axes[NEURO_AXIS_YAW].card.motor_temperature_c = 200.0;
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 1000U).kind);
+    rig.box.axes[NEURO_AXIS_YAW].card.motor_temperature_c = 20.0;
+    rig_release(&rig);
+    rig_cycles(&rig, 100U);
+}
+
+/* START_UP between two of them does not count them anew. */
+void test_SWR_NEXT_036_an_axis_that_ends_each_move_is_for_service_and_named(void)
+{
+    start_after_vain_moves(0U);
+    for (uint32_t i = 0U; i < LIMIT_SERVICE_MOVES; i++) {
+        expect(NEXT_STEP_MOVE);
+        move_in_vain();
+        if (i < (LIMIT_SERVICE_MOVES - 1U)) {
+            expect(NEXT_STEP_START_UP);
+            start_up_at_once();
+            go_targeting();
+        }
+    }
+    expect_named(NEXT_STEP_SERVICE, NEURO_AXIS_YAW, CARD_SLOT_COUNT, EVENT_AXIS_HOT);
+    start_up_at_once();
+    expect(NEXT_STEP_PLANNING);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.vain_moves);
+}
+
+void test_SWR_NEXT_036_service_is_shown_in_place_of_the_move(void)
+{
+    start_after_vain_moves(LIMIT_SERVICE_MOVES);
+    expect_named(NEXT_STEP_SERVICE, NEURO_AXIS_YAW, CARD_SLOT_COUNT, EVENT_ORDER_OVERDUE);
+}
+
+void test_SWR_NEXT_036_a_move_that_is_done_begins_the_count_anew(void)
+{
+    start_after_vain_moves(LIMIT_SERVICE_MOVES - 1U);
+    expect(NEXT_STEP_MOVE);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_MOVE));
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.vain_moves);
+}
+
 void test_SWR_NEXT_004_a_card_that_is_lost_in_each_START_UP_is_for_service_and_named(void)
 {
     rig_start(&rig);
