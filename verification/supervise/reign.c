@@ -124,7 +124,7 @@ static bool is_lost_wrongly(const reign_t *self, const view_t *view)
     const bool is_gone = (view->before.peer != 0U) && (view->after.peer == 0U);
     return (is_gone && (view->losses == 0U) && !view->is_damaged) ||
            (is_lost_by(view, AUTHORITY_LOSS_RELEASED) && !is_given_up(view)) ||
-           (is_lost_by(view, AUTHORITY_LOSS_UNRENEWED) &&
+           (is_lost_by(view, AUTHORITY_LOSS_UNRENEWED) && self->has_heard &&
             (self->silent_us < LIMIT_AUTHORITY_RENEW_US)) ||
            (is_lost_by(view, AUTHORITY_LOSS_SILENT) && ((silent & 1U) == 0U)) ||
            (is_lost_by(view, AUTHORITY_LOSS_TAKEN) &&
@@ -167,6 +167,7 @@ static void watch_requests(reign_t *self, const view_t *view)
         }
         if (is_same(&sender, &view->after)) {
             self->silent_us = 0U;
+            self->has_heard = true;
         }
     }
 }
@@ -197,7 +198,9 @@ static void remember(reign_t *self, const view_t *view)
     self->is_armed_anew = (self->is_armed_anew || view->is_armed) && !is_lost;
     self->is_barred = is_lost || (self->is_barred && !(self->is_armed_anew && view->is_pressed));
     self->has_rested = self->has_rested && !is_lost;
-    self->silent_us = is_same(&view->before, &view->after) ? self->silent_us : 0U;
+    const bool is_new = !is_same(&view->before, &view->after);
+    self->silent_us = is_new ? 0U : self->silent_us;
+    self->has_heard = self->has_heard || (self->has_looked && is_new);
     self->holder = view->after;
     self->has_looked = true;
     for (uint32_t i = 0U; i < REIGN_LOSSES; i++) {

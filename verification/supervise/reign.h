@@ -33,8 +33,9 @@ typedef struct {
     uint32_t lost_us;         /**< So long ago. */
     bool has_rested;          /**< All axes at once, in a cycle since the loss. */
     uint32_t silent_us;       /**< Since its holder's last accepted command. */
-    uint32_t pressed_us;      /**< The button, with the pedal released. */
-    bool is_barred;           /**< Since a loss nobody has armed and then pressed. */
+    bool has_heard;      /**< Of a holder from before the first look that command is unknown. */
+    uint32_t pressed_us; /**< The button, with the pedal released. */
+    bool is_barred;      /**< Since a loss nobody has armed and then pressed. */
     bool is_armed_anew;
     bool was_moving;               /**< In the cycle before. */
     uint32_t losses[REIGN_LOSSES]; /**< How many there were, by authority_loss_t. */
