@@ -311,32 +311,61 @@ static bool is_beyond(const rig_t *rig, uint32_t axis)
     return (truth[axis] < config->minimum_ticks) || (truth[axis] > config->maximum_ticks);
 }
 
-/* The operator measures where the axis stands and restores that position; an axis beyond its ends
- * is brought back by hand. */
+/* By hand, to the nearer end of its range. */
+static void bring_back(operator_t *self, rig_t *rig, uint32_t axis)
+{
+    const axis_config_t *const config = &rig->box.robot->axes[axis];
+    double *const place = &rig->box.axes[axis].motor.position_ticks;
+    *place = fmin(fmax(*place, config->minimum_ticks), config->maximum_ticks);
+    self->brought |= (uint32_t)1U << axis;
+}
+
+/* The page asks for it, as RESTORE is a matter of the page; GRANT follows. */
+static void ask_for_authority(rig_t *rig)
+{
+    rig->commands[rig->command_count] = (command_t){.id = ID,
+                                                    .kind = (uint32_t)COMMAND_REQUEST,
+                                                    .argument = (uint32_t)AUTHORITY_REQUEST_TAKE,
+                                                    .source = (uint32_t)COMMAND_SOURCE_HTTP,
+                                                    .peer = RIG_PAGE};
+    rig->command_count++;
+}
+
+static void restore(rig_t *rig, uint32_t axis)
+{
+    const authority_party_t party = commander(rig);
+    command_t command = {.kind = (uint32_t)COMMAND_RESTORE,
+                         .id = ID,
+                         .argument = 1U << axis,
+                         .source = party.source,
+                         .peer = party.peer};
+    double truth[ROBOT_AXIS_MAX];
+    box_true_positions(&rig->box, truth);
+    command.ticks[axis] = (int32_t)lround(truth[axis]);
+    rig->commands[rig->command_count] = command;
+    rig->command_count++;
+}
+
+/* The operator measures where the axis stands and restores that position. An axis beyond its ends
+ * is brought back by hand; one that leaves them again is for service, as the step says. */
 static void place(operator_t *self, rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
     const uint32_t heeding = ((uint32_t)1U << WORKPHASE_UNDEFINED) | (1U << WORKPHASE_MANUAL) |
                              (1U << WORKPHASE_STOP) | (1U << WORKPHASE_EMERGENCY);
     const uint32_t axis = shown->step_axis;
-    const authority_party_t party = commander(rig);
-    command_t restore = {.kind = (uint32_t)COMMAND_RESTORE,
-                         .id = ID,
-                         .argument = 1U << axis,
-                         .source = party.source,
-                         .peer = party.peer};
-    double truth[ROBOT_AXIS_MAX];
-    if (is_beyond(rig, axis)) {
-        start_anew(self, rig);
+    if (is_beyond(rig, axis) && (((self->brought >> axis) & 1U) != 0U)) {
+        self->end = is_named_broken(rig) ? OPERATOR_SERVICE : OPERATOR_DEAD_END;
+    } else if (is_beyond(rig, axis)) {
+        bring_back(self, rig, axis);
     } else if (!authority_is_held(&rig->controller.authority)) {
         act_by_command(self, rig, (uint32_t)NEXT_STEP_AUTHORITY);
     } else if (((heeding >> shown->workphase) & 1U) == 0U) {
         act_by_command(self, rig, (uint32_t)NEXT_STEP_STOP);
+    } else if (commander(rig).source != (uint32_t)COMMAND_SOURCE_HTTP) {
+        ask_for_authority(rig);
     } else {
-        box_true_positions(&rig->box, truth);
-        restore.ticks[axis] = (int32_t)lround(truth[axis]);
-        rig->commands[rig->command_count] = restore;
-        rig->command_count++;
+        restore(rig, axis);
     }
 }
 

@@ -34,6 +34,7 @@ typedef struct {
     uint32_t wait_cycles;   /**< Until he looks again. */
     uint32_t press_cycles;  /**< He still holds the button. */
     uint32_t time_cycles;   /**< Since he came, without those that he was told to wait. */
+    uint32_t brought;       /**< Bit n: he has brought axis n back by hand. */
     uint32_t tries;         /**< START_UPs for what service is said to have mended. */
     uint32_t waited_cycles; /**< Told to wait, in a row. */
     uint32_t last_step;     /**< next_step_t that he followed last. */
