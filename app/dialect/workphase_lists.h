@@ -39,6 +39,8 @@ typedef struct {
     command_kind_t add;
     command_kind_t end;
     command_kind_t run;
+    /** How an item is written, with the units of its numbers. */
+    const char *(*form)(const robot_t *robot);
     /** The item that the next words of `*text` are. */
     status_t (*read_words)(const robot_t *robot, char **text, workphase_item_t *item);
     /** Columns of an array. */
@@ -66,8 +68,10 @@ const workphase_list_t *workphase_lists_of(uint32_t kind);
  * the items that this client has sent, and then what it is once the command is on its way.
  *
  * @return STATUS_OK; STATUS_UNKNOWN_COMMAND for a text that is none; STATUS_OUT_OF_RANGE for a
- * number that is none or too large, or one too few or too many; as list_terms_step()
+ * number that is none or too large, or one too few or too many; STATUS_WRONG_UNIT for a number
+ * without its unit; as list_terms_step()
  *
+ * @satisfies SWR-IGTL-075
  * @satisfies SWR-TRAJ-019
  * @satisfies SWR-PROG-013
  * @satisfies SWR-PROG-015

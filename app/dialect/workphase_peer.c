@@ -146,6 +146,17 @@ void workphase_peer_tell_phase(workphase_peer_t *self, uint32_t code, uint32_t p
     igtl_tell_status(self->outbox, "CURRENT_STATUS", &status, moment);
 }
 
+void workphase_peer_tell_unit(workphase_peer_t *self, const char *word, const char *form,
+                              const igtl_moment_t *moment)
+{
+    char text[IGTL_REASON_SIZE];
+    const char *name = status_name((int32_t)STATUS_WRONG_UNIT);
+    const igtl_status_t refusal = {igtl_reason_code(STATUS_WRONG_UNIT), name, text};
+
+    (void)snprintf(text, sizeof text, "%s: Send each number with its unit: %s.", name, form);
+    igtl_tell_status(self->outbox, word, &refusal, moment);
+}
+
 const char *workphase_peer_tip_subject(const workphase_peer_t *self)
 {
     return (self->language == IGTL_LANGUAGE_BRP_2021) ? "MOVE_TO_TARGET" : "NPOS";

@@ -56,6 +56,10 @@ void workphase_peer_tell_position(workphase_peer_t *self, const igtl_moment_t *m
 void workphase_peer_tell_phase(workphase_peer_t *self, uint32_t code, uint32_t phase,
                                const char *text, const igtl_moment_t *moment);
 
+/** Sends STATUS(`word`, WRONG_UNIT) with the form that is taken. */
+void workphase_peer_tell_unit(workphase_peer_t *self, const char *word, const char *form,
+                              const igtl_moment_t *moment);
+
 /** Under which name the peer is told of a needle's tip: in 2013 STATUS(MOVE_TO_TARGET, 1) says that
  * the needle has arrived. Lives for ever. */
 const char *workphase_peer_tip_subject(const workphase_peer_t *self);

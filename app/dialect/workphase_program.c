@@ -21,19 +21,38 @@ static bool has_angle(const robot_t *robot)
     return program_step_turning_axis(robot) < robot->axis_count;
 }
 
+/* A number and its unit. */
+static status_t read_number(char **text, const char *unit, double *number)
+{
+    if (!workphase_text_number(workphase_text_next(text), DBL_MAX, number)) {
+        return STATUS_OUT_OF_RANGE;
+    }
+    return workphase_text_is(workphase_text_next(text), unit) ? STATUS_OK : STATUS_WRONG_UNIT;
+}
+
 static status_t read_words(const robot_t *robot, char **text, workphase_item_t *item)
 {
     told_step_t told = {.has_angle = has_angle(robot)};
-    const bool is_one = workphase_text_number(workphase_text_next(text), DBL_MAX, &told.depth_mm) &&
-                        (!told.has_angle || workphase_text_number(workphase_text_next(text),
-                                                                  DBL_MAX, &told.angle_deg)) &&
-                        workphase_text_number(workphase_text_next(text), DBL_MAX, &told.dwell_s);
-    const char *gate = is_one ? workphase_text_next(text) : NULL;
+    status_t status = read_number(text, "mm", &told.depth_mm);
 
-    told.is_gated = (gate != NULL) && (strcmp(gate, "GATE") == 0);
-    return (is_one && (told.is_gated == (gate != NULL)))
-               ? list_terms_step(robot, &told, &item->step)
-               : STATUS_OUT_OF_RANGE;
+    if ((status == STATUS_OK) && told.has_angle) {
+        status = read_number(text, "deg", &told.angle_deg);
+    }
+    if (status == STATUS_OK) {
+        status = read_number(text, "s", &told.dwell_s);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    const char *gate = workphase_text_next(text);
+    told.is_gated = workphase_text_is(gate, "GATE");
+    return (told.is_gated == (gate != NULL)) ? list_terms_step(robot, &told, &item->step)
+                                             : STATUS_OUT_OF_RANGE;
+}
+
+static const char *form(const robot_t *robot)
+{
+    return has_angle(robot) ? "PROGRAM STEP 0 12 mm 90 deg 30 s" : "PROGRAM STEP 0 12 mm 30 s";
 }
 
 static uint32_t columns(const robot_t *robot)
@@ -85,6 +104,7 @@ const workphase_list_t workphase_program = {.number = 1U,
                                             .add = COMMAND_PROGRAM_STEP,
                                             .end = COMMAND_PROGRAM_END,
                                             .run = COMMAND_RUN_PROGRAM,
+                                            .form = form,
                                             .read_words = read_words,
                                             .columns = columns,
                                             .read_row = read_row,
@@ -102,7 +122,7 @@ void workphase_program_tell(workphase_peer_t *peer, const igtl_moment_t *moment)
         return;
     }
     if (shown->program_steps != 0U) {
-        (void)snprintf(text, sizeof text, "%u %u %u %.1f", (unsigned)shown->program_steps,
+        (void)snprintf(text, sizeof text, "%u %u %u %.1f s", (unsigned)shown->program_steps,
                        (unsigned)shown->program_crc, (unsigned)shown->program_step,
                        (double)shown->program_dwelt_us / US_PER_S);
     }

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Treatment programs: `PROGRAM STEP <index> <depth> <angle> <dwell in s> GATE`, depth and angle in
- * the units of their axes, without the angle where the robot turns no needle, without GATE where
- * the dose does not end the step. An array has the columns depth, angle where there is one, dwell,
- * gate (0 or 1).
+ * Treatment programs: `PROGRAM STEP <index> <depth> mm <angle> deg <dwell> s GATE`, without the
+ * angle where the robot turns no needle, without GATE where the dose does not end the step. An
+ * array has the columns depth, angle where there is one, dwell, gate (0 or 1).
  */
 #ifndef BORESIGHT_WORKPHASE_PROGRAM_H
 #define BORESIGHT_WORKPHASE_PROGRAM_H

@@ -138,6 +138,8 @@ static void refuse_word(const workphase_dialect_t *self, workphase_peer_t *peer,
         const igtl_status_t refusal = {igtl_reason_code(status), status_name((int32_t)status),
                                        text};
         igtl_tell_status(peer->outbox, word->word, &refusal, moment);
+    } else if ((status == STATUS_WRONG_UNIT) && (word->form != NULL)) {
+        workphase_peer_tell_unit(peer, word->word, word->form, moment);
     } else {
         igtl_tell_refusal(peer->outbox, word->word, status, moment);
     }
@@ -181,8 +183,12 @@ static void receive_list(workphase_dialect_t *self, uint32_t index, const workph
     } else {
         status = STATUS_BUSY;
     }
-    if (status != STATUS_OK) {
+    if (status == STATUS_WRONG_UNIT) {
+        workphase_peer_tell_unit(peer, list->word, list->form(self->robot), moment);
+    } else if (status != STATUS_OK) {
         igtl_tell_refusal(peer->outbox, list->word, status, moment);
+    } else {
+        /* It is on its way. */
     }
 }
 

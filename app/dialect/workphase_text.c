@@ -19,6 +19,11 @@ char *workphase_text_next(char **text)
     return (word == end) ? NULL : word;
 }
 
+bool workphase_text_is(const char *word, const char *expected)
+{
+    return (word != NULL) && (strcmp(word, expected) == 0);
+}
+
 /* These characters alone: strtod() knows more, and no text makes what is not finite. */
 bool workphase_text_number(const char *word, double most, double *number)
 {

@@ -12,6 +12,9 @@
  * It is a part of the text, which is changed. */
 char *workphase_text_next(char **text);
 
+/** Whether `word` is `expected`; false of no word at all. */
+bool workphase_text_is(const char *word, const char *expected);
+
 /** Reads `word` as a decimal number within +-`most`. False when it is none, or no word at all. */
 bool workphase_text_number(const char *word, double most, double *number);
 

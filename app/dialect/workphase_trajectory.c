@@ -13,20 +13,42 @@ static status_t put_time(int32_t time_ms, trajectory_row_t *row)
     return (time_ms >= 0) ? STATUS_OK : STATUS_OUT_OF_RANGE;
 }
 
+static status_t read_unit(char **text, const char *unit)
+{
+    return workphase_text_is(workphase_text_next(text), unit) ? STATUS_OK : STATUS_WRONG_UNIT;
+}
+
+/* A whole number of each axis, then what they are. */
+static status_t read_axes(const robot_t *robot, char **text, const char *unit, int32_t *numbers)
+{
+    bool is_one = true;
+
+    for (uint32_t i = 0U; (i < robot->axis_count) && is_one; i++) {
+        is_one = workphase_text_whole(workphase_text_next(text), &numbers[i]);
+    }
+    return is_one ? read_unit(text, unit) : STATUS_OUT_OF_RANGE;
+}
+
 static status_t read_words(const robot_t *robot, char **text, workphase_item_t *item)
 {
     trajectory_row_t *row = &item->row;
     int32_t time_ms = 0;
-    bool is_one = workphase_text_whole(workphase_text_next(text), &time_ms);
+    status_t status =
+        workphase_text_whole(workphase_text_next(text), &time_ms) ? STATUS_OK : STATUS_OUT_OF_RANGE;
 
     *row = (trajectory_row_t){.time_ms = 0U};
-    for (uint32_t i = 0U; (i < robot->axis_count) && is_one; i++) {
-        is_one = workphase_text_whole(workphase_text_next(text), &row->ticks[i]);
-    }
-    for (uint32_t i = 0U; (i < robot->axis_count) && is_one; i++) {
-        is_one = workphase_text_whole(workphase_text_next(text), &row->speeds_ticks_per_s[i]);
-    }
-    return is_one ? put_time(time_ms, row) : STATUS_OUT_OF_RANGE;
+    status = (status == STATUS_OK) ? read_unit(text, "ms") : status;
+    status = (status == STATUS_OK) ? read_axes(robot, text, "ticks", row->ticks) : status;
+    status =
+        (status == STATUS_OK) ? read_axes(robot, text, "ticks/s", row->speeds_ticks_per_s) : status;
+    return (status == STATUS_OK) ? put_time(time_ms, row) : status;
+}
+
+static const char *form(const robot_t *robot)
+{
+    (void)robot;
+    return "TRAJECTORY ROW 0 1500 ms, a position for each axis, ticks, a speed for each axis, "
+           "ticks/s";
 }
 
 static uint32_t columns(const robot_t *robot)
@@ -77,6 +99,7 @@ const workphase_list_t workphase_trajectory = {.number = 0U,
                                                .add = COMMAND_LIST_ROW,
                                                .end = COMMAND_LIST_END,
                                                .run = COMMAND_RUN_TRAJECTORY,
+                                               .form = form,
                                                .read_words = read_words,
                                                .columns = columns,
                                                .read_row = read_row,

@@ -28,9 +28,15 @@ static status_t read_pose(const robot_t *robot, char *text, command_t *command)
     return STATUS_UNKNOWN_COMMAND;
 }
 
-static status_t read_speed(const robot_t *robot, const char *name, const char *speed,
-                           command_t *command)
+static const char *unit_of(const axis_config_t *axis, const char *of_mm, const char *of_deg)
 {
+    return (axis->unit == (uint8_t)AXIS_UNIT_MM) ? of_mm : of_deg;
+}
+
+static status_t read_speed(const robot_t *robot, const char *name, char **text, command_t *command)
+{
+    const char *speed = workphase_text_next(text);
+    const char *unit = workphase_text_next(text);
     const uint32_t axis = axis_terms_find(robot, name);
     const uint32_t mask = (uint32_t)1U << axis;
 
@@ -42,52 +48,67 @@ static status_t read_speed(const robot_t *robot, const char *name, const char *s
         return STATUS_OUT_OF_RANGE;
     }
     command->argument |= mask;
-    return STATUS_OK;
+    return workphase_text_is(unit, unit_of(&robot->axes[axis], "mm/s", "deg/s"))
+               ? STATUS_OK
+               : STATUS_WRONG_UNIT;
 }
 
-/* An axis and where it shall go, or by which way. */
+/* An axis and where it shall go, or by which way, with its unit. */
 static status_t read_jog(const robot_t *robot, char *text, command_t *command)
 {
     const char *name = workphase_text_next(&text);
     const char *way = workphase_text_next(&text);
+    const char *unit = workphase_text_next(&text);
     const uint32_t axis = (name == NULL) ? robot->axis_count : axis_terms_find(robot, name);
 
     if ((axis == robot->axis_count) || (workphase_text_next(&text) != NULL)) {
         return STATUS_UNKNOWN_COMMAND;
     }
+    if (!workphase_text_ticks(way, &robot->axes[axis], &command->value)) {
+        return STATUS_OUT_OF_RANGE;
+    }
     command->argument = axis;
-    return workphase_text_ticks(way, &robot->axes[axis], &command->value) ? STATUS_OK
-                                                                          : STATUS_OUT_OF_RANGE;
+    return workphase_text_is(unit, unit_of(&robot->axes[axis], "mm", "deg")) ? STATUS_OK
+                                                                             : STATUS_WRONG_UNIT;
 }
 
 /* Below 0 it would be a way. */
-static status_t read_time(const char *word, command_t *command)
+static status_t read_time(const char *word, char **text, command_t *command)
 {
+    const char *unit = workphase_text_next(text);
     double time_s;
 
     if (!workphase_text_number(word, MOST_S, &time_s)) {
         return STATUS_OUT_OF_RANGE;
     }
     command->value = (int32_t)lround(time_s * MS_PER_S);
-    return (command->value > 0) ? STATUS_OK : STATUS_OUT_OF_RANGE;
+    if (command->value <= 0) {
+        return STATUS_OUT_OF_RANGE;
+    }
+    return (workphase_text_is(unit, "s") && (workphase_text_next(text) == NULL))
+               ? STATUS_OK
+               : STATUS_WRONG_UNIT;
 }
 
-/* Pairs of an axis and its speed, then the time. */
+/* Axes, each with its speed, then the time, all with their units. */
 static status_t read_velocity(const robot_t *robot, char *text, command_t *command)
 {
-    const char *first = workphase_text_next(&text);
-    const char *second = workphase_text_next(&text);
+    const char *word = workphase_text_next(&text);
+    bool is_axis = (word != NULL) && (axis_terms_find(robot, word) < robot->axis_count);
 
-    while (second != NULL) {
-        const status_t status = read_speed(robot, first, second, command);
+    while (is_axis) {
+        const status_t status = read_speed(robot, word, &text, command);
 
         if (status != STATUS_OK) {
             return status;
         }
-        first = workphase_text_next(&text);
-        second = workphase_text_next(&text);
+        word = workphase_text_next(&text);
+        is_axis = (word != NULL) && (axis_terms_find(robot, word) < robot->axis_count);
     }
-    return (first == NULL) ? STATUS_UNKNOWN_COMMAND : read_time(first, command);
+    if ((word == NULL) || (command->argument == 0U)) {
+        return STATUS_UNKNOWN_COMMAND;
+    }
+    return read_time(word, &text, command);
 }
 
 /* An axis, and that it is free. */
@@ -147,18 +168,18 @@ static status_t read_probe(const robot_t *robot, char *text, command_t *command)
 }
 
 static const workphase_word_t words[] = {
-    {"RETRACT_NEEDLE", COMMAND_RETRACT, 0U, NULL},
-    {"RETRACT_PROBE", COMMAND_RETRACT, 0U, NULL},
-    {"ALIGN", COMMAND_ALIGN, 0U, NULL},
-    {"INSERT", COMMAND_INSERT, 0U, NULL},
-    {"POSE", COMMAND_POSE, 0U, read_pose},
-    {"JOG", COMMAND_JOG, 0U, read_jog},
-    {"JOG_BY", COMMAND_JOG_BY, 0U, read_jog},
-    {"VELOCITY", COMMAND_VELOCITY, 0U, read_velocity},
-    {"SWEEP", COMMAND_SWEEP, 0U, read_sweep},
-    {"ACCEPT_ENTRY", COMMAND_ACCEPT_ENTRY, 0U, NULL},
-    {"WITHDRAW_ENTRY", COMMAND_WITHDRAW, (uint32_t)COMMAND_ENTRY, NULL},
-    {"PROBE", COMMAND_PROBE, 0U, read_probe},
+    {"RETRACT_NEEDLE", COMMAND_RETRACT, 0U, NULL, NULL},
+    {"RETRACT_PROBE", COMMAND_RETRACT, 0U, NULL, NULL},
+    {"ALIGN", COMMAND_ALIGN, 0U, NULL, NULL},
+    {"INSERT", COMMAND_INSERT, 0U, NULL, NULL},
+    {"POSE", COMMAND_POSE, 0U, read_pose, NULL},
+    {"JOG", COMMAND_JOG, 0U, read_jog, "JOG AXIS 5 mm, or JOG AXIS 5 deg"},
+    {"JOG_BY", COMMAND_JOG_BY, 0U, read_jog, "JOG_BY AXIS 5 mm, or JOG_BY AXIS 5 deg"},
+    {"VELOCITY", COMMAND_VELOCITY, 0U, read_velocity, "VELOCITY AXIS 5 mm/s AXIS 5 deg/s 1.5 s"},
+    {"SWEEP", COMMAND_SWEEP, 0U, read_sweep, NULL},
+    {"ACCEPT_ENTRY", COMMAND_ACCEPT_ENTRY, 0U, NULL, NULL},
+    {"WITHDRAW_ENTRY", COMMAND_WITHDRAW, (uint32_t)COMMAND_ENTRY, NULL, NULL},
+    {"PROBE", COMMAND_PROBE, 0U, read_probe, NULL},
 };
 
 static bool is_named(const workphase_word_t *word, const igtl_message_t *message)

@@ -29,6 +29,7 @@ typedef struct {
     command_kind_t kind;
     uint32_t argument;
     workphase_reader_t reader; /**< NULL: nothing follows it. */
+    const char *form; /**< What is taken, of a word whose numbers have units; otherwise NULL. */
 } workphase_word_t;
 
 /**
@@ -42,14 +43,16 @@ const workphase_word_t *workphase_words_find(const igtl_message_t *message);
  * The command that `message` means, which workphase_words_find() has found to be this `word`. What
  * may be commanded, the controller judges.
  *
- * POSE has the name of a pose. JOG has an axis and its position in mm or degrees, JOG_BY the way
- * from where it stands. VELOCITY has axes, each with a speed in mm/s or degrees/s, then the
- * seconds. SWEEP has an axis, and FREE if the operator has confirmed that it is. PROBE has each
+ * POSE has the name of a pose. JOG has an axis, its position and its unit, mm or deg, JOG_BY the
+ * way from where it stands. VELOCITY has axes, each with a speed and mm/s or deg/s, then the time
+ * and s. SWEEP has an axis, and FREE if the operator has confirmed that it is. PROBE has each
  * length of the robot's probe once, by its name and then mm within +-2000, in any order.
  *
- * @return as its reader; STATUS_OUT_OF_RANGE also beyond IGTL_TEXT_MAX characters
+ * @return as its reader; STATUS_WRONG_UNIT for a number without the unit of its axis;
+ * STATUS_OUT_OF_RANGE also beyond IGTL_TEXT_MAX characters
  *
  * @satisfies SWR-FLOW-005
+ * @satisfies SWR-IGTL-074
  * @satisfies SWR-POSE-006
  * @satisfies SWR-PROBE-006
  * @satisfies SWR-SWEEP-013

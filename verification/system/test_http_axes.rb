@@ -170,7 +170,7 @@ class TestHttpAxes < Minitest::Test
       line_up(client)
       client.run('array PROGRAM 64 4 2 0 1 0 5 0 1 0')
       assert_match(/\APROGRAM_DEPTH: .* Step 1\.\z/, client.status('PROGRAM')['text'])
-      checksum = send_steps(client, '2 20 0.1', '2.9 0 600 GATE')
+      checksum = send_steps(client, '2 mm 20 deg 0.1 s', '2.9 mm 0 deg 600 s GATE')
       wait_until('it is shown') { fetch_json(PROGRAM).values_at('steps', 'source', 'checksum') == [2, 'IGTL', checksum] }
       client.phase('MOVE_TO_TARGET')
       client.run('expect STATUS CURRENT_STATUS 1')

@@ -140,7 +140,7 @@ class TestHttpTrajectory < Minitest::Test
     IgtlClient.open(boresight.brp_port) do |client|
       client.run('phase MANUAL')
       client.run('wait STATUS MANUAL')
-      lines = rows(-10).each_with_index.map { |row, index| "ROW #{index} #{index * 500} #{(row + [0] * row.size).join(' ')}" }
+      lines = rows(-10).each_with_index.map { |row, index| "ROW #{index} #{index * 500} ms #{row.join(' ')} ticks #{([0] * row.size).join(' ')} ticks/s" }
       ['BEGIN 3', *lines, 'END'].each do |line|
         client.run("string Text TRAJECTORY #{line}")
         client.run('expect STATUS TRAJECTORY 1')

@@ -53,7 +53,7 @@ class TestIgtl < Minitest::Test
       navigation do |client|
         start_up(client)
         assert_entered client, 'MANUAL'
-        client.run('string Text VELOCITY rotation 10 0.4')
+        client.run('string Text VELOCITY rotation 10 deg/s 0.4 s')
         client.run('expect STATUS ACK_VELOCITY 1')
         boresight.simctl('pedal', 'press')
         assert_equal [1, 'MANUAL'], client.status('VELOCITY').values_at('code', 'error_name')
@@ -272,9 +272,9 @@ class TestIgtl < Minitest::Test
   # START_UP moves only axes that are not homed.
   # SWR-FLOW-005: by a way, and what is no jog is refused.
   def assert_jogs(client)
-    client.run('string Text JOG_BY nose 5')
+    client.run('string Text JOG_BY nose 5 deg')
     assert_match(/\AUNKNOWN_COMMAND: /, client.status('JOG_BY')['text'])
-    client.run('string Text JOG_BY rotation 5')
+    client.run('string Text JOG_BY rotation 5 deg')
     client.run('expect STATUS ACK_JOG_BY 1')
     boresight.simctl('pedal', 'press')
     assert_equal [1, 'MANUAL'], client.status('JOG_BY').values_at('code', 'error_name')

@@ -48,8 +48,8 @@
 #define COLUMNS 4U
 
 /* 12 mm and -90 degrees, 30 s with the gate; 8.5 mm and 0 degrees, 250 ms without. */
-#define FIRST "PROGRAM STEP 0 12 -90 30 GATE"
-#define SECOND "PROGRAM STEP 1 8.5 0 0.25"
+#define FIRST "PROGRAM STEP 0 12 mm -90 deg 30 s GATE"
+#define SECOND "PROGRAM STEP 1 8.5 mm 0 deg 0.25 s"
 
 static uint8_t content[HEADER + (8U * COLUMNS * (LIMIT_PROGRAM_STEPS + 1U))];
 static igtl_message_t array;
@@ -153,16 +153,16 @@ void test_SWR_PROG_013_a_text_that_is_no_step_is_refused_by_name(void)
     expect_refusal("PROGRAM BEGIN", "OUT_OF_RANGE");
     expect_refusal("PROGRAM BEGIN -1", "OUT_OF_RANGE");
     expect_refusal("PROGRAM STEP", "OUT_OF_RANGE");
-    expect_refusal("PROGRAM STEP 0 12 90", "OUT_OF_RANGE");
-    expect_refusal("PROGRAM STEP 0 12 90 30 gate", "OUT_OF_RANGE");
-    expect_refusal("PROGRAM STEP 0 12 90 30 GATE 1", "OUT_OF_RANGE");
-    expect_refusal("PROGRAM STEP 0 1e99 90 30", "OUT_OF_RANGE");
-    expect_refusal("PROGRAM STEP 0 12 1e99 30", "OUT_OF_RANGE");
-    expect_refusal("PROGRAM STEP 0 nan 90 30", "OUT_OF_RANGE");
-    expect_refusal("PROGRAM STEP 0 12 90 -1", "OUT_OF_RANGE");
-    expect_refusal("PROGRAM STEP 0 12 90 1000001", "OUT_OF_RANGE");
-    expect_refusal("PROGRAM STEP 0 12 90 0 GATE", "PROGRAM_DWELL");
-    expect_refusal("PROGRAM STEP 0 12 90 0.0004 GATE", "PROGRAM_DWELL");
+    expect_refusal("PROGRAM STEP 0 12 mm 90 deg", "OUT_OF_RANGE");
+    expect_refusal("PROGRAM STEP 0 12 mm 90 deg 30 s gate", "OUT_OF_RANGE");
+    expect_refusal("PROGRAM STEP 0 12 mm 90 deg 30 s GATE 1", "OUT_OF_RANGE");
+    expect_refusal("PROGRAM STEP 0 1e99 mm 90 deg 30 s", "OUT_OF_RANGE");
+    expect_refusal("PROGRAM STEP 0 12 mm 1e99 deg 30 s", "OUT_OF_RANGE");
+    expect_refusal("PROGRAM STEP 0 nan mm 90 deg 30 s", "OUT_OF_RANGE");
+    expect_refusal("PROGRAM STEP 0 12 mm 90 deg -1 s", "OUT_OF_RANGE");
+    expect_refusal("PROGRAM STEP 0 12 mm 90 deg 1000001 s", "OUT_OF_RANGE");
+    expect_refusal("PROGRAM STEP 0 12 mm 90 deg 0 s GATE", "PROGRAM_DWELL");
+    expect_refusal("PROGRAM STEP 0 12 mm 90 deg 0.0004 s GATE", "PROGRAM_DWELL");
     expect_refusal("PROGRAM END 1x", "OUT_OF_RANGE");
 }
 
@@ -170,11 +170,14 @@ void test_SWR_PROG_013_a_text_that_is_no_step_is_refused_by_name(void)
 void test_SWR_PROG_013_a_robot_that_turns_no_needle_has_no_angle(void)
 {
     robot.axes[turning()].needle_motion = 0U;
-    say(0U, "Text", "PROGRAM STEP 0 12 30");
+    say(0U, "Text", "PROGRAM STEP 0 12 mm 30 s");
     expect_command(COMMAND_PROGRAM_STEP, 0U);
     TEST_ASSERT_EQUAL_INT32(30000, command.value);
     TEST_ASSERT_EQUAL_INT32(steps[0].depth_ticks, command.ticks[robot.needle_axis]);
-    expect_refusal("PROGRAM STEP 0 12 90 30", "OUT_OF_RANGE");
+    say(0U, "Text", "PROGRAM STEP 0 12 mm 90 deg 30 s");
+    EXPECT(0U, "STATUS PROGRAM 10 WRONG_UNIT|WRONG_UNIT: Send each number with its unit: "
+               "PROGRAM STEP 0 12 mm 30 s.");
+    expect_no_command();
 }
 
 void test_SWR_PROG_013_only_who_commands_sends_one(void)
@@ -235,7 +238,8 @@ void test_SWR_PROG_016_who_runs_it_is_told_each_step_once(void)
     run_program();
     snapshot.program_step = 1U;
     pass_us(0U);
-    (void)snprintf(line, sizeof line, "STRING CURRENT_PROGRAM 2 %u 1 0.0", (unsigned)sum_of_both());
+    (void)snprintf(line, sizeof line, "STRING CURRENT_PROGRAM 2 %u 1 0.0 s",
+                   (unsigned)sum_of_both());
     EXPECT(0U, line);
     snapshot.program_dwelt_us = 12450000U;
     pass_us(0U);
@@ -274,7 +278,7 @@ void test_SWR_PROG_016_anybody_may_ask_how_far_it_is(void)
     snapshot.program_dwelt_us = 12450000U;
     say(1U, "CMD_4", "CURRENT_PROGRAM");
     EXPECT(1U, "STRING ACK_4 CURRENT_PROGRAM");
-    EXPECT(1U, "STRING CURRENT_PROGRAM 3 4000000000 1 12.4");
+    EXPECT(1U, "STRING CURRENT_PROGRAM 3 4000000000 1 12.4 s");
     moment.snapshot = NULL;
     say(1U, "CURRENT_PROGRAM", "");
     EXPECT_BEGIN(1U, "STATUS CURRENT_PROGRAM 7 NO_ANSWER|");
@@ -404,4 +408,18 @@ void test_SWR_PROG_014_another_shape_is_refused(void)
     pass_us(0U);
     expect_command(COMMAND_PROGRAM_STEP, 0U);
     TEST_ASSERT_EQUAL_INT32(5000, command.value);
+}
+
+void test_SWR_IGTL_075_a_step_needs_its_units(void)
+{
+    static const char *const texts[] = {
+        "PROGRAM STEP 0 12 90 30", "PROGRAM STEP 0 12 deg 90 mm 30 s",
+        "PROGRAM STEP 0 12 mm 90 deg 30", "PROGRAM STEP 0 12 mm 90 deg 30 ms",
+        "PROGRAM STEP 0 12 mm 90 30 s GATE"};
+
+    for (size_t i = 0U; i < (sizeof texts / sizeof texts[0]); i++) {
+        say(0U, "Text", texts[i]);
+        EXPECT(0U, "STATUS PROGRAM 10 WRONG_UNIT|WRONG_UNIT: Send each number with its unit: "
+                   "PROGRAM STEP 0 12 mm 90 deg 30 s.");
+    }
 }

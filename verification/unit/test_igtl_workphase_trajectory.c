@@ -42,7 +42,7 @@
 
 #include <string.h>
 
-#define ROW "TRAJECTORY ROW 0 1500 1 -2 3 4 5 6 7 -10 20 30 40 50 60 70"
+#define ROW "TRAJECTORY ROW 0 1500 ms 1 -2 3 4 5 6 7 ticks -10 20 30 40 50 60 70 ticks/s"
 
 void setUp(void)
 {
@@ -75,7 +75,8 @@ static uint32_t send_list(void)
     TEST_ASSERT_EQUAL_INT32(1500, command.value);
     TEST_ASSERT_EQUAL_MEMORY(row.ticks, command.ticks, sizeof row.ticks);
     TEST_ASSERT_EQUAL_MEMORY(row.speeds_ticks_per_s, command.speeds, sizeof row.speeds_ticks_per_s);
-    done("TRAJECTORY ROW 1 1600 1 1 1 1 1 1 1 0 0 0 0 0 0 0", COMMAND_LIST_ROW, 1U);
+    done("TRAJECTORY ROW 1 1600 ms 1 1 1 1 1 1 1 ticks 0 0 0 0 0 0 0 ticks/s", COMMAND_LIST_ROW,
+         1U);
     row = (trajectory_row_t){.time_ms = 1600U, .ticks = {1, 1, 1, 1, 1, 1, 1}};
     sum = trajectory_list_crc(sum, &row);
     done("TRAJECTORY END", COMMAND_LIST_END, sum);
@@ -161,10 +162,14 @@ void test_SWR_TRAJ_019_a_text_that_is_none_is_refused_by_name(void)
     expect_refusal("TRAJECTORY END 1 2", "OUT_OF_RANGE");
     expect_refusal("TRAJECTORY END -1", "OUT_OF_RANGE");
     expect_refusal("TRAJECTORY RUN 4294967296", "OUT_OF_RANGE");
-    expect_refusal("TRAJECTORY ROW 0 -1500 1 2 3 4 5 6 7 0 0 0 0 0 0 0", "OUT_OF_RANGE");
-    expect_refusal("TRAJECTORY ROW 0 1500 1 2 3 4 5 6 7 0 0 0 0 0 0", "OUT_OF_RANGE");
-    expect_refusal("TRAJECTORY ROW 0 1500 1 2 3 4 5 6 7 0 0 0 0 0 0 0 0", "OUT_OF_RANGE");
-    expect_refusal("TRAJECTORY ROW 0 1500 1.5 2 3 4 5 6 7 0 0 0 0 0 0 0", "OUT_OF_RANGE");
+    expect_refusal("TRAJECTORY ROW 0 -1500 ms 1 2 3 4 5 6 7 ticks 0 0 0 0 0 0 0 ticks/s",
+                   "OUT_OF_RANGE");
+    expect_refusal("TRAJECTORY ROW 0 1500 ms 1 2 3 4 5 6 7 ticks 0 0 0 0 0 0 ticks/s",
+                   "OUT_OF_RANGE");
+    expect_refusal("TRAJECTORY ROW 0 1500 ms 1 2 3 4 5 6 7 ticks 0 0 0 0 0 0 0 0 ticks/s",
+                   "WRONG_UNIT");
+    expect_refusal("TRAJECTORY ROW 0 1500 ms 1.5 2 3 4 5 6 7 ticks 0 0 0 0 0 0 0 ticks/s",
+                   "OUT_OF_RANGE");
     expect_refusal(text, "OUT_OF_RANGE");
 }
 
@@ -183,4 +188,19 @@ void test_SWR_TRAJ_019_only_who_commands_sends_one(void)
     say(1U, "Text", "TRAJECTORY BEGIN 2");
     EXPECT_BEGIN(1U, "STATUS TRAJECTORY 5 NO_AUTHORITY|");
     expect_no_command();
+}
+
+void test_SWR_IGTL_075_a_row_needs_its_units(void)
+{
+    static const char *const texts[] = {
+        "TRAJECTORY ROW 0 1500 1 2 3 4 5 6 7 0 0 0 0 0 0 0",
+        "TRAJECTORY ROW 0 1500 s 1 2 3 4 5 6 7 ticks 0 0 0 0 0 0 0 ticks/s",
+        "TRAJECTORY ROW 0 1500 ms 1 2 3 4 5 6 7 mm 0 0 0 0 0 0 0 ticks/s",
+        "TRAJECTORY ROW 0 1500 ms 1 2 3 4 5 6 7 ticks 0 0 0 0 0 0 0"};
+
+    for (size_t i = 0U; i < (sizeof texts / sizeof texts[0]); i++) {
+        say(0U, "Text", texts[i]);
+        EXPECT_BEGIN(0U, "STATUS TRAJECTORY 10 WRONG_UNIT|WRONG_UNIT: Send each number with its "
+                         "unit: TRAJECTORY ROW 0 1500 ms, a position");
+    }
 }
