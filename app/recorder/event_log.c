@@ -354,6 +354,11 @@ void event_log_note_unrecorded(event_log_t *self, uint32_t cycles)
     (void)write_remark(self, remark);
 }
 
+void event_log_remark(event_log_t *self, const char *remark)
+{
+    (void)write_remark(self, remark);
+}
+
 void event_log_close(event_log_t *self)
 {
     event_log_sync(self);

@@ -64,6 +64,9 @@ void event_log_sync(event_log_t *self);
  */
 void event_log_note_unrecorded(event_log_t *self, uint32_t cycles);
 
+/** Writes what is no event: a name, `value=` and a number, a sentence. */
+void event_log_remark(event_log_t *self, const char *remark);
+
 void event_log_close(event_log_t *self);
 
 #endif

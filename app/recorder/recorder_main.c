@@ -12,6 +12,7 @@
 #include "controller/controller.h"
 #include "interface/interface_layout.h"
 #include "recorder/black_box.h"
+#include "recorder/card_counts.h"
 #include "recorder/event_log.h"
 #include "recorder/position_keeper.h"
 #include "recorder/sweep_keeper.h"
@@ -53,15 +54,28 @@ void contract_broken(const char *module, uint32_t id)
 static black_box_t black_box;
 static event_log_t event_log;
 static position_keeper_t position_keeper;
+static card_counts_t card_counts[CARD_SLOT_COUNT];
 static sweep_keeper_t sweep_keeper;
 
-static void keep_positions(const exchange_t *exchange, bool is_end)
+static void log_counts(const snapshot_t *snapshot, uint64_t now_us)
+{
+    char text[CARD_COUNTS_SIZE];
+
+    for (uint32_t i = 0U; i < CARD_SLOT_COUNT; i++) {
+        if (card_counts_look(&card_counts[i], i, &snapshot->cards[i], now_us, text)) {
+            event_log_remark(&event_log, text);
+        }
+    }
+}
+
+static void look_at_snapshot(const exchange_t *exchange, bool is_end)
 {
     snapshot_t snapshot;
 
     if (!exchange_read_snapshot(exchange, &snapshot)) {
         return;
     }
+    log_counts(&snapshot, is_end ? CARD_COUNTS_END : clock_monotonic_us());
     if (is_end) {
         position_keeper_close(&position_keeper, &snapshot, clock_utc_us());
     } else {
@@ -102,14 +116,14 @@ static void record(exchange_t *exchange, const sigset_t *ends)
 
     while (sigtimedwait(ends, NULL, &tick) < 0) {
         drain(exchange);
-        keep_positions(exchange, false);
+        look_at_snapshot(exchange, false);
         if ((clock_monotonic_us() - synced_us) >= UINT64_C(1000000)) {
             event_log_sync(&event_log);
             synced_us = clock_monotonic_us();
         }
     }
     drain(exchange);
-    keep_positions(exchange, true);
+    look_at_snapshot(exchange, true);
 }
 
 /* Runs with what it was given, until it is told to end. @return the exit code */

@@ -28,6 +28,7 @@ static void receive(link_t *self, uint32_t slot, const uint8_t *bytes)
     self->is_fresh = 0U;
     self->last_error = (uint16_t)CARD_FRAME_OK;
     if (bytes == NULL) {
+        link_note_missed(self);
         return;
     }
     /* An old report must not replace the last one. */
@@ -39,6 +40,7 @@ static void receive(link_t *self, uint32_t slot, const uint8_t *bytes)
     card_frame_result_t result = card_frame_decode_report(bytes, slot, report);
     if ((result == CARD_FRAME_OK) && is_repeated) {
         result = CARD_FRAME_REPEATED;
+        self->frames_out_of_order += (self->frames_out_of_order < UINT32_MAX) ? 1U : 0U;
     }
     self->last_error = (uint16_t)result;
     if (result != CARD_FRAME_OK) {

@@ -19,15 +19,17 @@
 /** From `sent` on sixteen words, which cost the seal least. */
 typedef struct {
     card_link_chart_t chart;
-    card_report_t report;     /**< The last valid one; all zero before the first. */
-    uint32_t sampled_us;      /**< When that was sampled, as the board has it. */
-    uint32_t reported_us;     /**< From the sample before to that of this cycle; 0: none came. */
-    uint32_t is_timed;        /**< The card's clock says so, and no cycle was missed: 0 or 1. */
-    uint32_t lost_heartbeat;  /**< Of the last valid report since it was lost, or until then. */
-    uint16_t last_error;      /**< card_frame_result_t of this cycle's frame. */
-    uint16_t is_fresh;        /**< A valid frame arrived in this cycle: 0 or 1. */
-    card_drive_t sent;        /**< Drive of the last command. */
-    card_drive_t sent_before; /**< Of the one before: the one that a report speaks of. */
+    card_report_t report;    /**< The last valid one; all zero before the first. */
+    uint32_t sampled_us;     /**< When that was sampled, as the board has it. */
+    uint32_t reported_us;    /**< From the sample before to that of this cycle; 0: none came. */
+    uint32_t is_timed;       /**< The card's clock says so, and no cycle was missed: 0 or 1. */
+    uint32_t lost_heartbeat; /**< Of the last valid report since it was lost, or until then. */
+    uint32_t frames_out_of_order; /**< Of those discarded, by their heartbeat; saturates. */
+    uint32_t frames_missed;       /**< Cycles without a frame while it was usable; saturates. */
+    uint16_t last_error;          /**< card_frame_result_t of this cycle's frame. */
+    uint16_t is_fresh;            /**< A valid frame arrived in this cycle: 0 or 1. */
+    card_drive_t sent;            /**< Drive of the last command. */
+    card_drive_t sent_before;     /**< Of the one before: the one that a report speaks of. */
     uint32_t sent_sequence;
     uint32_t sent_sequence_before;
     uint32_t card_type; /**< What the card must be. */
@@ -69,6 +71,7 @@ static inline bool link_check(link_t *self)
  * @satisfies SWR-LINK-007
  * @satisfies SWR-LINK-008
  * @satisfies SWR-LINK-012
+ * @satisfies SWR-LINK-040
  */
 void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, const card_samples_t *samples,
                uint32_t elapsed_us);
@@ -80,6 +83,21 @@ static inline uint32_t link_measured_us(const link_t *self, uint32_t sampled_us,
 {
     const uint32_t measured_us = sampled_us - self->sampled_us;
     return ((self->has_report == 0U) || (measured_us == 0U)) ? elapsed_us : measured_us;
+}
+
+/** The card may be given a drive command. */
+static inline bool link_is_usable(const link_t *self)
+{
+    return (self->chart.state == CARD_LINK_STATE_LIVE) ||
+           (self->chart.state == CARD_LINK_STATE_LATE);
+}
+
+/** No frame came in this cycle. What is not used yet, or not any more, is missed by nobody. */
+static inline void link_note_missed(link_t *self)
+{
+    if (link_is_usable(self) && (self->frames_missed < UINT32_MAX)) {
+        self->frames_missed++;
+    }
 }
 
 /** What link_step() does for every dialect: time passes, before the report of the cycle is read. */
@@ -120,13 +138,6 @@ void link_reset(link_t *self);
 /** What it remembers was damaged: all but its chart, which has its own complement, starts anew as
  * link_init(); a card in use is given up. */
 void link_distrust(link_t *self, uint32_t card_type, uint32_t firmware);
-
-/** The card may be given a drive command. */
-static inline bool link_is_usable(const link_t *self)
-{
-    return (self->chart.state == CARD_LINK_STATE_LIVE) ||
-           (self->chart.state == CARD_LINK_STATE_LATE);
-}
 
 /** Nothing was known against the lost card but that frames did not come through, one way or the
  * other. */

@@ -34,6 +34,7 @@ static void receive(link_t *self, uint32_t slot, const uint8_t *bytes, uint32_t 
     self->reported_us = 0U;
     self->last_error = (uint16_t)CARD_FRAME_OK;
     if (bytes == NULL) {
+        link_note_missed(self);
         return;
     }
     const card_frame_result_t result = aim32_frame_decode_report(bytes, &read);

@@ -257,6 +257,8 @@ static void show_card(const controller_t *self, const cycle_t *cycle, uint32_t s
     shown->link = (uint32_t)link->chart.state;
     shown->age_cycles = link->age_cycles;
     shown->frame_errors = link->frame_errors;
+    shown->frames_out_of_order = link->frames_out_of_order;
+    shown->frames_missed = link->frames_missed;
     shown->heartbeat = link->report.heartbeat;
     shown->status = link->report.status;
     shown->card_type = link->report.card_type;

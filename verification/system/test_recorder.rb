@@ -47,7 +47,7 @@ class TestRecorder < SystemTest
         (expected = boresight.log).any? { |event| event['name'] == 'PEDAL_RELEASED' }
       end
     end
-    lines = boresight.event_lines
+    lines = boresight.event_lines.grep_v(/ CARD_COUNTS /) # No event.
     assert_equal (0...lines.size).to_a, lines.map { |line| line.split[1].to_i }
     expected.each do |event|
       assert_match(/ #{event['number']} cycle=#{event['cycle']} #{event['severity']} #{event['name']} /,
@@ -168,6 +168,16 @@ class TestRecorder < SystemTest
     bare, others = texts.partition { |text, _| text.include?('There is nothing to replay: no cycle follows a checkpoint.') }
     assert_operator bare.size, :<=, 1, texts.join
     others.each { |text, code| assert_includes [0, 3], code, text }
+  end
+
+  # SWR-LINK-040: they are counted by their reason.
+  def test_SWR_REC_053_what_control_discards_of_a_card_stands_in_the_log
+    record(1000) do
+      boresight.simctl('card', '3', 'corrupt')
+      boresight.wait_until('the card is lost') { boresight.event_lines.any? { |line| line.include?(' CARD_LOST subject=3') } }
+    end
+    counts = boresight.event_lines.grep(/ CARD_COUNTS value=3 /)
+    assert_match(/ Frames of card 3: [1-9]\d* damaged, \d+ out of order, \d+ missed\. Commands to it: /, counts.last)
   end
 
   def test_SWR_REC_040_a_run_that_ends_on_a_full_disk_says_how_many_cycles_are_in_no_recording

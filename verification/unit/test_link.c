@@ -258,6 +258,40 @@ void test_SWR_LINK_002_the_count_of_bad_frames_saturates(void)
     TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.frame_errors);
 }
 
+void test_SWR_LINK_040_what_is_damaged_and_what_is_out_of_order_are_counted_apart(void)
+{
+    make_report();
+    bytes[20] ^= 1U;
+    expect_discarded(CARD_FRAME_BAD_CRC);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.frames_out_of_order);
+    good_cycle();
+    expect_discarded(CARD_FRAME_REPEATED);
+    TEST_ASSERT_EQUAL_UINT32(1U, card.frames_out_of_order);
+    TEST_ASSERT_EQUAL_UINT32(2U, card.frame_errors);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.frames_missed);
+    card.frames_out_of_order = UINT32_MAX;
+    receive();
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.frames_out_of_order);
+}
+
+void test_SWR_LINK_040_cycles_without_a_frame_are_counted_while_the_card_is_used(void)
+{
+    repeat(silent_cycle, 2U);
+    TEST_ASSERT_EQUAL_UINT32(2U, card.frames_missed);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.frame_errors);
+    good_cycle();
+    lose_by_silence();
+    repeat(silent_cycle, 10U);
+    TEST_ASSERT_EQUAL_UINT32(2U + LIMIT_LINK_AGE_CYCLES, card.frames_missed);
+    link_init(&card, CARD_TYPE_PWM, FIRMWARE);
+    silent_cycle();
+    TEST_ASSERT_EQUAL_UINT32(0U, card.frames_missed);
+    good_cycle();
+    card.frames_missed = UINT32_MAX;
+    silent_cycle();
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.frames_missed);
+}
+
 void test_SWR_LINK_003_good_frames_do_not_bring_a_lost_card_back(void)
 {
     lose_by_silence();

@@ -94,6 +94,13 @@ void test_SWR_NI_004_without_valid_frames_it_is_lost_at_the_age_limit(void)
     TEST_ASSERT_TRUE(link_is_usable(&card));
 }
 
+void test_SWR_LINK_040_a_cycle_without_a_frame_is_counted(void)
+{
+    miss(2U);
+    TEST_ASSERT_EQUAL_UINT32(2U, card.frames_missed);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.frame_errors);
+}
+
 void test_SWR_NI_004_a_refused_frame_is_counted_and_is_none(void)
 {
     report(11U);

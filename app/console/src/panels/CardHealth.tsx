@@ -14,6 +14,9 @@ const columns = [
   { number: "Damaged commands" },
   { number: "Out of order" },
   { number: "Watchdog trips" },
+  { number: "Damaged reports" },
+  { number: "Disordered reports" },
+  { number: "Missed reports" },
   "What is wrong",
 ];
 
@@ -37,6 +40,9 @@ function Health({ card }: { card: Card }) {
       <td className="number">{card.commands_damaged}</td>
       <td className="number">{card.commands_out_of_order}</td>
       <td className="number">{card.watchdog_trips}</td>
+      <td className="number">{card.frame_errors - card.frames_out_of_order}</td>
+      <td className="number">{card.frames_out_of_order}</td>
+      <td className="number">{card.frames_missed}</td>
       <td data-level={level}>
         <Shape level={level} />
         {isWell ? "nothing" : card.troubles.map(({ text }) => text).join(" ")}
@@ -49,6 +55,7 @@ function Health({ card }: { card: Card }) {
  * What each card that was heard measures and counts of itself.
  *
  * @satisfies SWR-CARD-014
+ * @satisfies SWR-LINK-041
  */
 export function CardHealth({ cards }: { cards: readonly Card[] }) {
   return (

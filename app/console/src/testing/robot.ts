@@ -106,6 +106,8 @@ export function makeCard(change: Partial<Card> = {}): Card {
     link: "live",
     age_cycles: 0,
     frame_errors: 0,
+    frames_out_of_order: 0,
+    frames_missed: 0,
     heartbeat: 1000,
     driver_temperature_dc: 331,
     motor_temperature_dc: 250,

@@ -80,13 +80,21 @@ test("SWR-CARD-014 what each card measures and counts of itself is told, and wha
   });
   const rows = rowsOf("Health of the cards");
   expect(rows.map((row) => row.textContent)).toEqual([
-    "7head33.1 °C\u22121.5 °C24.0 V350 mA000nothing",
-    "9none33.1 °C25.0 °C18.0 V0 mA341Its supply is low. It refuses commands.",
+    "7head33.1 °C\u22121.5 °C24.0 V350 mA000000nothing",
+    "9none33.1 °C25.0 °C18.0 V0 mA341000Its supply is low. It refuses commands.",
   ]);
   const levels = rows.map((row) =>
     row.lastElementChild?.getAttribute("data-level"),
   );
   expect(levels).toEqual(["normal", "attention"]);
+});
+
+test("SWR-LINK-041 what control discarded of a card and missed of it is told by its reason", async () => {
+  const counts = { frame_errors: 9, frames_out_of_order: 2, frames_missed: 5 };
+  await show({ cards: [makeCard(counts)] });
+  const cells = rowsOf("Health of the cards")[0]?.querySelectorAll("td");
+  const texts = [...(cells ?? [])].map((cell) => cell.textContent);
+  expect(texts.slice(8, 11)).toEqual(["7", "2", "5"]);
 });
 
 test("SWR-CON-036 each stage is told by classes of time, and its longest", async () => {
