@@ -20,6 +20,7 @@
 /* What is aimed at; NULL: it is not said. */
 typedef struct {
     const double *matrix;
+    const request_quaternion_pose_t *pose;
     const double *point_mm;
 } aim_t;
 
@@ -99,7 +100,6 @@ int http_targeting_enter(http_server_t *server, const http_call_t *call)
     return http_act_command(server, call, &command);
 }
 
-/* A body names one of the two. */
 static int refuse_aim(http_server_t *server, const http_call_t *call, const solution_t *solution)
 {
     const answer_t answer = {.kind = (uint32_t)ANSWER_REFUSED,
@@ -111,13 +111,28 @@ static int refuse_aim(http_server_t *server, const http_call_t *call, const solu
                : http_act_refuse(server, call, &answer);
 }
 
-/* Of a matrix, or of a point with the entry point. Returns as read_pose(). */
+/* Returns as read_pose(). */
+static int read_quaternion(const http_call_t *call, const request_quaternion_pose_t *body,
+                           rigid_t *pose)
+{
+    const double quaternion[4] = {body->w, body->x, body->y, body->z};
+    return telemetry_units_quaternion(body->point_mm, quaternion, pose)
+               ? 0
+               : http_reply_refuse(call->connection, PROBLEM_NO_UNIT_QUATERNION);
+}
+
+/* Of a matrix or a pose, or of a point with the entry point. Returns as read_pose(). */
 static int read_target(http_server_t *server, const http_call_t *call, const aim_t *aim,
                        const snapshot_t *snapshot, rigid_t *pose)
 {
+    const uint32_t said = ((aim->matrix != NULL) ? 1U : 0U) + ((aim->pose != NULL) ? 1U : 0U) +
+                          ((aim->point_mm != NULL) ? 1U : 0U);
     point_t target;
-    if ((aim->matrix == NULL) == (aim->point_mm == NULL)) {
-        return http_act_refuse_choice(call, aim->matrix != NULL, "/matrix");
+    if (said != 1U) {
+        return http_act_refuse_choice(call, said > 1U, "/matrix");
+    }
+    if (aim->pose != NULL) {
+        return read_quaternion(call, aim->pose, pose);
     }
     if (aim->matrix != NULL) {
         return read_pose(call, aim->matrix, pose);
@@ -133,6 +148,7 @@ int http_targeting_aim(http_server_t *server, const http_call_t *call)
     const request_target_t *body = &call->body.target;
     command_t command = {.id = body->id, .kind = (uint32_t)COMMAND_TARGET};
     const aim_t aim = {.matrix = (body->matrix_count > 0U) ? body->matrix : NULL,
+                       .pose = body->has_pose ? &body->pose : NULL,
                        .point_mm = (body->point_mm_count > 0U) ? body->point_mm : NULL};
     snapshot_t snapshot;
     if (!exchange_read_snapshot(server->exchange, &snapshot)) {
@@ -195,6 +211,7 @@ int http_targeting_preview(http_server_t *server, const http_call_t *call)
     const robot_t *robot = exchange_robot(server->exchange);
     const request_aim_t *body = &call->body.preview_target;
     const aim_t aim = {.matrix = (body->matrix_count > 0U) ? body->matrix : NULL,
+                       .pose = body->has_pose ? &body->pose : NULL,
                        .point_mm = (body->point_mm_count > 0U) ? body->point_mm : NULL};
     snapshot_t snapshot;
     rigid_t pose;

@@ -7,6 +7,7 @@
 
 #define NM_PER_MM 1.0e6
 #define ONE_Q30 1073741824.0
+#define UNIT_TOLERANCE 0.001
 #define MM_MOST 2000.0
 #define ENTRY_MOST 1.001
 
@@ -90,6 +91,31 @@ uint32_t telemetry_units_pose(const double matrix[16], rigid_t *pose)
     }
     telemetry_units_read_point(translation, &pose->translation);
     return 16U;
+}
+
+bool telemetry_units_quaternion(const double point[3], const double quaternion[4], rigid_t *pose)
+{
+    double square = 0.0;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        square += quaternion[i] * quaternion[i];
+    }
+    const double length = sqrt(square);
+    if (fabs(length - 1.0) > UNIT_TOLERANCE) {
+        return false;
+    }
+    const double w = quaternion[0] / length;
+    const double x = quaternion[1] / length;
+    const double y = quaternion[2] / length;
+    const double z = quaternion[3] / length;
+    const double rotation[3][3] = {
+        {1.0 - (2.0 * ((y * y) + (z * z))), 2.0 * ((x * y) - (z * w)), 2.0 * ((x * z) + (y * w))},
+        {2.0 * ((x * y) + (z * w)), 1.0 - (2.0 * ((x * x) + (z * z))), 2.0 * ((y * z) - (x * w))},
+        {2.0 * ((x * z) - (y * w)), 2.0 * ((y * z) + (x * w)), 1.0 - (2.0 * ((x * x) + (y * y)))}};
+    for (uint32_t i = 0U; i < 9U; i++) {
+        pose->rotation_q30[i / 3U][i % 3U] = (int32_t)round(rotation[i / 3U][i % 3U] * ONE_Q30);
+    }
+    telemetry_units_read_point(point, &pose->translation);
+    return true;
 }
 
 double telemetry_units_distance(const rigid_t *a, const rigid_t *b)

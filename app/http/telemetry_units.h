@@ -33,6 +33,13 @@ void telemetry_units_point(const point_t *point, double coordinates[3]);
  * is none. Whether it is rigid, control finds. */
 uint32_t telemetry_units_pose(const double matrix[16], rigid_t *pose);
 
+/** The pose of `point` in mm and a quaternion of w, x, y and z. False: its length is not 1, within
+ * 0.001.
+ *
+ * @satisfies SWR-HTTP-083
+ */
+bool telemetry_units_quaternion(const double point[3], const double quaternion[4], rigid_t *pose);
+
 /** Coordinates of at most 2 m. */
 void telemetry_units_read_point(const double coordinates[3], point_t *point);
 

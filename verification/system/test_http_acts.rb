@@ -260,6 +260,25 @@ class TestHttpActs < Minitest::Test
     assert_described '/api/v1/targeting/target', 'POST', anna.last
   end
 
+  # Straight down, as a turn by 180 degrees.
+  POSE = { point_mm: [0, 200, 50], w: 0, x: 0, y: Math.sqrt(0.5), z: -Math.sqrt(0.5) }.freeze
+  SAME = [-1, 0, 0, 0, 0, 0, -1, 200, 0, -1, 0, 50, 0, 0, 0, 1].freeze
+
+  def test_SWR_HTTP_083_a_target_is_a_pose_of_a_point_and_a_quaternion
+    anna = holder
+    in_targeting(anna)
+    reached = [{ matrix: SAME }, { pose: POSE }].map do |aim|
+      assert_answer '200', 'done', anna.act('targeting/target', aim)
+      fetch_json('/api/v1/targeting').fetch('target')
+    end
+    reached.first.zip(reached.last).each { |one, other| assert_in_delta one, other, 1e-6 }
+    assert_described '/api/v1/targeting/target', 'POST', anna.last
+    assert_answer '422', 'NO_UNIT_QUATERNION', anna.act('targeting/target', { pose: POSE.merge(w: 0.1) })
+    assert_described '/api/v1/targeting/target', 'POST', anna.last
+    assert_answer '400', 'BAD_BODY', anna.act('targeting/target', { pose: POSE, matrix: SAME })
+    assert_answer '400', 'BAD_BODY', anna.act('targeting/target', { pose: POSE.except(:w) })
+  end
+
   def test_SWR_HTTP_032_it_is_shown_from_whom_a_registration_is
     anna = holder
     in_targeting(anna)

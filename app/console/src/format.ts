@@ -74,6 +74,27 @@ export function readNumbers(text: string, count: number): number[] | null {
     : null;
 }
 
+/** What a target's text says; a quaternion names its parts, as their order differs from program to program. */
+export function readAim(text: string): Record<string, unknown> | null {
+  const part = /([wxyz])\s*=\s*([^\s,;]+)/g;
+  const matrix = readNumbers(text, 16);
+  const point = readNumbers(text.replaceAll(part, ""), 3);
+  const parts = [...text.matchAll(part)].map(
+    ([, name = "", value = ""]) =>
+      [name, Number(value.replace(MINUS, "-"))] as const,
+  );
+  if (matrix !== null || point === null) {
+    return matrix && { matrix };
+  }
+  if (parts.length === 0) {
+    return { point_mm: point };
+  }
+  const { w, x, y, z } = Object.fromEntries(parts);
+  return parts.length === 4 && [w, x, y, z].every(Number.isFinite)
+    ? { pose: { point_mm: point, w: w!, x: x!, y: y!, z: z! } }
+    : null;
+}
+
 const CYCLES_PER_S = 1000;
 
 /** Control's cycles since its start, as 1:02:03. */

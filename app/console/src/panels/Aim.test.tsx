@@ -122,6 +122,42 @@ test.each([
   ]);
 });
 
+const root = Math.sqrt(0.5);
+
+test.each([
+  [
+    "-1 0 0 5\n0 0 −1 180\n0 -1 0 60\n0 0 0 1",
+    { matrix: [-1, 0, 0, 5, 0, 0, -1, 180, 0, -1, 0, 60, 0, 0, 0, 1] },
+  ],
+  [
+    `5 180 60\nw=0, x = 0 z=−${root} y=${root}`,
+    { pose: { point_mm: [5, 180, 60], w: 0, x: 0, y: root, z: -root } },
+  ],
+])("SWR-CON-108 a target is sent as a pose: %s", async (text, aim) => {
+  await show("TARGETING");
+  write("Target point, scanner", text);
+  fireEvent.click(button("Send target"));
+  expect(commander.acts().at(-1)).toEqual({
+    path: "/api/v1/targeting/target",
+    body: { id: 1, ...aim },
+  });
+  await vi.waitFor(() =>
+    expect(commander.acts()).toContainEqual({ path: PREVIEW, body: aim }),
+  );
+});
+
+test.each([
+  "5 180 60 w=1 x=0 y=0",
+  "5 180 60 0 0 0 1",
+  "w=1 x=0 y=0 z=0",
+  "1 2 3 w=1 w=1 x=0 y=0",
+  "1 2 3 w=a x=0 y=0 z=0",
+])("SWR-CON-108 what can be read in two ways is no pose: %s", async (text) => {
+  await show("TARGETING");
+  write("Target point, scanner", text);
+  expect(button("Send target").disabled).toBe(true);
+});
+
 test("SWR-CON-018 the lengths of the probe are sent together", async () => {
   await show("TARGETING");
   write("Probe needle_tip, 150 to 350 mm", "long");

@@ -7,6 +7,7 @@ import {
   formatNumber,
   formatOrigin,
   formatPoint,
+  readAim,
   readNumbers,
 } from "../format";
 import { useCommanding, type Commanding, type Operation } from "../operation";
@@ -76,17 +77,17 @@ function whatIsSaid(preview: TargetPreview): string {
 function usePreview(page: Page, text: string, cause: string): string | null {
   const [said, setSaid] = useState<string | null>(null);
   useEffect(() => {
-    const point = readNumbers(text, 3);
+    const aim = readAim(text);
     let isWanted = true;
     setSaid(null);
-    if (point === null) {
+    if (aim === null) {
       return undefined;
     }
     const ask = async () => {
       const response = await page.request(
         "POST",
         PREVIEW_PATH,
-        JSON.stringify({ point_mm: point }),
+        JSON.stringify(aim),
       );
       const answer = (await response.json()) as TargetPreview | Problem;
       if (isWanted) {
@@ -127,15 +128,18 @@ function PointOrder({
   setText: (text: string) => void;
 }) {
   const id = useId();
+  const isEntry = name === "Entry";
   const point = readNumbers(text, 3);
-  const missing = point === null ? "Write x, y and z in mm." : null;
-  const kind = name === "Entry" ? "ENTRY" : "TARGET";
+  const aim = isEntry ? point && { point_mm: point } : readAim(text);
+  const missing = `Write x, y and z in mm${isEntry ? "" : "; for a pose w=, x=, y= and z= behind them, or 16 numbers by rows"}.`;
+  const kind = isEntry ? "ENTRY" : "TARGET";
   return (
     <div className="orders">
       <label htmlFor={id}>{name} point, scanner</label>
-      <input
+      <textarea
         id={id}
-        size={24}
+        rows={isEntry ? 1 : 4}
+        cols={32}
         placeholder="x y z"
         value={text}
         onChange={(event) => setText(event.target.value)}
@@ -143,8 +147,10 @@ function PointOrder({
       <Order
         commanding={commanding}
         path={path}
-        fields={{ point_mm: point }}
-        refusal={reasonAgainst(outlook, kind) ?? missing}
+        fields={aim ?? {}}
+        refusal={
+          reasonAgainst(outlook, kind) ?? (aim === null ? missing : null)
+        }
       >
         Send {name.toLowerCase()}
       </Order>
@@ -267,6 +273,7 @@ function Probe({ robot, outlook, commanding }: AimProperties) {
  * Registration, probe, entry point and target, typed in or as they were proposed. Nothing moves by them.
  *
  * @satisfies SWR-CON-018
+ * @satisfies SWR-CON-108
  */
 export function Aim({
   robot,
