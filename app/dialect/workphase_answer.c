@@ -2,6 +2,7 @@
 #include "dialect/workphase_answer.h"
 
 #include "dialect/igtl_border.h"
+#include "dialect/workphase_draping.h"
 #include "dialect/workphase_lists.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_watch.h"
@@ -18,6 +19,9 @@ static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t
 
     if (workphase_peer_is_motion(request->kind)) {
         return peer->motion;
+    }
+    if (peer->draping == request->id) {
+        return WORKPHASE_WORD_DRAPING;
     }
     if (list != NULL) {
         return list->word;
@@ -163,6 +167,17 @@ static void tell_ended(workphase_dialect_t *self, const igtl_request_t *request,
 static void answer_phase(workphase_dialect_t *self, const igtl_request_t *request,
                          const answer_t *answer, const igtl_moment_t *moment)
 {
+    workphase_peer_t *peer = &self->peers[request->peer];
+
+    if (peer->draping == request->id) {
+        peer->draping = 0U;
+        if (answer->kind == (uint32_t)ANSWER_ACCEPTED) {
+            workphase_draping_go_on(self, request->peer, moment);
+        } else {
+            tell_outcome(self, peer, WORKPHASE_WORD_DRAPING, answer, moment);
+        }
+        return;
+    }
     switch (answer->kind) {
     case ANSWER_ACCEPTED:
         tell_entered(&self->peers[request->peer], answer, moment);
@@ -220,20 +235,39 @@ static void answer_entry(const workphase_dialect_t *self, workphase_peer_t *peer
     igtl_tell_status(peer->outbox, subject_of(peer, request), &taken, moment);
 }
 
+static bool is_draping(const workphase_peer_t *peer)
+{
+    return strcmp(peer->motion, WORKPHASE_WORD_DRAPING) == 0;
+}
+
+/* As a later server does, DRAPING has one STATUS, when it is entered. */
+static void tell_begun(const workphase_dialect_t *self, workphase_peer_t *peer,
+                       const answer_t *answer, const igtl_moment_t *moment)
+{
+    char name[IGTL_NAME_SIZE];
+
+    if (is_draping(peer)) {
+        tell_outcome(self, peer, peer->motion, answer, moment);
+        return;
+    }
+    (void)snprintf(name, sizeof name, "ACK_%.16s", peer->motion);
+    tell_outcome(self, peer, name, answer, moment);
+    if (answer->is_final != 0U) { /* It was there already. */
+        tell_outcome(self, peer, peer->motion, answer, moment);
+    }
+}
+
 static void answer_motion(workphase_dialect_t *self, const igtl_request_t *request,
                           const answer_t *answer, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[request->peer];
-    char name[IGTL_NAME_SIZE];
 
     if (answer->kind == (uint32_t)ANSWER_ACCEPTED) {
-        (void)snprintf(name, sizeof name, "ACK_%.16s", peer->motion);
-        tell_outcome(self, peer, name, answer, moment);
-        if (answer->is_final != 0U) { /* It was there already. */
-            tell_outcome(self, peer, peer->motion, answer, moment);
-        }
+        tell_begun(self, peer, answer, moment);
     } else if (answer->kind == (uint32_t)ANSWER_REFUSED) {
         tell_outcome(self, peer, peer->motion, answer, moment);
+    } else if ((answer->kind == (uint32_t)ANSWER_DONE) && is_draping(peer)) {
+        /* It was told when it began. */
     } else {
         tell_ended(self, request, answer, moment);
     }

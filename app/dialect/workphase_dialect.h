@@ -66,7 +66,8 @@ typedef struct {
     uint32_t pending; /**< Id of its newest workphase or motion without an answer, 0: none. */
     workphase_end_t end;
     workphase_tip_t tip;
-    const char *motion;                  /**< By which word it asked for its last motion. */
+    const char *motion; /**< By which word it asked for its last motion. */
+    uint32_t draping; /**< Id of its request of MANUAL, after which it goes to the pose DRAPING. */
     uint32_t sums[WORKPHASE_LIST_COUNT]; /**< Of the items that it has sent, by the kind of list. */
     uint32_t steps_told; /**< How many steps of its program it was told to be done. */
     igtl_tracking_t tracking;

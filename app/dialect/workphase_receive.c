@@ -2,6 +2,7 @@
 #include "dialect/workphase_receive.h"
 
 #include "dialect/igtl_border.h"
+#include "dialect/workphase_draping.h"
 #include "dialect/workphase_lists.h"
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"
@@ -47,6 +48,15 @@ static workphase_t phase_of(const igtl_message_t *message)
     return WORKPHASE_UNDEFINED;
 }
 
+/* Lists of forbidden workphases name it; how it is entered and answered is published nowhere. */
+static const struct {
+    const char *name;
+    igtl_status_t refusal;
+} ablation = {"ABLATION",
+              {IGTL_STATUS_UNKNOWN_INSTRUCTION, "UNKNOWN_COMMAND",
+               "UNKNOWN_COMMAND: No published list of workphases has ABLATION; send a treatment "
+               "program and PROGRAM RUN."}};
+
 static void refuse_text(workphase_peer_t *peer, const igtl_message_t *message,
                         const igtl_moment_t *moment)
 {
@@ -55,6 +65,10 @@ static void refuse_text(workphase_peer_t *peer, const igtl_message_t *message,
         (message->text_bytes < (IGTL_NAME_SIZE - 1U)) ? message->text_bytes : (IGTL_NAME_SIZE - 1U);
 
     (void)memcpy(name, message->text, length);
+    if (strcmp(name, ablation.name) == 0) {
+        igtl_tell_status(peer->outbox, name, &ablation.refusal, moment);
+        return;
+    }
     igtl_tell_refusal(peer->outbox, (length > 0U) ? name : message->name, STATUS_UNKNOWN_COMMAND,
                       moment);
 }
@@ -154,8 +168,12 @@ static void receive_word(workphase_dialect_t *self, uint32_t index, const workph
                           ? STATUS_NO_AUTHORITY
                           : workphase_words_read(word, self->robot, message, &command);
 
-    if ((status == STATUS_OK) && !pass_word(self, index, word->word, &command, moment)) {
+    if ((status == STATUS_OK) && workphase_draping_is_ahead(word, moment)) {
+        status = workphase_draping_begin(self, index, moment);
+    } else if ((status == STATUS_OK) && !pass_word(self, index, word->word, &command, moment)) {
         status = STATUS_BUSY;
+    } else {
+        /* It is on its way, or refused. */
     }
     if (status != STATUS_OK) {
         refuse_word(self, peer, word, status, moment);

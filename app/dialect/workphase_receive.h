@@ -16,6 +16,7 @@
  * @satisfies SWR-IGTL-008
  * @satisfies SWR-IGTL-035
  * @satisfies SWR-IGTL-036
+ * @satisfies SWR-IGTL-091
  * @satisfies SWR-ALIGN-007
  */
 void workphase_receive_string(workphase_dialect_t *self, uint32_t peer,

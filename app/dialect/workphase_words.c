@@ -173,6 +173,7 @@ static const workphase_word_t words[] = {
     {"ALIGN", COMMAND_ALIGN, 0U, NULL, NULL},
     {"INSERT", COMMAND_INSERT, 0U, NULL, NULL},
     {"POSE", COMMAND_POSE, 0U, read_pose, NULL},
+    {WORKPHASE_WORD_DRAPING, COMMAND_POSE, (uint32_t)POSE_DRAPING, NULL, NULL},
     {"JOG", COMMAND_JOG, 0U, read_jog, "JOG AXIS 5 mm, or JOG AXIS 5 deg"},
     {"JOG_BY", COMMAND_JOG_BY, 0U, read_jog, "JOG_BY AXIS 5 mm, or JOG_BY AXIS 5 deg"},
     {"VELOCITY", COMMAND_VELOCITY, 0U, read_velocity, "VELOCITY AXIS 5 mm/s AXIS 5 deg/s 1.5 s"},

@@ -15,6 +15,9 @@
 
 #include <stdint.h>
 
+/** A workphase of a later server, here a pose in MANUAL. */
+#define WORKPHASE_WORD_DRAPING "DRAPING"
+
 /**
  * Fills `command` from `text`, what follows a word; `text` may be changed.
  *

@@ -17,6 +17,7 @@
 #include "dialect/workphase_answer.h"
 #include "dialect/workphase_array.h"
 #include "dialect/workphase_dialect.h"
+#include "dialect/workphase_draping.h"
 #include "dialect/workphase_lists.h"
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"

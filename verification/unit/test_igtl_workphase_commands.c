@@ -17,6 +17,7 @@
 #include "dialect/workphase_answer.h"
 #include "dialect/workphase_array.h"
 #include "dialect/workphase_dialect.h"
+#include "dialect/workphase_draping.h"
 #include "dialect/workphase_lists.h"
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"
@@ -75,13 +76,21 @@ void test_SWR_IGTL_008_unknown_texts_and_names_are_answered(void)
     say(0U, "CMD_2", "UNDEFINED");
     EXPECT(0U, "STRING ACK_2 UNDEFINED");
     EXPECT_BEGIN(0U, "STATUS UNDEFINED 12 ");
-    say(0U, "CMD_3", "DRAPING");
-    EXPECT(0U, "STRING ACK_3 DRAPING");
-    EXPECT_BEGIN(0U, "STATUS DRAPING 12 ");
     say(0U, "ALPHA", "0.5");
     EXPECT_BEGIN(0U, "STATUS ALPHA 12 ");
     place(0U, "REGISTRATION", 1.0F);
     EXPECT_BEGIN(0U, "STATUS REGISTRATION 12 ");
+    expect_no_command();
+}
+
+void test_SWR_IGTL_091_ablation_is_refused_by_name_with_what_there_is_instead(void)
+{
+    say(0U, "CMD_1", "ABLATION");
+    EXPECT(0U, "STRING ACK_1 ABLATION");
+    EXPECT(
+        0U,
+        "STATUS ABLATION 12 UNKNOWN_COMMAND|UNKNOWN_COMMAND: No published list of workphases has "
+        "ABLATION; send a treatment program and PROGRAM RUN.");
     expect_no_command();
 }
 

@@ -17,6 +17,7 @@
 #include "dialect/workphase_answer.h"
 #include "dialect/workphase_array.h"
 #include "dialect/workphase_dialect.h"
+#include "dialect/workphase_draping.h"
 #include "dialect/workphase_lists.h"
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"
@@ -371,6 +372,68 @@ void test_SWR_POSE_006_a_pose_is_a_word_and_its_name(void)
     expect_command(COMMAND_POSE, (uint32_t)POSE_DRAPING);
     answer_to(&command, ANSWER_REFUSED, STATUS_NEEDLE_IN, 1U);
     EXPECT_BEGIN(0U, "STATUS POSE 13 MOVE_TO_TARGET|NEEDLE_IN: ");
+}
+
+/* From START_UP, to where MANUAL has been entered and the pose is asked for. */
+static void drape(void)
+{
+    snapshot.workphase = (uint32_t)WORKPHASE_START_UP;
+    say(0U, "CMD_7", "DRAPING");
+    EXPECT(0U, "STRING ACK_7 DRAPING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_MANUAL);
+    snapshot.workphase = (uint32_t)WORKPHASE_MANUAL;
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
+    EXPECT(0U, "");
+    expect_command(COMMAND_POSE, (uint32_t)POSE_DRAPING);
+}
+
+void test_SWR_IGTL_090_draping_enters_manual_and_goes_to_its_pose(void)
+{
+    drape();
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
+    EXPECT(0U, "STATUS DRAPING 1 MANUAL|");
+    TEST_ASSERT_TRUE(workphase_dialect_has_order(&dialect, 0U));
+    answer_to(&command, ANSWER_DONE, STATUS_OK, 1U);
+    EXPECT(0U, "");
+    say(0U, "CMD_8", "DRAPING");
+    EXPECT(0U, "STRING ACK_8 DRAPING");
+    expect_command(COMMAND_POSE, (uint32_t)POSE_DRAPING);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
+    EXPECT(0U, "STATUS DRAPING 1 MANUAL|");
+    EXPECT(0U, "");
+}
+
+void test_SWR_IGTL_090_draping_that_is_refused_or_ends_early_says_so(void)
+{
+    snapshot.workphase = (uint32_t)WORKPHASE_UNDEFINED;
+    say(0U, "CMD_6", "DRAPING");
+    EXPECT(0U, "STRING ACK_6 DRAPING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_MANUAL);
+    answer_to(&command, ANSWER_REFUSED, STATUS_WRONG_WORKPHASE, 1U);
+    EXPECT_BEGIN(0U, "STATUS DRAPING 13 UNDEFINED|WRONG_WORKPHASE: ");
+    expect_no_command();
+    drape();
+    answer_to(&command, ANSWER_REFUSED, STATUS_NEEDLE_IN, 1U);
+    EXPECT_BEGIN(0U, "STATUS DRAPING 13 MANUAL|NEEDLE_IN: ");
+    say(0U, "Text", "DRAPING");
+    expect_command(COMMAND_POSE, (uint32_t)POSE_DRAPING);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
+    EXPECT(0U, "STATUS DRAPING 1 MANUAL|");
+    answer_to(&command, ANSWER_ABORTED, STATUS_DISCARDED, 1U);
+    EXPECT_BEGIN(0U, "STATUS DRAPING 13 MANUAL|DISCARDED: ");
+}
+
+void test_SWR_IGTL_090_draping_without_an_answer_or_a_place_is_told_by_its_name(void)
+{
+    snapshot.workphase = (uint32_t)WORKPHASE_START_UP;
+    say(0U, "Text", "DRAPING");
+    pass_us(IGTL_ANSWER_TIMEOUT_US);
+    EXPECT_BEGIN(0U, "STATUS DRAPING 7 NO_ANSWER|");
+    for (uint32_t i = 0U; i < IGTL_REQUESTS_PER_PEER; i++) {
+        say(0U, "Text", "DRAPING");
+    }
+    say(0U, "Text", "DRAPING");
+    EXPECT_BEGIN(0U, "STATUS DRAPING 6 BUSY|");
 }
 
 void test_SWR_IGTL_035_an_entry_point_is_echoed_passed_on_and_answered(void)
