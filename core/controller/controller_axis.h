@@ -26,6 +26,7 @@ void controller_forget_reference(controller_t *self, const cycle_t *cycle, uint3
  * @satisfies SWR-AXIS-042
  * @satisfies SWR-AXIS-043
  * @satisfies SWR-MODE-008
+ * @satisfies SWR-MODE-060
  */
 status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const command_t *command);
 

@@ -203,6 +203,28 @@ void test_SWR_TRAJ_014_stop_ends_it_and_leaves_the_list(void)
     expect_run(STATUS_WRONG_WORKPHASE);
 }
 
+void test_SWR_MODE_060_beside_a_trajectory_no_axis_is_enabled_and_a_homing_ends_it(void)
+{
+    const command_t home = {.kind = (uint32_t)COMMAND_HOME_AXIS, .argument = NEURO_AXIS_LATERAL};
+    send_list();
+    expect_run(STATUS_OK);
+    rig_press(&rig);
+    run_until(1000000U);
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_AT_REST,
+                             list(COMMAND_ENABLE_AXIS, NEURO_AXIS_LATERAL).status);
+    rig_cycles(&rig, 10U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_ENABLED));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_ORDER_DISCARDED));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, home).status);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_DISCARDED));
+    rig_cycles(&rig, 500U);
+    const int32_t stands = yaw();
+    rig_cycles(&rig, 500U);
+    TEST_ASSERT_INT32_WITHIN(1, stands, yaw()); /* The pedal is pressed, but from before. */
+    TEST_ASSERT_EQUAL_UINT32(4U, rig.outputs.snapshot.trajectory_rows);
+}
+
 void test_SWR_TRAJ_013_what_is_armed_is_not_changed(void)
 {
     send_list();
