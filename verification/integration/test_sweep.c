@@ -7,12 +7,17 @@
 
 #include "unity.h"
 
+#include "base/seal.h"
 #include "controller/controller.h"
 #include "http/axis_outlook.h"
 #include "http/mode_outlook.h"
 #include "http/shown.h"
+#include "robot/robot_neuro.h"
 #include "robot/robot_prostate.h"
 #include "unit/support/scenes.h"
+
+#include <stddef.h>
+#include <string.h>
 
 #define LONG_CYCLES 600000U
 #define FINE_HZ 184.62
@@ -134,6 +139,40 @@ void test_SWR_SWEEP_001_the_published_curve_is_measured_up_to_the_speed_of_the_a
     TEST_ASSERT_EQUAL_UINT32(8U, compared);
     TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
     TEST_ASSERT_TRUE(axis_is_enabled(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
+}
+
+/* As robot.yml would have its row, with the words of the other robot's card. */
+static const robot_t *neuro_with_waves(void)
+{
+    static robot_t robot;
+    const axis_config_t *waves = &robot_prostate.axes[PROSTATE_AXIS_ROTATION];
+    robot = robot_neuro;
+    rig_put_near_switches(&robot);
+    axis_config_t *rotation = &robot.axes[NEURO_AXIS_ROTATION];
+    rotation->card_type = waves->card_type;
+    rotation->amplitude = waves->amplitude;
+    rotation->resonance_hz_per_k = waves->resonance_hz_per_k;
+    (void)memcpy(rotation->speed_curve, waves->speed_curve, sizeof rotation->speed_curve);
+    rotation->minimum_duty = waves->minimum_duty;
+    rotation->maximum_duty = waves->maximum_duty;
+    rotation->seal = seal_of(SEAL_START, (const uint8_t *)rotation, offsetof(axis_config_t, seal));
+    return &robot;
+}
+
+void test_SWR_SWEEP_001_the_neuro_robot_sweeps_its_rotation_on_a_card_that_makes_waves(void)
+{
+    rig_start_homed(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_SWEEP, sweep(NEURO_AXIS_ROTATION, 1).status);
+    rig_start_robot_homed(&rig, neuro_with_waves());
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, sweep(NEURO_AXIS_ROTATION, 1).status);
+    rig_press(&rig);
+    rig_cycles(&rig, 60000U); /* The search, and the first point. */
+    TEST_ASSERT_GREATER_THAN_UINT32(2U, rig_count(&rig, EVENT_SWEEP_WORD));
+    TEST_ASSERT_GREATER_THAN_UINT32(0U, rig_count(&rig, EVENT_SWEEP_UPWARDS));
+    TEST_ASSERT_TRUE(axis_is_enabled(&rig.controller.axes[NEURO_AXIS_ROTATION]));
+    rig_release(&rig);
 }
 
 void test_SWR_SWEEP_007_heat_aborts_it(void)
