@@ -115,6 +115,26 @@ test("SWR-SESS-010 where there is no account the code is asked for", async () =>
   expect(lastOf("POST")?.body).toBe('{"code":"ABCD-EFGH-2345"}');
 });
 
+test("SWR-SESS-010 what was refused stays to be mended, but for a password", async () => {
+  await show({ ...nobody, login: "code" });
+  await press(/Log in/);
+  type(/Code/, "ABCD-EFGH-2346");
+  answers.POST = refuses(401, {});
+  await press(/Log in/);
+  expect(screen.getByLabelText(/Code/)).toHaveProperty(
+    "value",
+    "ABCD-EFGH-2346",
+  );
+  cleanup();
+  await show(nobody);
+  await press(/Log in/);
+  type(/Name/, "anna");
+  type(/Password/, "x");
+  await press(/Log in/);
+  expect(screen.getByLabelText(/Name/)).toHaveProperty("value", "anna");
+  expect(screen.getByLabelText(/Password/)).toHaveProperty("value", "");
+});
+
 test("SWR-SESS-010 where nobody can log in this is said", async () => {
   await show({ ...nobody, login: "none" });
   screen.getByText("Nobody can log in here.");

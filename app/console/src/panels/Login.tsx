@@ -21,7 +21,11 @@ function Form({
         ? { code: fieldOf(form, "code").trim().toUpperCase() }
         : { name: fieldOf(form, "name"), password: fieldOf(form, "password") },
     );
-    form.reset();
+    // What was mistyped can be mended; a password does not stay in the page.
+    const password = form.elements.namedItem("password");
+    if (password instanceof HTMLInputElement) {
+      password.value = "";
+    }
   };
   return (
     <form
@@ -99,14 +103,14 @@ function Someone({
 
 function Nobody({ session, store }: { session: Session; store: SessionStore }) {
   const [isAsked, setAsked] = useState(false);
-  const logIn = (request: LoginRequest) => {
-    void store.logIn(request).then(() => setAsked(false));
-  };
   if (session.login === "none") {
     return <p>Nobody can log in here.</p>;
   }
   return isAsked ? (
-    <Form way={session.login} onLogIn={logIn} />
+    <Form
+      way={session.login}
+      onLogIn={(request) => void store.logIn(request)}
+    />
   ) : (
     <>
       <p>Not logged in</p>
