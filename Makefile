@@ -291,7 +291,7 @@ $(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(CODEC)
 
 # --- commands ------------------------------------------------------------------------------------------------
 
-.PHONY: help run client charts points test demo bench trace build bootstrap bootstrap-client bootstrap-site bootstrap-test stunnel clean FORCE
+.PHONY: help run client charts points test demo bench trace build bootstrap bootstrap-client bootstrap-site bootstrap-test bootstrap-pictures stunnel clean FORCE
 FORCE:
 
 help: ## List the commands
@@ -308,6 +308,9 @@ bootstrap-site:
 
 bootstrap-test:
 	@BOARD_PACKAGES='$(BOARD_PACKAGES)' tools/bootstrap test
+
+bootstrap-pictures:
+	@BOARD_PACKAGES='$(BOARD_PACKAGES)' tools/bootstrap pictures
 
 build: bootstrap ## Install what is missing and compile
 	@$(MAKE) --no-print-directory -j2 $(BINARIES)

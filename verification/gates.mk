@@ -79,7 +79,7 @@ sweep: bootstrap-test ## Frequency sweep of the ProstateRobot's rotation, six mi
 	@$(MAKE) --no-print-directory -j2 programs
 	@ruby verification/demo/sweep.rb $(or $(PICTURE),$(CURDIR)/build/demo/sweep/sweep.svg) $(FILE)
 
-pictures: bootstrap-test ## The pictures of the documents, by the tests that show them: docs/images; NAME=console makes a part
+pictures: bootstrap-pictures ## The pictures of the documents, by the tests that show them: docs/images; NAME=console makes a part
 	@$(MAKE) --no-print-directory -j2 programs
 	@ruby tools/pictures.rb --make $(NAME)
 

@@ -22,7 +22,7 @@ class TestBootstrap < Minitest::Test
                  'if [ -e broken ]; then echo "E: Unable to locate package gcc" >&2; exit 100; fi; touch installed'
   }.freeze
 
-  def bootstrap(locked: 0, broken: false)
+  def bootstrap(purpose = 'run', locked: 0, broken: false)
     Dir.mktmpdir('bootstrap') do |folder|
       FileUtils.mkdir_p(%W[#{folder}/tools/node #{folder}/played])
       %w[tools/bootstrap tools/packages.txt tools/node/package-lock.json].each { |file| FileUtils.cp("#{ROOT}/#{file}", "#{folder}/#{file}") }
@@ -31,7 +31,7 @@ class TestBootstrap < Minitest::Test
       PLAYED.each do |name, script|
         File.write("#{folder}/played/#{name}", "#!/bin/sh\n#{script}\n", perm: 0o755)
       end
-      text, status = Open3.capture2e({ 'PATH' => "#{folder}/played:#{ENV.fetch('PATH')}" }, "#{folder}/tools/bootstrap", 'run')
+      text, status = Open3.capture2e({ 'PATH' => "#{folder}/played:#{ENV.fetch('PATH')}" }, "#{folder}/tools/bootstrap", purpose)
       [text, status.success?, File.readlines("#{folder}/asked", chomp: true)]
     end
   end
@@ -41,6 +41,12 @@ class TestBootstrap < Minitest::Test
     assert is_done, text
     assert_equal 3, text.scan('another program installs packages (process 4242 (unattended-upgr)); this one waits for it').size
     assert_equal %w[update update update update install], asked.map { |words| words[/\w+/] }
+  end
+
+  def test_SWR_TOOL_034_what_joins_pictures_is_installed_for_pictures_alone
+    installed = %w[run client site test pictures].to_h { |purpose| [purpose, bootstrap(purpose).last.last.split] }
+    assert_equal %w[pictures], installed.select { |_purpose, words| words.include?('webp') }.keys
+    assert_empty installed['test'] - installed['pictures']
   end
 
   def test_SWR_TOOL_025_whatever_else_is_wrong_ends_with_a_sentence
