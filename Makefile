@@ -205,11 +205,12 @@ CONSOLE_SOURCES := $(shell find app/console -path '*/node_modules' -prune -o -ty
 
 app/console/node_modules/.installed: app/console/package-lock.json
 	@echo 'installing the packages of the console'
-	@cd app/console && npm ci --loglevel=error --ignore-scripts --no-audit --no-fund >/dev/null
+	@tools/run_long build/log/console.log npm ci --prefix app/console --loglevel=error --ignore-scripts --no-audit --no-fund || \
+	{ cat build/log/console.log >&2; exit 1; }
 	@touch $@
 
 $(GEN)/assets/assets.c: $(CONSOLE_SOURCES) $(GEN)/interface/.compiled $(DRAWINGS) $(GEN)/charts/charts.json app/console/node_modules/.installed tools/embed.rb
-	@cd app/console && npm run --silent build
+	@tools/run_long build/log/console.log npm run --prefix app/console --silent build || { cat build/log/console.log >&2; exit 1; }
 	@echo 'built build/console'
 	@ruby tools/embed.rb build/console $(GEN)/assets /api/v1/openapi.json=$(GEN)/interface/app/openapi.json
 
@@ -237,8 +238,9 @@ COMPILING := $(subst $(CURDIR),HERE,$(CC) $(CFLAGS) $(STRAIGHT))
 $(OUT)/flags: FORCE
 	@mkdir -p $(OUT); echo '$(COMPILING)' | cmp -s - $@ || echo '$(COMPILING)' >$@
 
+# A line for each folder that is compiled for the first time: nobody wonders what lasts.
 $(OUT)/%.o: %.c $(OUT)/flags | $(GENERATED)
-	@mkdir -p $(@D)
+	@test -d $(@D) || echo 'compiling $(<D)'; mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $(FLAGS) -MMD -MP -c $< -o $@
 
 # The build id stands in these; they follow every commit.

@@ -29,7 +29,7 @@ $(RECORDED_PAGE): build/site/recorded.wasm
 $(RECORDED_PAGE): PAGE_BUILD := build-recorded
 $(PAGE) $(RECORDED_PAGE): $(CONSOLE_SOURCES) $(GEN)/interface/.compiled $(DRAWINGS) $(GEN)/charts/charts.json \
     app/console/node_modules/.installed
-	@cd app/console && npm run --silent $(PAGE_BUILD)
+	@tools/run_long build/log/page.log npm run --prefix app/console --silent $(PAGE_BUILD) || { cat build/log/page.log >&2; exit 1; }
 	@echo "built $@, $$(gzip -9 -c $@ | wc -c) bytes compressed"
 
 site: wasm ## Pages that need no server: the console with a robot in it, and one on which recordings are opened: build/site/page

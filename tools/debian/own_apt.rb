@@ -38,6 +38,8 @@ class OwnApt
   end
 
   def run(folder, *command, may_fail: false)
+    puts command.join(' ')
+    $stdout.flush
     output, status = Open3.capture2e({ 'APT_CONFIG' => "#{@home}/apt.conf", 'LC_ALL' => 'C' }, *command, chdir: folder)
     File.write(@log, "$ #{command.join(' ')}\n#{output}", mode: 'a')
     return output if status.success? || may_fail

@@ -16,18 +16,19 @@ class TestBootstrap < Minitest::Test
     'dpkg-query' => 'test -e installed && echo ii',
     'id' => 'echo 0',
     'sleep' => 'exit 0',
-    'npm' => 'exit 0',
+    'npm' => 'touch asked; i=0; while [ -e lasting ] && [ $i -lt 20000 ]; do i=$((i + 1)); done',
     'apt-get' => 'echo "$@" >>asked; left=$(cat locked); ' \
                  "if [ $left -gt 0 ]; then echo $((left - 1)) >locked; echo '#{LOCKED}' >&2; exit 100; fi; " \
                  'if [ -e broken ]; then echo "E: Unable to locate package gcc" >&2; exit 100; fi; touch installed'
   }.freeze
 
-  def bootstrap(purpose = 'run', locked: 0, broken: false)
+  def bootstrap(purpose = 'run', locked: 0, broken: false, lasting: false)
     Dir.mktmpdir('bootstrap') do |folder|
       FileUtils.mkdir_p(%W[#{folder}/tools/node #{folder}/played])
-      %w[tools/bootstrap tools/packages.txt tools/node/package-lock.json].each { |file| FileUtils.cp("#{ROOT}/#{file}", "#{folder}/#{file}") }
+      %w[tools/bootstrap tools/run_long tools/packages.txt tools/node/package-lock.json].each { |file| FileUtils.cp("#{ROOT}/#{file}", "#{folder}/#{file}") }
       File.write("#{folder}/locked", locked.to_s)
       FileUtils.touch("#{folder}/broken") if broken
+      FileUtils.touch("#{folder}/lasting") if lasting
       PLAYED.each do |name, script|
         File.write("#{folder}/played/#{name}", "#!/bin/sh\n#{script}\n", perm: 0o755)
       end
@@ -47,6 +48,20 @@ class TestBootstrap < Minitest::Test
     installed = %w[run client site test pictures].to_h { |purpose| [purpose, bootstrap(purpose).last.last.split] }
     assert_equal %w[pictures], installed.select { |_purpose, words| words.include?('webp') }.keys
     assert_empty installed['test'] - installed['pictures']
+  end
+
+  def test_SWR_TOOL_035_what_lasts_says_every_ten_seconds_what_it_does
+    text, is_done, = bootstrap(lasting: true)
+    assert is_done, text
+    assert_match(/^npm, 10 s: npm runs$/, text)
+  end
+
+  # What a newcomer may have to wait for.
+  def test_SWR_TOOL_035_everything_that_is_fetched_or_packed_shows_that_it_lasts
+    lines = %w[tools/bootstrap Makefile site/site.mk].flat_map { |file| File.readlines("#{ROOT}/#{file}", chomp: true) }
+    long = lines.grep(%r{\A\s*[^#\s].*\b(npm (ci|run)|gem install|apt-get "|ruby tools/(sources|armhf)\.rb)})
+    assert_equal 8, long.size, long.join("\n")
+    assert_empty long.grep_v(/run_long/)
   end
 
   def test_SWR_TOOL_025_whatever_else_is_wrong_ends_with_a_sentence
