@@ -5,11 +5,18 @@
 # Finds in documents what goes stale, or sends its reader to look for a place: "not yet", "as above".
 #
 #   ruby tools/prose.rb      one line for each, exit 1 if there is any
+#
+# So it does in the texts of the console and of its page, and in what is said of the interface. Spans of time: tools/prose_times.rb.
 
-# What README.md and docs say in words.
+require_relative 'prose_times'
+
+# What README.md, docs and the console say in words.
 class Prose
-  STALE = ['not yet', 'currently', 'at the moment', 'at present', 'for now', 'nowadays', 'recently', 'as above',
-           'as mentioned', 'to be done', 'TODO', 'TBD'].freeze
+  DOCUMENTS = %w[README.md docs/**/*.md].freeze
+  TEXTS = %w[app/console/*.html app/console/src/**/*.{ts,tsx} core/interface/*.yml].freeze
+  STALE = ['not yet', 'currently', 'at the moment', 'at present', 'for now', 'nowadays', 'recently', 'as above', 'as below',
+           'see above', 'see below', 'mentioned above', 'described above', 'described below', 'as mentioned', 'coming soon', 'to be done',
+           'TODO', 'TBD'].freeze
   FOUND = /(?<![\w-])(?:#{STALE.map { |phrase| phrase.gsub(' ', '\\s+') }.join('|')})(?![\w-])/i
 
   def initialize(root)
@@ -17,14 +24,19 @@ class Prose
   end
 
   # @satisfies SWR-TOOL-027
+  # @satisfies SWR-TOOL-038
   def complaints
-    Dir.glob(%w[README.md docs/**/*.md], base: @root).sort.flat_map do |file|
-      text = words_of(File.read(File.join(@root, file), encoding: 'UTF-8'))
-      found_in(text).map { |line, phrase| "#{file}:#{line}: '#{phrase}' goes stale, or names no place" }
-    end
+    stale_in(DOCUMENTS) { |text| words_of(text) } + stale_in(TEXTS) { |text| without_comments(text) }
   end
 
   private
+
+  def stale_in(files)
+    Dir.glob(files, base: @root).grep_v(/\.test\./).sort.flat_map do |file|
+      text = yield File.read(File.join(@root, file), encoding: 'UTF-8')
+      found_in(text).map { |line, phrase| "#{file}:#{line}: '#{phrase}' goes stale, or names no place" }
+    end
+  end
 
   # A phrase may go on in the next line.
   def found_in(text)
@@ -35,10 +47,16 @@ class Prose
   def words_of(text)
     text.gsub(/^```.*?^```|`[^`]*`/m) { |code| code.gsub(/[^\n]/, '') }
   end
+
+  # Nobody reads those in a page.
+  def without_comments(text)
+    text.gsub(%r{/\*.*?\*/|^\s*(?://|#).*?$}m) { |comment| comment.gsub(/[^\n]/, '') }
+  end
 end
 
 if $PROGRAM_NAME == __FILE__
-  complaints = Prose.new(File.expand_path('..', __dir__)).complaints
+  root = File.expand_path('..', __dir__)
+  complaints = Prose.new(root).complaints + ProseTimes.new(root).complaints
   puts complaints
   exit complaints.empty?
 end

@@ -4,19 +4,21 @@
 
 # Fills the tables of the documents from their sources, so that they say what the programs say.
 #
-#   ruby tools/tables.rb [--root FOLDER]           rewrites the marked blocks of docs/*.md
+#   ruby tools/tables.rb [--root FOLDER]           rewrites the marked blocks of README.md and docs/*.md
 #   ruby tools/tables.rb --check [--root FOLDER]   one line per stale block, exit 1 if there is any
 #
 # A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
 # structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `modes`, for the whole table of
 # core/interface/modes.yml; `limits`, for those of requirements/; `known_limits`, for those of
 # requirements/known_limits.yml; `rooms`, for tools/rooms.yml; `decisions`, for docs/decisions;
+# `waits`, for tools/waits.yml;
 # `robots`, for the axes of core/robot/*/robot.yml;
 # or one of tools/card_tables.rb, for the frames of the cards.
 
 require 'optparse'
 require_relative 'card_tables'
 require_relative 'decisions'
+require_relative 'gates/plan'
 require_relative 'interface/model'
 require_relative 'robot/description'
 require_relative 'rooms'
@@ -54,7 +56,7 @@ end
 # What can be shown as a table, read from one project.
 class TableSources
   # What is no enumeration and no structure: a method of the same name.
-  OTHERS = %w[decisions known_limits limits modes problems robots rooms routes].freeze
+  OTHERS = %w[decisions known_limits limits modes problems robots rooms routes waits].freeze
 
   LINE = 130 # characters
 
@@ -156,6 +158,26 @@ class TableSources
     markdown(['Path', 'Method', 'Who', 'What', 'Query and headers'], rows)
   end
 
+  # @satisfies SWR-TOOL-036
+  def waits
+    rows = YAML.safe_load_file(File.join(@root, 'tools/waits.yml')).map do |row|
+      ["`#{row['command']}`#{row['when']}", [span(*seconds_of(row['seconds'])), *row['says']].join('; ')]
+    end
+    markdown(['Command', 'How long it takes, about, on two free cores'], rows)
+  end
+
+  def seconds_of(seconds)
+    return seconds unless seconds == 'gates'
+
+    gates = Gates::Gate.read(File.join(@root, 'verification/gates.yml'))
+    [Gates::Plan.new(2, gates.to_h { |gate| [gate.name, gate.seconds] }).seconds_left([], {}, gates)] * 2
+  end
+
+  def span(least, most)
+    unit, size = most < 60 ? ['s', 1] : ['minutes', 60]
+    "#{[least, most].map { |seconds| (seconds.to_f / size).round }.uniq.join(' to ')} #{unit}"
+  end
+
   def parameters(route)
     (route.parameters.members + route.headers).map { |one| "`#{one.name}`: #{one.says}" }.join(' ')
   end
@@ -244,7 +266,7 @@ if $PROGRAM_NAME == __FILE__
       parser.on('--root FOLDER') { |folder| options[:root] = folder }
     end.parse!
     sources = TableSources.new(options[:root])
-    documents = Dir.glob('docs/*.md', base: options[:root]).sort.to_h do |file|
+    documents = Dir.glob(%w[README.md docs/*.md], base: options[:root]).sort.to_h do |file|
       [file, TabledDocument.new(file, File.read(File.join(options[:root], file), encoding: 'UTF-8'), sources)]
     end
   rescue OptionParser::ParseError, TabledDocument::MarkError, Trace::FormatError, Interface::Refused, Robot::Refused,

@@ -33,6 +33,16 @@ class TestProse < Minitest::Test
     assert_equal ["README.md:1: 'Not yet' goes stale, or names no place"], complaints_of("Not\nyet there.\n", 'README.md')
   end
 
+  def test_SWR_TOOL_038_texts_of_the_console_and_of_the_interface_are_read_without_their_comments
+    found = "docs/x: 'as above' goes stale, or names no place"
+    %w[app/console/src/panels/Aim.tsx app/console/index.html core/interface/steps.yml].each do |file|
+      assert_equal [found.sub('docs/x', "#{file}:2")], complaints_of("\n<p>As it is, as above.</p>\n", file)
+    end
+    assert_empty complaints_of("// As above.\n/* Not\n yet. */\n", 'app/console/src/a.ts')
+    assert_empty complaints_of("# Not yet.\n", 'core/interface/a.yml')
+    assert_empty complaints_of("as above\n", 'app/console/src/a.test.ts')
+  end
+
   def test_SWR_TOOL_027_code_and_parts_of_words_are_none
     assert_empty complaints_of("```\nnot yet\n```\nThe state `not yet`, a concurrently running program.\n")
   end

@@ -98,6 +98,31 @@ class TestTables < Minitest::Test
     end
   end
 
+  WAITS = <<~YAML
+    - {command: make a, when: ' later', seconds: [3, 10], says: mostly}
+    - {command: make b, seconds: [60, 240]}
+    - {command: make c, seconds: gates}
+  YAML
+
+  # The last one alone, after the others beside each other.
+  GATES = <<~YAML
+    - {name: one, says: One., seconds: 600, run: 'true'}
+    - {name: two, says: Two., seconds: 300, run: 'true'}
+    - {name: last, says: Last., seconds: 60, alone: true, run: 'true'}
+  YAML
+
+  def test_SWR_TOOL_036_how_long_commands_take_is_filled_from_the_gates_and_from_what_was_measured
+    in_project("<!-- table:waits -->\n<!-- end -->\n") do |root|
+      FileUtils.mv("#{root}/docs/user-manual.md", "#{root}/README.md")
+      FileUtils.mkdir_p(["#{root}/tools", "#{root}/verification"])
+      File.write("#{root}/tools/waits.yml", WAITS)
+      File.write("#{root}/verification/gates.yml", GATES)
+      assert_empty run_tool(root).first
+      assert_equal ['| `make a` later | 3 to 10 s; mostly |', '| `make b` | 1 to 4 minutes |', '| `make c` | 11 minutes |'],
+                   File.readlines("#{root}/README.md", chomp: true)[3..5]
+    end
+  end
+
   def test_SWR_TRACE_001_filling_twice_changes_nothing
     in_project(FILLED) do |root|
       run_tool(root)
@@ -150,7 +175,7 @@ class TestTables < Minitest::Test
       refute is_passed
       cards = CardTables::NAMES.keys.sort.join(', ')
       assert_equal "docs/user-manual.md:1: there is no table shape; there are #{cards}, colour, decisions, known_limits, limits, modes, paint, problems, " \
-                   "robots, rooms, routes\n", output
+                   "robots, rooms, routes, waits\n", output
     end
   end
 

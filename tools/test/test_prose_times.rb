@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# The rule under test: a document says no span of time but that of its source.
+
+require 'fileutils'
+require 'minitest/autorun'
+require 'tmpdir'
+require 'yaml'
+require_relative '../prose_times'
+
+class TestProseTimes < Minitest::Test
+  ROOT = File.expand_path('../..', __dir__)
+  FILES = {
+    'requirements/a.yml' => "- {id: SWR-A-001, title: A, text: A., limits: [{name: wait_us, value: 10000000, unit: us, status: proposed}]}\n",
+    'app/a.ts' => "export const OLD_MS = 1_500;\n"
+  }.freeze
+
+  def complaints_of(text, *entries)
+    Dir.mktmpdir do |root|
+      FILES.merge('docs/manual.md' => text, ProseTimes::LIST => YAML.dump('docs/manual.md' => entries)).each do |file, content|
+        FileUtils.mkdir_p(File.dirname(File.join(root, file)))
+        File.write(File.join(root, file), content)
+      end
+      ProseTimes.new(root).complaints
+    end
+  end
+
+  def limit(says)
+    { 'says' => says, 'limit' => 'wait_us' }
+  end
+
+  def constant(says)
+    { 'says' => says, 'constant' => 'OLD_MS', 'file' => 'app/a.ts', 'unit' => 'ms' }
+  end
+
+  def test_SWR_TOOL_037_the_documents_say_what_their_sources_say
+    assert_empty ProseTimes.new(ROOT).complaints
+  end
+
+  def test_SWR_TOOL_037_what_is_equal_in_any_unit_is_accepted
+    assert_empty complaints_of("It waits 10 s.\n\nIt is old after\n1.5 s.\n", limit('waits 10 s'), constant('after 1.5 s'))
+    assert_empty complaints_of("Within ten seconds.\n", limit('Within ten seconds'))
+  end
+
+  def test_SWR_TOOL_037_another_value_is_named_with_its_source
+    assert_equal ["docs/manual.md: 'waits 20 s', but wait_us is 10000000"], complaints_of("It waits 20 s.\n", limit('waits 20 s'))
+    assert_equal ["docs/manual.md: 'after 2 s', but OLD_MS is 1500000"], complaints_of("Old after 2 s.\n", constant('after 2 s'))
+  end
+
+  def test_SWR_TOOL_037_a_span_without_a_source_is_named_with_its_line
+    assert_equal ["docs/manual.md:3: '20 minutes' has no source in tools/prose_times.yml"], complaints_of("# A\n\nIt takes 20\nminutes.\n")
+  end
+
+  def test_SWR_TOOL_037_a_source_of_what_is_not_said_is_named
+    assert_equal ["tools/prose_times.yml: docs/manual.md does not say 'waits 10 s'"], complaints_of("# A\n", limit('waits 10 s'))
+  end
+
+  def test_SWR_TOOL_037_an_example_says_why_it_has_none
+    assert_empty complaints_of("Such as 12 s.\n", { 'says' => 'as 12 s', 'because' => 'an example' })
+  end
+
+  def test_SWR_TOOL_037_code_and_filled_tables_are_left_out
+    assert_empty complaints_of("```\n5 s\n```\n\n    sleep 5 s\n\n<!-- table:x -->\n5 s\n<!-- end -->\n")
+  end
+end
