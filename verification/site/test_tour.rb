@@ -33,6 +33,16 @@ class TestTour < Minitest::Test
     assert_match(/^event PEDAL_PRESSED .*^event CARD_LOST 3/m, said)
   end
 
+  # As step 5 goes on: the fault of the link is mended, and START_UP leads on from it.
+  MENDED = ';2000:pedal,release;2300:card,3,normal;2800:WORKPHASE,argument=START_UP;3000:pedal,press'
+
+  def test_SWR_SITE_024_the_card_that_was_mended_is_homed_by_the_next_start_up
+    link = part(1).first.find { |line| line.start_with?('#robot=') }
+    said, status = Open3.capture2e('node', '--no-warnings', "#{__dir__}/played.mjs", *MODULES, link.delete_prefix('#') + MENDED, '4500')
+    assert status.success?, said
+    assert_match(/^event CARD_LOST 3.*^answer 2 ACCEPTED OK.*^event AXIS_HOMED 3/m, said)
+  end
+
   def test_SWR_CHART_013_the_broken_guard_is_refused_in_these_words
     commands, read = part(2)
     refute_empty read
