@@ -93,7 +93,8 @@ module Robot
        *array('start_ticks', @robot.axes.each_with_index.map { |axis, i| "        [#{i}] = #{axis['start_ticks']}" }),
        *array('probe_names', @robot.probe.names.each_with_index.map { |name, i| "        [#{i}] = \"#{name}\"" }),
        *array('told_joints', @robot.told.joints.each_with_index.map { |axis, i| "        [#{i}] = #{axis}U" }),
-       *array('told_lengths', @robot.told.lengths.each_with_index.map { |length, i| "        [#{i}] = #{told(*length)}" })]
+       *array('told_lengths', @robot.told.lengths.each_with_index.map { |length, i| "        [#{i}] = #{told(*length)}" }),
+       "    .bare_direction = {#{@robot.bare_direction.join(', ')}}"]
     end
 
     # C knows no array without an element.

@@ -34,10 +34,13 @@ preview_t preview_target(const robot_t *robot, const snapshot_t *snapshot,
 
 /**
  * The pose in which a needle through the entry point of `snapshot` has its tip at `target`, scanner
- * coordinates, if the robot has joint values for it.
+ * coordinates, if the robot has joint values for it; without an entry point that of a needle in the
+ * robot's bare_direction.
  *
  * @return STATUS_OK; STATUS_NO_PROBE; STATUS_NOT_REGISTERED; STATUS_NOT_PROPOSED without an entry
- * point; or as kinematics_inverse()
+ * point if the robot has no such direction; or as kinematics_inverse()
+ *
+ * @satisfies SWR-HTTP-084
  */
 solution_t preview_aim(const robot_t *robot, const snapshot_t *snapshot, const point_t *target,
                        rigid_t *scanner_treatment);

@@ -176,6 +176,9 @@ typedef struct {
     char probe_names[ROBOT_PROBE_LENGTHS][24];
     uint8_t told_joints[ROBOT_AXIS_MAX];
     told_length_t told_lengths[ROBOT_TOLD_LENGTHS];
+    /** Along which the needle goes to a target that is a bare point, in the z-frame, each -1 to 1;
+     * all 0: a point needs an entry point. */
+    int32_t bare_direction[3];
 } robot_t;
 
 #endif

@@ -203,6 +203,10 @@ module Robot
       @axes.index(&:needle?)
     end
 
+    def bare_direction
+      @expected.bare_direction
+    end
+
     # The lengths of the geometry as C calls them.
     def length_names
       @geometry.keys.map { |key| key.delete_suffix('_mm') }

@@ -74,6 +74,11 @@ module Robot
       found.fetch('code')
     end
 
+    # The direction of a needle whose target is a bare point; all 0 where a point wants an entry point.
+    def bare_direction
+      @parts.fetch('bare_direction', [0, 0, 0])
+    end
+
     # How a robot is drawn; empty where nothing is said.
     def drawing
       @parts.fetch('drawing', {})

@@ -13,7 +13,9 @@
 #include "robot/margin.h"
 #include "robot/neuro/neuro.h"
 #include "robot/probe.h"
+#include "robot/prostate/prostate.h"
 #include "robot/robot_neuro.h"
+#include "robot/robot_prostate.h"
 #include "unit/support/contract_trap.h"
 
 #include <string.h>
@@ -134,4 +136,34 @@ void test_SWR_HTTP_033_a_point_is_aimed_at_from_the_entry_point(void)
     snapshot.entry = target;
     TEST_ASSERT_EQUAL(STATUS_DEGENERATE_LINE,
                       preview_aim(&robot_neuro, &snapshot, &target, &aimed).status);
+}
+
+void test_SWR_HTTP_084_a_bare_point_is_reached_along_the_bore_where_the_robot_has_that(void)
+{
+    int32_t low[ROBOT_AXIS_MAX];
+    joints_t joints;
+    rigid_t there;
+    rigid_t aimed;
+    (void)memcpy(low, robot_prostate.poses[POSE_DRAPING].ticks, sizeof low);
+    low[PROSTATE_AXIS_INSERTION] = 50000;
+    joints_from_ticks(&robot_prostate, low, &joints);
+    kinematics_forward(&robot_prostate, &robot_prostate.probe, &joints, &there);
+    const point_t target = there.translation;
+    (void)memcpy(snapshot.probe_nm, robot_prostate.probe.length_nm, sizeof snapshot.probe_nm);
+    for (uint32_t i = 0U; i < robot_prostate.axis_count; i++) {
+        snapshot.axes[i].position_ticks = low[i];
+    }
+    TEST_ASSERT_EQUAL(STATUS_OK, preview_aim(&robot_prostate, &snapshot, &target, &aimed).status);
+    TEST_ASSERT_INT32_WITHIN(1000, FIXED_ONE_Q30, aimed.rotation_q30[0][0]);
+    TEST_ASSERT_INT32_WITHIN(1000, FIXED_ONE_Q30, aimed.rotation_q30[1][1]);
+    TEST_ASSERT_INT32_WITHIN(1000, FIXED_ONE_Q30, aimed.rotation_q30[2][2]);
+    TEST_ASSERT_INT32_WITHIN(1000, target.x_nm, aimed.translation.x_nm);
+    TEST_ASSERT_INT32_WITHIN(1000, target.y_nm, aimed.translation.y_nm);
+    TEST_ASSERT_INT32_WITHIN(1000, target.z_nm, aimed.translation.z_nm);
+    const preview_t preview = preview_target(&robot_prostate, &snapshot, &aimed);
+    TEST_ASSERT_EQUAL(STATUS_OK, preview.solution.status);
+    snapshot.has_entry = 1U; /* It decides where there is one. */
+    snapshot.entry = (point_t){5000000, target.y_nm, target.z_nm - 100000000};
+    TEST_ASSERT_EQUAL(STATUS_OK, preview_aim(&robot_prostate, &snapshot, &target, &aimed).status);
+    TEST_ASSERT_INT32_WITHIN(2000000, -(FIXED_ONE_Q30 / 20), aimed.rotation_q30[0][2]);
 }
