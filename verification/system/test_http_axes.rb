@@ -74,6 +74,18 @@ class TestHttpAxes < Minitest::Test
     end
   end
 
+  def test_SWR_IGTL_090_a_client_of_the_later_server_drapes_the_robot
+    IgtlClient.open(boresight.brp_port) do |client|
+      client.phase('PLANNING')
+      client.run('expect STATUS CURRENT_STATUS 1')
+      client.phase('DRAPING')
+      assert client.run('expect STATUS DRAPING 1')
+      assert_equal 'MANUAL', fetch_json('/api/v1/status').dig('workphase', 'name')
+      boresight.simctl('pedal', 'press')
+      wait_until('it stands at the pose DRAPING') { [ticks('head'), ticks('pitch')] == [-3543, 358] }
+    end
+  end
+
   # To a target 3 mm in, near where the robot is.
   def aim(page)
     %w[PLANNING CALIBRATION].each { |phase| page.act('workphase', { workphase: phase }) }
