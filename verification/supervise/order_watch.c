@@ -105,6 +105,15 @@ static void note_accepted(order_watch_t *self, const rig_t *rig, const command_t
     }
 }
 
+/* START_UP that has homed in vain is refused, and clears and enables all the same. */
+static bool is_clearing(const rig_t *rig, const answer_t *answer, uint32_t number)
+{
+    const command_t *const command = &rig->inputs.commands[number];
+    return (answer->status == (uint32_t)STATUS_MOVED_IN_VAIN) &&
+           (command->kind == (uint32_t)COMMAND_WORKPHASE) &&
+           (command->argument == (uint32_t)WORKPHASE_START_UP);
+}
+
 /* The first answers come in the order of the commands, and ends of orders among them. */
 static void read_answers(order_watch_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX])
 {
@@ -115,7 +124,12 @@ static void read_answers(order_watch_t *self, const rig_t *rig, const double tru
         if (is_accepted && (number < rig->inputs.command_count)) {
             note_accepted(self, rig, &rig->inputs.commands[number], answer->is_final == 0U, truth);
         }
-        if (is_accepted || (answer->kind == (uint32_t)ANSWER_REFUSED)) {
+        const bool is_refused = answer->kind == (uint32_t)ANSWER_REFUSED;
+        if (is_refused && (number < rig->inputs.command_count) &&
+            is_clearing(rig, answer, number)) {
+            self->disabled = 0U;
+        }
+        if (is_accepted || is_refused) {
             number++;
         } else {
             self->done[self->kind] += (answer->kind == (uint32_t)ANSWER_DONE) ? 1U : 0U;
