@@ -194,6 +194,27 @@ void test_SWR_SWEEP_007_a_motor_that_is_stuck_has_no_beginning(void)
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_SWEEP_UPWARDS));
 }
 
+/* A run is its own measure: what the motor should make of the frequency is what the sweep is for.
+ * The next drive has a speed to compare with. */
+void test_SWR_SWEEP_001_half_counts_are_not_noticed_in_a_sweep(void)
+{
+    begin();
+    rig_box(&rig, "encoder rotation half");
+    rig_cycles(&rig, 20000U);
+    rig_release(&rig);
+    rig_cycles(&rig, 500U);
+    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
+    TEST_ASSERT_FALSE(axis_is_faulty(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG_BY, .argument = PROSTATE_AXIS_ROTATION, .value = 2000};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig_press(&rig);
+    expect_aborted(STATUS_FAULT_PRESENT);
+    rig_release(&rig);
+}
+
 void test_SWR_SWEEP_007_a_motor_that_runs_by_itself_aborts_it(void)
 {
     begin();
