@@ -33,14 +33,18 @@ static bool share_a_limit(const robot_t *robot, uint32_t first, uint32_t second)
     return is_shared;
 }
 
+static bool is_fresh(const rig_t *rig, uint32_t axis)
+{
+    return rig->outputs.snapshot.axes[axis].reference == (uint32_t)AXIS_REFERENCE_FRESH;
+}
+
 /* Carriages that were lost home one after the other in an order of their own, which their counts
- * decide. */
+ * decide; of two stages none do so at once. */
 static bool is_before(const rig_t *rig, uint32_t axis, uint32_t other)
 {
-    const bool is_fresh =
-        rig->outputs.snapshot.axes[other].reference == (uint32_t)AXIS_REFERENCE_FRESH;
-    return !homing_part_is_homed(rig, other) &&
-           (is_fresh || !share_a_limit(rig->box.robot, axis, other)) &&
+    const bool has_order = is_fresh(rig, other) || homing_part_is_homing(rig, other) ||
+                           !share_a_limit(rig->box.robot, axis, other);
+    return !homing_part_is_homed(rig, other) && has_order &&
            (config_of(rig, other)->home_stage < config_of(rig, axis)->home_stage);
 }
 
@@ -65,15 +69,35 @@ static bool is_following(const rig_t *rig, uint32_t axis)
     return is_led;
 }
 
-/* Goes along so that a limit that both share is kept; that it is, is another sentence. */
+/* Goes along so that a limit that both share is kept; that it is, is another sentence. Where a
+ * fresh one stands nobody knows. */
 static bool is_escorting(const rig_t *rig, uint32_t axis)
 {
     bool is_with_one = false;
-    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+    for (uint32_t i = 0U; !is_fresh(rig, axis) && (i < rig->box.robot->axis_count); i++) {
         is_with_one = is_with_one || ((i != axis) && homing_part_is_homing(rig, i) &&
                                       share_a_limit(rig->box.robot, axis, i));
     }
     return is_with_one;
+}
+
+static bool is_carriage(const robot_t *robot, uint32_t axis)
+{
+    bool is_one = false;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        is_one = is_one || ((i != axis) && share_a_limit(robot, axis, i));
+    }
+    return is_one;
+}
+
+uint32_t homing_part_lost_carriages(const rig_t *rig)
+{
+    uint32_t count = 0U;
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        const bool is_lost = !homing_part_is_homed(rig, i) && !is_fresh(rig, i);
+        count += (is_lost && is_carriage(rig->box.robot, i)) ? 1U : 0U;
+    }
+    return count;
 }
 
 bool homing_part_has(const rig_t *rig, uint32_t axis)

@@ -12,6 +12,7 @@
 #define BELIEVED_MM 1.0
 #define BELIEVED_DEG 9.0
 #define OFF_CYCLES 10U
+#define SWEPT_S 5.0   /* A run of a sweep. */
 #define NEEDLE_MM 0.3 /* 0.2 mm, and what the motor runs on in the cycles of the detection. */
 #define REACHED_MM 0.1
 #define REACHED_DEG 1.0
@@ -21,8 +22,9 @@
 /* On the slowest robot: the carriages and then the needle go over their strokes. */
 #define ENDS_CYCLES 120000U
 #define SWEEP_ENDS_CYCLES 600000U
-/* On the slowest robot: three carriages home one after the other. */
-#define HOMING_ENDS_CYCLES 300000U
+/* On the slowest robot: all axes home; carriages that were lost do so one after the other. */
+#define HOMING_ENDS_CYCLES 180000U
+#define CARRIAGE_ENDS_CYCLES 60000U
 /* The drive of an axis that has homed is off in the next frame. */
 #define IDLE_CYCLES 1U
 
@@ -159,8 +161,9 @@ static void judge_belief(witness_t *self, const rig_t *rig, uint32_t axis, doubl
 {
     const double believed = rig->outputs.snapshot.axes[axis].position_ticks;
     const double away = fabs(measure(rig, axis, truth - believed));
-    const bool is_unjudged =
-        self->is_swept[axis] && (rig->box.axes[axis].encoder.fault != SIM_ENCODER_NORMAL);
+    const double run = measure(rig, axis, config_of(rig, axis)->full_speed_ticks_per_s * SWEPT_S);
+    const bool is_unjudged = self->is_swept[axis] && (away <= run) &&
+                             (rig->box.axes[axis].encoder.fault != SIM_ENCODER_NORMAL);
     const bool is_astray = !is_doubted(rig, axis) && !is_unjudged &&
                            (away > (is_length(rig, axis) ? BELIEVED_MM : BELIEVED_DEG));
     self->astray_cycles[axis] = is_astray ? (self->astray_cycles[axis] + 1U) : 0U;
@@ -201,13 +204,22 @@ static void judge_rest(witness_t *self, const rig_t *rig, uint32_t axis, double 
     }
 }
 
+static uint32_t homing_ends(const witness_t *self)
+{
+    const uint32_t others = (self->lost_carriages > 0U) ? (self->lost_carriages - 1U) : 0U;
+    return HOMING_ENDS_CYCLES + (others * CARRIAGE_ENDS_CYCLES);
+}
+
 static void judge_end(witness_t *self, const rig_t *rig)
 {
     const bool is_moving = rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING;
     const bool is_sweep = self->order_watch.kind == (uint32_t)COMMAND_SWEEP;
     const bool is_homing = rig->outputs.snapshot.mode == (uint32_t)MODE_HOMING;
-    const uint32_t most = is_homing ? HOMING_ENDS_CYCLES : ENDS_CYCLES;
+    const uint32_t most = is_homing ? homing_ends(self) : ENDS_CYCLES;
     self->moving_cycles = is_moving ? (self->moving_cycles + 1U) : 0U;
+    if (self->moving_cycles == 1U) {
+        self->lost_carriages = homing_part_lost_carriages(rig);
+    }
     if (self->moving_cycles > (is_sweep ? SWEEP_ENDS_CYCLES : most)) {
         complain(self, rig, SENTENCE_ENDS, 0U, self->moving_cycles / 1000.0);
     }

@@ -92,6 +92,7 @@ typedef struct {
     double places[ROBOT_AXIS_MAX][WITNESS_MEAN]; /**< True positions of the last cycles. */
     uint32_t looks;
     uint32_t moving_cycles;
+    uint32_t lost_carriages;              /**< When that motion began. */
     uint32_t over_cycles;                 /**< Since the profile of the last leg has ended. */
     bool is_non_pwm_over;                 /**< An axis without pwm had a way in it. */
     double needle_from;                   /**< Where homing began. */
