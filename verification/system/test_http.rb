@@ -37,6 +37,24 @@ class TestHttp < Minitest::Test
     wait_until('a second without a pause is told') { (0.1..101.0).cover?(time.call.fetch('speed_percent')) }
   end
 
+  def test_SWR_CON_098_the_stages_of_each_cycle_are_counted
+    figures = -> { fetch_json('/api/v1/status').fetch('loop') }
+    counts = ->(all) { all.fetch('stages').map { |stage| stage.fetch('counts').sum } }
+    before = figures.call
+    wait_until('cycles are counted') { figures.call.fetch('cycles') > before.fetch('cycles') }
+    wait_until('each stage is counted') { counts.call(figures.call).zip(counts.call(before)).all? { |now, last| now > last } }
+  end
+
+  def test_SWR_CON_098_another_program_that_is_gone_is_shown_so
+    running = -> { fetch_json('/api/v1/status').dig('processes', 'igtl') }
+    wait_until('OpenIGTLink is there', &running)
+    self.class.boresight.kill('igtl', 'STOP')
+    wait_until('OpenIGTLink is gone') { !running.call }
+  ensure
+    self.class.boresight.kill('igtl', 'CONT')
+    wait_until('OpenIGTLink is there again', &running)
+  end
+
   def test_SWR_HTTP_001_status_is_young_while_control_runs
     first = fetch_json('/api/v1/status')
     wait_until('control goes on') { fetch_json('/api/v1/status').fetch('cycle') > first.fetch('cycle') }

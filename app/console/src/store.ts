@@ -48,6 +48,7 @@ export const browserSurroundings: Surroundings = {
  * The one store: listens to the server and notices when it falls silent.
  *
  * @satisfies SWR-CON-011
+ * @satisfies SWR-CON-098
  */
 export class TelemetryStore implements StreamListener {
   /** For what is drawn. */
