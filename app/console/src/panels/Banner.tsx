@@ -232,6 +232,7 @@ function StateBanner({
  * @satisfies SWR-CON-049
  * @satisfies SWR-CON-050
  * @satisfies SWR-CON-096
+ * @satisfies SWR-CON-099
  */
 export function Banner({
   view,
