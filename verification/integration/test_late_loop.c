@@ -413,6 +413,16 @@ void test_SWR_REF_031_a_silent_card_that_comes_back_with_its_last_report_is_lost
     expect_lost_alone(NEURO_AXIS_LATERAL);
 }
 
+void test_SWR_REF_031_a_single_report_that_is_repeated_after_a_trip_loses_nothing(void)
+{
+    start_moving();
+    rig.box.axes[NEURO_AXIS_LATERAL].card.faults |= CARD_STATUS_WATCHDOG;
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
+    stand(NEURO_AXIS_LATERAL, 1U);
+    expect_paused(1U);
+}
+
 /* Nobody drives it: what it was moved by meanwhile was counted all the same. */
 void test_SWR_REF_014_an_axis_that_is_moved_in_a_silence_is_where_it_is_shown(void)
 {
