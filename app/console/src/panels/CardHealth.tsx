@@ -24,19 +24,37 @@ function degrees(tenths: number): string {
   return `${formatNumber(tenths / 10, 1)} °C`;
 }
 
+/** What a card has measured last is nothing to go by once it is lost. */
+function Measured({ card }: { card: Card }) {
+  const cells =
+    card.link === "lost"
+      ? ["", "", "", ""]
+      : [
+          degrees(card.driver_temperature_dc),
+          degrees(card.motor_temperature_dc),
+          `${formatNumber(card.supply_mv / 1000, 1)} V`,
+          `${String(card.current_ma)} mA`,
+        ];
+  return cells.map((cell, column) => (
+    <td key={column} className="number">
+      {cell}
+    </td>
+  ));
+}
+
 function Health({ card }: { card: Card }) {
-  const isWell = card.troubles.length === 0;
-  const level = isWell ? "normal" : "attention";
+  const troubles = [
+    ...(card.link === "lost" ? ["It is lost."] : []),
+    ...card.troubles.map(({ text }) => text),
+  ];
+  const level = troubles.length === 0 ? "normal" : "attention";
   return (
     <tr>
       <th scope="row" className="number">
         {card.slot}
       </th>
       <td>{card.axis ?? "none"}</td>
-      <td className="number">{degrees(card.driver_temperature_dc)}</td>
-      <td className="number">{degrees(card.motor_temperature_dc)}</td>
-      <td className="number">{formatNumber(card.supply_mv / 1000, 1)} V</td>
-      <td className="number">{card.current_ma} mA</td>
+      <Measured card={card} />
       <td className="number">{card.commands_damaged}</td>
       <td className="number">{card.commands_out_of_order}</td>
       <td className="number">{card.watchdog_trips}</td>
@@ -45,7 +63,7 @@ function Health({ card }: { card: Card }) {
       <td className="number">{card.frames_missed}</td>
       <td data-level={level}>
         <Shape level={level} />
-        {isWell ? "nothing" : card.troubles.map(({ text }) => text).join(" ")}
+        {troubles.length === 0 ? "nothing" : troubles.join(" ")}
       </td>
     </tr>
   );

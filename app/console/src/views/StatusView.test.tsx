@@ -75,18 +75,20 @@ test("SWR-CARD-014 what each card measures and counts of itself is told, and wha
         ],
       }),
       makeCard({ slot: 7, motor_temperature_dc: -15, current_ma: 350 }),
+      makeCard({ slot: 8, link: "lost", watchdog_trips: 2 }),
       makeCard({ slot: 2, type: "none" }),
     ],
   });
   const rows = rowsOf("Health of the cards");
   expect(rows.map((row) => row.textContent)).toEqual([
     "7head33.1 °C\u22121.5 °C24.0 V350 mA000000nothing",
+    "8head002000It is lost.",
     "9none33.1 °C25.0 °C18.0 V0 mA341000Its supply is low. It refuses commands.",
   ]);
   const levels = rows.map((row) =>
     row.lastElementChild?.getAttribute("data-level"),
   );
-  expect(levels).toEqual(["normal", "attention"]);
+  expect(levels).toEqual(["normal", "attention", "attention"]);
 });
 
 test("SWR-LINK-041 what control discarded of a card and missed of it is told by its reason", async () => {
