@@ -148,11 +148,22 @@ static void judge_permit(witness_t *self, const rig_t *rig)
     }
 }
 
-/* Counts in a sweep are compared with no expected speed: the next drive shows wrong ones. */
-static void note_sweep(witness_t *self, const rig_t *rig, uint32_t axis)
+/* Counts in a sweep are compared with no expected speed: what a broken encoder has lost there, or
+ * made too much, by one run at most, stays until the axis is placed anew. */
+static void note_sweep(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
 {
+    const double off = truth - (double)rig->outputs.snapshot.axes[axis].position_ticks;
+    const double run = config_of(rig, axis)->full_speed_ticks_per_s * SWEPT_S;
     if (is_driven(rig, axis)) {
         self->is_swept[axis] = self->order_watch.kind == (uint32_t)COMMAND_SWEEP;
+    }
+    if (is_doubted(rig, axis)) {
+        self->swept_off[axis] = 0.0;
+    } else if (self->is_swept[axis] && (fabs(off) <= run) &&
+               (rig->box.axes[axis].encoder.fault != SIM_ENCODER_NORMAL)) {
+        self->swept_off[axis] = off;
+    } else {
+        /* It stays. */
     }
 }
 
@@ -160,12 +171,9 @@ static void note_sweep(witness_t *self, const rig_t *rig, uint32_t axis)
 static void judge_belief(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
 {
     const double believed = rig->outputs.snapshot.axes[axis].position_ticks;
-    const double away = fabs(measure(rig, axis, truth - believed));
-    const double run = measure(rig, axis, config_of(rig, axis)->full_speed_ticks_per_s * SWEPT_S);
-    const bool is_unjudged = self->is_swept[axis] && (away <= run) &&
-                             (rig->box.axes[axis].encoder.fault != SIM_ENCODER_NORMAL);
-    const bool is_astray = !is_doubted(rig, axis) && !is_unjudged &&
-                           (away > (is_length(rig, axis) ? BELIEVED_MM : BELIEVED_DEG));
+    const double away = fabs(measure(rig, axis, truth - believed - self->swept_off[axis]));
+    const bool is_astray =
+        !is_doubted(rig, axis) && (away > (is_length(rig, axis) ? BELIEVED_MM : BELIEVED_DEG));
     self->astray_cycles[axis] = is_astray ? (self->astray_cycles[axis] + 1U) : 0U;
     if (self->astray_cycles[axis] > OFF_CYCLES) {
         complain(self, rig, SENTENCE_BELIEVED, axis, away);
@@ -632,7 +640,7 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
     judge_permit(self, rig);
     complain_of(self, rig, SENTENCE_REIGN, REIGN_RULES, reign_look(&self->reign, rig));
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
-        note_sweep(self, rig, i);
+        note_sweep(self, rig, i, truth[i]);
         judge_belief(self, rig, i, truth[i]);
         judge_rest(self, rig, i, truth[i]);
         if (!is_disturbed) {
