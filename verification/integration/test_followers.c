@@ -418,6 +418,30 @@ void test_SWR_NEXT_035_one_that_is_placed_in_vain_is_for_service(void)
     expect_step(NEXT_STEP_SERVICE, REAR_LEFT);
 }
 
+static void fail_in_vain(uint32_t axis)
+{
+    rig.controller.vain_start_ups = LIMIT_SERVICE_START_UPS;
+    rig.controller.vain_axis = axis;
+    controller_seal(&rig.controller);
+}
+
+void test_SWR_NEXT_035_another_one_is_placed_all_the_same(void)
+{
+    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = REAR_LEFT};
+    start_at_home();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
+    fail_in_vain(FRONT_LEFT);
+    expect_step(NEXT_STEP_PLACE, REAR_LEFT);
+}
+
+void test_SWR_NEXT_035_what_is_to_be_moved_by_hand_is_not_for_service(void)
+{
+    fail_for_want_of_a_way();
+    fail_in_vain(FRONT_LEFT);
+    expect_step(NEXT_STEP_BY_HAND, FRONT_LEFT);
+}
+
 /* Its encoder counts half: each try moves it unseen until it is found out, by 0.13 mm. */
 static void lose_with_half_an_encoder(void)
 {
