@@ -44,7 +44,7 @@ class TestHttpAxes < Minitest::Test
     boresight.simctl('pedal', 'release')
     boresight.await_released_pedal
     boresight.simctl('pedal', 'press')
-    wait_until("#{path} is done") { JSON.parse(page.act(path, fields, id: page.id).body)['state'] == 'done' }
+    wait_until("#{path} is done") { page.keep && JSON.parse(page.act(path, fields, id: page.id).body)['state'] == 'done' }
     boresight.simctl('pedal', 'release')
   end
 

@@ -440,8 +440,9 @@ test("SWR-CON-043 a page whose server begins anew goes on, or asks to be loaded 
   const old = await openOldPage();
   const notice = "The server has been updated. Reload this page.";
   const stale = page.locator(".banner", { hasText: "DATA STALE" }).waitFor();
-  process.kill(serverPid, "SIGKILL");
+  process.kill(serverPid, "SIGSTOP"); // So that no page is too slow to see it.
   await stale;
+  process.kill(serverPid, "SIGKILL");
   await said(notice, old);
   await page.locator('.panels[data-freshness="live"]').waitFor();
   expect(await page.getByText(notice).count()).toBe(0);

@@ -148,8 +148,13 @@ class Boresight
   end
 
   # Of the newest log.
-  def event_lines
+  def log_lines
     log_files.last(1).flat_map { |path| File.readlines(path, chomp: true) }
+  end
+
+  # Without the counts of the cards, which are no events: a slow machine makes some.
+  def event_lines
+    log_lines.grep_v(/ CARD_COUNTS /)
   end
 
   # Number of the event that tells of the last pause of the machine that ended a motion; nil: of none.
