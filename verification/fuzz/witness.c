@@ -3,6 +3,7 @@
 
 #include "dialect/igtl_border.h"
 #include "dialect/transform_proposals.h"
+#include "dialect/workphase_words.h"
 #include "fuzz/sentence.h"
 #include "limits/requirement_limits.h"
 #include "message/igtl_crc64.h"
@@ -497,6 +498,16 @@ static bool is_of_array(const world_t *world, uint32_t place, const command_t *c
     return workphase_array_has(&world->workphase.array, &request);
 }
 
+/* The pose of DRAPING follows when MANUAL was entered for it. */
+static bool is_of_draping(const world_t *world, uint32_t place, const command_t *command)
+{
+    const workphase_peer_t *peer = &world->workphase.peers[place];
+
+    return (command->kind == (uint32_t)COMMAND_POSE) && (peer->pending == command->id) &&
+           (command->argument == (uint32_t)POSE_DRAPING) && (peer->motion != NULL) &&
+           (strcmp(peer->motion, WORKPHASE_WORD_DRAPING) == 0);
+}
+
 static void judge_command(const world_t *world, const command_t *command)
 {
     const uint32_t place = place_of(world, command->peer);
@@ -508,7 +519,7 @@ static void judge_command(const world_t *world, const command_t *command)
 
     SENTENCE((place != NOWHERE) &&
                  ((place == witness.speaker) || (command->kind == (uint32_t)COMMAND_NEEDLE) ||
-                  is_of_array(world, place, command)),
+                  is_of_array(world, place, command) || is_of_draping(world, place, command)),
              "a command is its speaker's");
     SENTENCE((command->kind < (uint32_t)COMMAND_HOME_AXIS) ||
                  (command->kind > (uint32_t)COMMAND_SET_HOME),
