@@ -406,6 +406,25 @@ static bool has_newer(const world_t *world, const igtl_request_t *request)
     return false;
 }
 
+/* By its word DRAPING. */
+static bool is_draping(const world_t *world, const igtl_request_t *pose)
+{
+    const char *motion = (pose == NULL) ? NULL : world->workphase.peers[pose->peer].motion;
+
+    return (motion != NULL) && (strcmp(motion, WORKPHASE_WORD_DRAPING) == 0) &&
+           (pose->kind == (uint32_t)COMMAND_POSE) && (pose->argument == (uint32_t)POSE_DRAPING);
+}
+
+/* MANUAL was entered for DRAPING, of which the answer to its pose is told alone. */
+static bool goes_on_draping(const world_t *world, const igtl_request_t *was)
+{
+    const workphase_peer_t *peer = &world->workphase.peers[was->peer];
+
+    return (was->kind == (uint32_t)COMMAND_WORKPHASE) &&
+           (was->argument == (uint32_t)WORKPHASE_MANUAL) &&
+           is_draping(world, request_of(&world->workphase.requests, peer->pending));
+}
+
 /* Who waits is told when it need not wait any more; of the rows of an array once. */
 static void judge_requests(const world_t *world)
 {
@@ -422,7 +441,7 @@ static void judge_requests(const world_t *world)
         SENTENCE(waits || (witness.peers[was->peer].statuses > 0U) ||
                      (was->kind == (uint32_t)COMMAND_NEEDLE) ||
                      workphase_array_has(&world->workphase.array, was) ||
-                     (is_urgent(was) && has_newer(world, was)),
+                     (is_urgent(was) && has_newer(world, was)) || goes_on_draping(world, was),
                  "whoever waits for an answer is told");
     }
 }
@@ -498,16 +517,6 @@ static bool is_of_array(const world_t *world, uint32_t place, const command_t *c
     return workphase_array_has(&world->workphase.array, &request);
 }
 
-/* The pose of DRAPING follows when MANUAL was entered for it. */
-static bool is_of_draping(const world_t *world, uint32_t place, const command_t *command)
-{
-    const workphase_peer_t *peer = &world->workphase.peers[place];
-
-    return (command->kind == (uint32_t)COMMAND_POSE) && (peer->pending == command->id) &&
-           (command->argument == (uint32_t)POSE_DRAPING) && (peer->motion != NULL) &&
-           (strcmp(peer->motion, WORKPHASE_WORD_DRAPING) == 0);
-}
-
 static void judge_command(const world_t *world, const command_t *command)
 {
     const uint32_t place = place_of(world, command->peer);
@@ -519,7 +528,8 @@ static void judge_command(const world_t *world, const command_t *command)
 
     SENTENCE((place != NOWHERE) &&
                  ((place == witness.speaker) || (command->kind == (uint32_t)COMMAND_NEEDLE) ||
-                  is_of_array(world, place, command) || is_of_draping(world, place, command)),
+                  is_of_array(world, place, command) ||
+                  is_draping(world, request_of(&world->workphase.requests, command->id))),
              "a command is its speaker's");
     SENTENCE((command->kind < (uint32_t)COMMAND_HOME_AXIS) ||
                  (command->kind > (uint32_t)COMMAND_SET_HOME),
