@@ -36,7 +36,8 @@ class ProbePicture
     'prostate' => {
       says: 'ProstateRobot: along the needle, which is out',
       points: { 'front pivot' => ->(_) { 0 }, 'tip' => ->(mm) { mm.fetch('needle_tip_mm') } },
-      lengths: { 'needle_tip_mm' => ['front pivot', 'tip'] }
+      lengths: { 'needle_tip_mm' => ['front pivot', 'tip'] },
+      heights: { 'needle_height_mm' => 'height of the needle above the pivots' }
     }
   }.freeze
 
@@ -68,6 +69,10 @@ class ProbePicture
     @scale = (WIDTH - (2.0 * MARGIN)) / places.values.max
     text(MARGIN, @top, robot[:says], weight: 'bold')
     @top += LINE
+    robot.fetch(:heights, {}).each do |name, says|
+      text(MARGIN, @top - 9, "#{name}: #{millimetres.fetch(name)} (#{says})")
+      @top += LINE
+    end
     robot[:lengths].each { |name, ends| dimension(name, millimetres.fetch(name), places.values_at(*ends)) }
     needle(places)
   end

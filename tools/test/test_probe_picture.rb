@@ -22,6 +22,13 @@ class TestProbePicture < Minitest::Test
     assert_in_delta 80.0 / 60, 640 / ways.last
   end
 
+  def test_SWR_TOOL_039_each_length_of_each_robot_is_in_the_picture
+    svg = ProbePicture.new.svg
+    Dir.glob(File.join(ProbePicture::ROOT, 'core/robot/*/robot.yml')).each do |file|
+      Psych.safe_load_file(file).fetch('probe').each_key { |name| assert_match(/>#{name}: /, svg, file) }
+    end
+  end
+
   def test_SWR_TOOL_039_a_length_that_is_not_in_the_file_is_no_picture
     assert_raises(KeyError) { ProbePicture.new('neuro' => NEURO.except('robot_to_treatment_mm')).svg }
   end

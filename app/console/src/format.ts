@@ -74,7 +74,7 @@ export function readNumbers(text: string, count: number): number[] | null {
     : null;
 }
 
-/** What a target's text says; a quaternion names its parts, as their order differs from program to program. */
+/** The text of a target as request fields. A quaternion names its parts, as programs differ in their order. */
 export function readAim(text: string): Record<string, unknown> | null {
   const part = /([wxyz])\s*=\s*([^\s,;]+)/g;
   const matrix = readNumbers(text, 16);

@@ -24,7 +24,7 @@ function degrees(tenths: number): string {
   return `${formatNumber(tenths / 10, 1)} °C`;
 }
 
-/** What a card has measured last is nothing to go by once it is lost. */
+/** The measurements of a card; empty once it is lost, as they are old then. */
 function Measured({ card }: { card: Card }) {
   const cells =
     card.link === "lost"

@@ -21,7 +21,7 @@ function Form({
         ? { code: fieldOf(form, "code").trim().toUpperCase() }
         : { name: fieldOf(form, "name"), password: fieldOf(form, "password") },
     );
-    // What was mistyped can be mended; a password does not stay in the page.
+    // Name and code stay in the form to be corrected; the password does not stay in the page.
     const password = form.elements.namedItem("password");
     if (password instanceof HTMLInputElement) {
       password.value = "";

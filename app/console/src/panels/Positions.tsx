@@ -41,7 +41,7 @@ const origins: Readonly<Record<PositionsPreview["origin"], string>> = {
   old_list: "A list of the older program",
 };
 
-/** What is shown, and of what. */
+/** The preview, and the request that it belongs to. */
 interface Seen extends PositionsPreview {
   file: TextFile;
 }

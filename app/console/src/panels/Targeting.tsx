@@ -64,7 +64,7 @@ function probeText({ probe }: TargetingData): string {
     .join(", ");
 }
 
-/** Those that are there, to be read and copied. */
+/** The matrices that exist now, as text that can be copied. */
 function Matrices({ targeting }: { targeting: TargetingData }) {
   const matrices: [string, readonly number[] | null][] = [
     ["Scanner from z-frame (registration)", targeting.registration],

@@ -53,7 +53,7 @@ export class Chance {
     return { wait: 1 + this.below(MOST_WAITED) };
   }
 
-  /** What an operator does who follows `asked`, the name of the next step, in two of three cases. */
+  /** The next act: in two of three cases it follows `asked`, the name of the next step. */
   act(asked: string): Act {
     switch (this.below(9)) {
       case 0:

@@ -14,7 +14,7 @@ import { readTable, Theatre } from "./table";
 /** In each play. */
 const ACTS = 100;
 const TIMEOUT_MS = 120_000;
-/** What a play begins with (shown.yml), and its seed. */
+/** The scene of shown.yml with which a play begins, and the seed of the play. */
 const BEGINNINGS = [
   ["idle", 1],
   ["homed", 2],
@@ -24,7 +24,7 @@ const BEGINNINGS = [
   ["reached", 6],
 ] as const;
 
-/** What stands on a screen at a moment. */
+/** The texts of a screen at one moment. */
 interface Seen {
   /** The whole banner. */
   banner: string;
