@@ -44,13 +44,16 @@ end
 class TestConsole < Minitest::Test
   include BrowserVerdicts
 
+  # All motions of the file together are shorter than homing, which START_UP would arm no more: so slowly does time pass.
+  SLOW = %w[--slow 8].freeze
+
   # Of one run against one system.
   def self.results
     @results ||= with_system { |boresight, service| BrowserRun.results('console.e2e.ts', environment(boresight, service)) }
   end
 
   def self.with_system
-    boresight = Boresight.start
+    boresight = Boresight.start(arguments: SLOW)
     service = StartUpService.new(boresight.brp_port)
     yield boresight, service
   ensure

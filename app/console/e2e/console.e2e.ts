@@ -17,7 +17,7 @@ import {
   type Page,
   type Request,
 } from "playwright-core";
-import { afterAll, beforeAll, expect, test } from "vitest";
+import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
 
 function variable(name: string): string {
   const value = process.env[name];
@@ -119,6 +119,16 @@ async function takePicture(): Promise<void> {
     await page.screenshot({ path });
   }
 }
+
+/** A part that failed says what the page showed then. */
+afterEach(async ({ task }) => {
+  const error = task.result?.errors?.[0];
+  if (error !== undefined) {
+    const shown = await page.locator("body").innerText({ timeout: 5000 });
+    error.message += `\nThe page shows:\n${shown}`;
+    error.stack = `${error.message}\n${error.stack ?? ""}`;
+  }
+});
 
 beforeAll(async () => {
   browser = await chromium.launch({
