@@ -2,57 +2,30 @@
 #include "supervise/operator.h"
 
 #include "charts/arming_chart.h"
-#include "charts/card_link_chart.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 #include "supervise/acts.h"
 #include "supervise/chance.h"
+#include "supervise/operator_command.h"
+#include "supervise/operator_promise.h"
 #include "supervise/targets.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#define HISTORY_CYCLES 9000U
 #define ORDER_SIZE 64U
 #define HOLD_CYCLES ((LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 100U)
 #define LOOK_CYCLES 300U
 #define COOL_CYCLES 4000U    /* A scan and a hot motor last so long here. */
 #define RUNAWAY_CYCLES 9000U /* What has not come to rest by then does not. */
-#define CHECK_PARTS 211U     /* In one of so many cycles the command is tried on a copy. */
+#define CHECK_PARTS 211U     /* In one of so many cycles the promise of the step is tried. */
 #define MOST_TRIES 2U        /* Then he starts anew. */
-#define ID 3000000U
 
 static const char *const parts[] = {"card", "encoder", "motor", "switch"};
-static const char *const faults[] = {
-    "card %s silent",    "card %s corrupt",   "card %s foreign",  "card %s deaf",
-    "card %s noisy",     "card %s hot",       "encoder %s stuck", "encoder %s reversed",
-    "encoder %s half",   "motor %s stuck",    "motor %s half",    "motor %s twice",
-    "motor %s runs",     "motor %s hot",      "switch %s stuck",  "switch %s open",
-    "switch %s chatter", "switch %s reversed"};
-#define NEXT_FAULT 5U /* From one axis to the next, so that few scenes have many of them. */
-#define FAULTS (sizeof faults / sizeof faults[0])
-
 static const char *axis_name(const rig_t *rig, uint32_t axis)
 {
     return rig->box.robot->axes[axis].name;
-}
-
-play_t operator_history(uint32_t seed, const robot_t *robot)
-{
-    static const play_t plays[] = {PLAY_RANDOM,   PLAY_TAPS,  PLAY_JOGS,   PLAY_TAPS,
-                                   PLAY_PROGRAMS, PLAY_MODES, PLAY_RIVALS, PLAY_SWEEPS};
-    const play_t play = plays[seed % (sizeof plays / sizeof plays[0])];
-    return (play_refusal(robot, play) == NULL) ? play : PLAY_RANDOM;
-}
-
-uint32_t operator_history_cycles(uint32_t seed)
-{
-    uint32_t random = (seed * 3266489917U) | 1U;
-    for (uint32_t i = 0U; i < 4U; i++) {
-        (void)chance_below(&random, 2U);
-    }
-    return 1U + chance_below(&random, HISTORY_CYCLES);
 }
 
 static void mend_axis(rig_t *rig, uint32_t axis)
@@ -63,16 +36,6 @@ static void mend_axis(rig_t *rig, uint32_t axis)
         rig_box(rig, order);
     }
     rig->box.axes[axis].motor.load = 0.0;
-}
-
-void operator_break(rig_t *rig, uint32_t seed)
-{
-    const uint32_t count = rig->box.robot->axis_count;
-    char order[ORDER_SIZE];
-    const uint32_t axis = seed % count;
-    (void)snprintf(order, sizeof order, faults[((seed / count) + (NEXT_FAULT * axis)) % FAULTS],
-                   axis_name(rig, axis));
-    rig_box(rig, order);
 }
 
 static void cool(rig_t *rig)
@@ -107,119 +70,16 @@ static bool is_named_broken(const rig_t *rig)
     return is_any;
 }
 
-/* Who commands; nobody: the page. */
-static authority_party_t commander(const rig_t *rig)
-{
-    const snapshot_t *const shown = &rig->outputs.snapshot;
-    authority_party_t party = {.source = (uint32_t)COMMAND_SOURCE_HTTP, .peer = RIG_PAGE};
-    if (authority_is_held(&rig->controller.authority)) {
-        party = (authority_party_t){.source = (uint32_t)shown->holder, .peer = shown->holder_peer};
-    }
-    return party;
-}
-
-/* @return false: the step is no command that can be given without knowing more */
-static bool command_of(const rig_t *rig, uint32_t step, command_t *command)
-{
-    static const workphase_t phases[] = {[NEXT_STEP_START_UP] = WORKPHASE_START_UP,
-                                         [NEXT_STEP_MOVE] = WORKPHASE_MOVE_TO_TARGET,
-                                         [NEXT_STEP_TARGETING] = WORKPHASE_TARGETING,
-                                         [NEXT_STEP_CALIBRATION] = WORKPHASE_CALIBRATION,
-                                         [NEXT_STEP_PLANNING] = WORKPHASE_PLANNING,
-                                         [NEXT_STEP_STOP] = WORKPHASE_STOP,
-                                         [NEXT_STEP_SERVICE] = WORKPHASE_START_UP,
-                                         [NEXT_STEP_COMPARE] = WORKPHASE_START_UP,
-                                         [NEXT_STEP_MANUAL] = WORKPHASE_MANUAL};
-    const authority_party_t party = commander(rig);
-    *command = (command_t){.id = ID, .source = party.source, .peer = party.peer};
-    rigid_set_identity(&command->pose);
-    if (step == (uint32_t)NEXT_STEP_AUTHORITY) {
-        command->kind = (uint32_t)COMMAND_TAKE;
-        return true;
-    }
-    if (step == (uint32_t)NEXT_STEP_REGISTER) {
-        command->kind = (uint32_t)COMMAND_REGISTRATION;
-        return true;
-    }
-    if (step == (uint32_t)NEXT_STEP_RETRACT) {
-        command->kind = (uint32_t)COMMAND_RETRACT;
-        return true;
-    }
-    if (step == (uint32_t)NEXT_STEP_DRAPING) {
-        command->kind = (uint32_t)COMMAND_POSE;
-        command->argument = (uint32_t)POSE_DRAPING;
-        return true;
-    }
-    command->kind = (uint32_t)COMMAND_WORKPHASE;
-    command->argument = (step < (sizeof phases / sizeof phases[0])) ? (uint32_t)phases[step] : 0U;
-    return command->argument != (uint32_t)WORKPHASE_UNDEFINED;
-}
-
-/* What becomes of the command in the next cycle, beside those of the rig. */
-static status_t send(rig_t *rig, const command_t *command)
-{
-    rig->commands[0] = *command;
-    rig->command_count = 1U;
-    rig_cycle(rig);
-    for (uint32_t i = 0U; i < rig->outputs.answer_count; i++) {
-        if (rig->outputs.answers[i].id == command->id) {
-            return (status_t)rig->outputs.answers[i].status;
-        }
-    }
-    return STATUS_NO_ANSWER;
-}
-
-/* Nobody has pressed or pulled anything between what was shown and what is decided. */
-static bool is_box_same(const controller_inputs_t *one, const controller_inputs_t *other)
-{
-    return (one->pedal_a == other->pedal_a) && (one->pedal_b == other->pedal_b) &&
-           (one->estop_open == other->estop_open);
-}
-
-/* A frame that is missing now, of a card in use, makes START_UP wait for the next one. */
-static bool is_any_late(const rig_t *rig)
-{
-    bool is_any = false;
-    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
-        const uint32_t link =
-            (uint32_t)rig->outputs.snapshot.cards[rig->box.robot->axes[i].slot].link;
-        is_any = is_any || (link == (uint32_t)CARD_LINK_STATE_LATE);
-    }
-    return is_any;
-}
-
-/* Without a command the next cycle shows the same step: no axis has just left its place. */
-static bool is_lasting(const rig_t *rig, uint32_t step)
-{
-    static rig_t copy;
-    copy = *rig;
-    copy.command_count = 0U;
-    copy.is_page_away = true;
-    rig_cycle(&copy);
-    return copy.outputs.snapshot.next_step == step;
-}
-
-/* The controller is a pure function: on a copy of the world the command costs nothing. */
 static void check_promise(operator_t *self, const rig_t *rig)
 {
-    static rig_t copy;
     const uint32_t step = rig->outputs.snapshot.next_step;
     const bool is_due =
-        ((step != self->checked_step) || (chance_below(&self->random, CHECK_PARTS) == 0U)) &&
-        (step != (uint32_t)NEXT_STEP_SERVICE) && (step != (uint32_t)NEXT_STEP_COMPARE);
-    command_t command;
-    if (!is_due || !command_of(rig, step, &command) || is_any_late(rig)) {
-        return;
+        (step != self->checked_step) || (chance_below(&self->random, CHECK_PARTS) == 0U);
+    if (is_due && operator_promise_try(rig, &self->refusal)) {
+        self->checked_step = step;
     }
-    copy = *rig;
-    copy.command_count = 0U;
-    copy.is_page_away = true;
-    const status_t status = send(&copy, &command);
-    self->checked_step = step;
-    if ((status != STATUS_OK) && !is_any_late(&copy) && is_box_same(&rig->inputs, &copy.inputs) &&
-        is_lasting(rig, step)) {
+    if (self->refusal != STATUS_OK) {
         self->end = OPERATOR_REFUSED;
-        self->refusal = status;
         self->last_step = step;
     }
 }
@@ -266,7 +126,7 @@ static void hold_button(operator_t *self, rig_t *rig)
 static void act_by_command(operator_t *self, rig_t *rig, uint32_t step)
 {
     command_t command;
-    if (!command_of(rig, step, &command)) {
+    if (!operator_command_of(rig, step, &command)) {
         self->end = OPERATOR_DEAD_END;
         return;
     }
@@ -323,7 +183,7 @@ static void bring_back(operator_t *self, rig_t *rig, uint32_t axis)
 /* The page asks for it, as RESTORE is a matter of the page; GRANT follows. */
 static void ask_for_authority(rig_t *rig)
 {
-    rig->commands[rig->command_count] = (command_t){.id = ID,
+    rig->commands[rig->command_count] = (command_t){.id = OPERATOR_COMMAND_ID,
                                                     .kind = (uint32_t)COMMAND_REQUEST,
                                                     .argument = (uint32_t)AUTHORITY_REQUEST_TAKE,
                                                     .source = (uint32_t)COMMAND_SOURCE_HTTP,
@@ -333,9 +193,9 @@ static void ask_for_authority(rig_t *rig)
 
 static void restore(rig_t *rig, uint32_t axis)
 {
-    const authority_party_t party = commander(rig);
+    const authority_party_t party = operator_commander(rig);
     command_t command = {.kind = (uint32_t)COMMAND_RESTORE,
-                         .id = ID,
+                         .id = OPERATOR_COMMAND_ID,
                          .argument = 1U << axis,
                          .source = party.source,
                          .peer = party.peer};
@@ -362,7 +222,7 @@ static void place(operator_t *self, rig_t *rig)
         act_by_command(self, rig, (uint32_t)NEXT_STEP_AUTHORITY);
     } else if (((heeding >> shown->workphase) & 1U) == 0U) {
         act_by_command(self, rig, (uint32_t)NEXT_STEP_STOP);
-    } else if (commander(rig).source != (uint32_t)COMMAND_SOURCE_HTTP) {
+    } else if (operator_commander(rig).source != (uint32_t)COMMAND_SOURCE_HTTP) {
         ask_for_authority(rig);
     } else {
         restore(rig, axis);
@@ -372,9 +232,9 @@ static void place(operator_t *self, rig_t *rig)
 /* An engineer accepts it, where the page commands; over another network he frees the disk. */
 static void settle_black_box(operator_t *self, rig_t *rig)
 {
-    const authority_party_t party = commander(rig);
+    const authority_party_t party = operator_commander(rig);
     const command_t accept = {.kind = (uint32_t)COMMAND_ACCEPT_NO_BLACK_BOX,
-                              .id = ID,
+                              .id = OPERATOR_COMMAND_ID,
                               .source = party.source,
                               .peer = party.peer};
     if (!authority_is_held(&rig->controller.authority)) {

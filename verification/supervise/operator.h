@@ -10,7 +10,6 @@
 #define BORESIGHT_OPERATOR_H
 
 #include "integration/support/rig.h"
-#include "supervise/play.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -44,15 +43,6 @@ typedef struct {
     bool has_started_anew; /**< Since the cycle before; who looks on clears it. */
     robot_t robot;         /**< As it stands when the box is switched on anew. */
 } operator_t;
-
-/** What was before he came, by the seed of the scene. */
-play_t operator_history(uint32_t seed, const robot_t *robot);
-
-/** How many cycles of it. */
-uint32_t operator_history_cycles(uint32_t seed);
-
-/** Something breaks in the history of the scene `seed`; of every axis each part in turn. */
-void operator_break(rig_t *rig, uint32_t seed);
 
 /** He comes; half of the time somebody has mended all before. */
 void operator_begin(operator_t *self, rig_t *rig, uint32_t seed);

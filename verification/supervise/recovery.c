@@ -6,6 +6,7 @@
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 #include "supervise/operator.h"
+#include "supervise/operator_history.h"
 
 #include <stdio.h>
 
