@@ -36,7 +36,8 @@ class Board
   # Of them, what is a name: a file may be called so.
   NAMES = %w[instance robot].freeze
   # Options of boresight with every board.
-  TAKEN = %w[http-port igtl-port brp-port igtl-file accounts tls-file bind check at-rest stop-at-rest config robot instance recordings trajectory help version].freeze
+  TAKEN = %w[http-port igtl-port brp-port igtl-file accounts tls-file bind check at-rest stop-at-rest config robot instance recordings trajectory help
+             version].freeze
   # As app/check/check.h has them.
   CYCLE = %w[wire_hz wires word_ns instructions_per_us publish_us].freeze
   # What its cards speak, as core/card/card_dialect.h has it.

@@ -7,8 +7,10 @@
 #   ruby tools/c_tests.rb asan      all of them, under AddressSanitizer and UndefinedBehaviorSanitizer
 #   ruby tools/c_tests.rb arm       those of core and simulated box, as Cortex-A9 code under qemu
 #   ruby tools/c_tests.rb gcc       those with long scenes, whole, on the code of the product
+#   ruby tools/c_tests.rb gcc FILE...   these
 #
-# With asan and arm every test runs, a long one with a tenth of its scenes (verification/unit/support/scenes.h). With names of files behind it, only these. `make` has compiled the code under test into build/<way>/libtest.a before.
+# With asan and arm every test runs, a long one with a tenth of its scenes (verification/unit/support/scenes.h).
+# `make` has compiled the code under test into build/<way>/libtest.a before.
 
 require 'etc'
 require 'fileutils'
@@ -67,8 +69,7 @@ class CTests
     @out = "build/#{way}/tests"
     @library = "build/#{way}/libtest.a"
     @mocks = "build/#{way}/mocks"
-    @tests = tests(way)
-    @tests &= wanted if wanted.any?
+    @tests = wanted.any? ? every_test & wanted : tests(way)
     @done = 0
     FileUtils.mkdir_p([@out, @mocks])
     require File.expand_path("#{UNITY}/auto/generate_test_runner")
@@ -87,13 +88,16 @@ class CTests
 
   private
 
+  def every_test
+    Dir['verification/{unit,integration}/test_*.c', "#{ROBOT_TESTS}/test_*.c", 'build/gen/tests/test_*.c'].sort
+  end
+
   def tests(way)
-    files = Dir['verification/{unit,integration}/test_*.c', "#{ROBOT_TESTS}/test_*.c", 'build/gen/tests/test_*.c']
     case way
-    when 'arm' then files.reject { |file| needs_more?(file) }
-    when 'gcc' then files.select { |file| (headers_of(file) & SCENES).any? }
-    else files
-    end.sort
+    when 'arm' then every_test.reject { |file| needs_more?(file) }
+    when 'gcc' then every_test.select { |file| (headers_of(file) & SCENES).any? }
+    else every_test
+    end
   end
 
   # More than core and simulated box.

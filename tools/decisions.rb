@@ -82,7 +82,8 @@ class Decisions
   private
 
   def numbers
-    records.map(&:number) == (1..records.size).map { |number| format('%03d', number) } ? [] : ["#{Decision::FOLDER}: numbers are not 001 to #{format('%03d', records.size)}"]
+    expected = (1..records.size).map { |number| format('%03d', number) }
+    records.map(&:number) == expected ? [] : ["#{Decision::FOLDER}: numbers are not 001 to #{expected.last}"]
   end
 
   def of_record(record)

@@ -115,7 +115,8 @@ class TableSources
   def known_limits
     requirements = Trace::Requirements.load('requirements', @root)
     requirements.of_kind('LIM').flat_map do |item|
-      "- **#{item.title}** (#{item.id}). #{requirements.sentence(item)}".scan(/\S.{0,#{LINE - 3}}(?=\s|\z)/).map.with_index { |line, number| number.zero? ? line : "  #{line}" }
+      lines = "- **#{item.title}** (#{item.id}). #{requirements.sentence(item)}".scan(/\S.{0,#{LINE - 3}}(?=\s|\z)/)
+      lines.take(1) + lines.drop(1).map { |line| "  #{line}" }
     end
   end
 

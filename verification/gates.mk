@@ -1,11 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `make test` runs; included by the Makefile.
 
-.PHONY: gate one generated boards apart pictures unit scenes coverage misra sanitize arm console-test objects programs trace demo velocity sweep charts-fuzz mutants worst-case \
+.PHONY: check format gate one generated boards apart pictures unit scenes coverage misra sanitize arm console-test objects programs trace demo velocity sweep charts-fuzz mutants worst-case \
     worst-case-approve
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
 	@ruby tools/gates.rb
+
+check: bootstrap-test ## A change in about two minutes: form, types, rooms, tests that reach it, trace; SINCE=commit, the last one unless said
+	@ruby tools/check.rb $(or $(SINCE),HEAD)
+
+format: bootstrap-test ## Brings the sources in C, C++, Ruby and TypeScript to their form
+	@git ls-files -z '*.c' '*.h' '*.cpp' | xargs -0 clang-format -i
+	@git ls-files -z '*.rb' | xargs -0 rubocop --autocorrect --format quiet
+	@npm --silent --prefix app/console run format
 
 gate: bootstrap-test ## Run one gate again, and what it needs: make gate NAME=unit
 	@ruby tools/gates.rb $(NAME)

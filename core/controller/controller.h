@@ -159,9 +159,9 @@ typedef struct {
     uint32_t unrecorded;                   /**< and those of them in the present gap. */
     uint32_t recording_left_min;           /**< Of the inputs before. */
     uint32_t is_end_told;                  /**< That it ends soon: 0 or 1. */
-    robot_cards_t cards;    /**< Of the robot, as its undamaged table says in each cycle. */
-    target_way_t way;       /**< As it is shown; has a seal of its own. */
-    program_list_t program; /**< The treatment program that is held; has checksums of its own. */
+    robot_cards_t cards;      /**< Of the robot, as its undamaged table says in each cycle. */
+    target_way_t way;         /**< As it is shown; has a seal of its own. */
+    program_list_t program;   /**< The treatment program that is held; has checksums of its own. */
     homing_account_t account; /**< Has a seal of its own. */
     uint32_t last_event;    /**< event_id_t of the one noted last; it counts only, with the next. */
     uint32_t refused_cycle; /**< When the numbers of something refused were noted; the same. */

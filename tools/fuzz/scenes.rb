@@ -144,7 +144,7 @@ module Fuzz
         'version_2' => [1, 7] + extended('STRING', 'CMD_0003', text('STOP')).bytes + transform('TGT_0004').bytes,
         'skipped' => [1, 200] + message('IMAGE', 'volume', 'x' * 300).bytes + good.first.bytes,
         'tracking' => [1, 0] + message('STT_TDATA', '', [10].pack('N') + "\0" * 32).bytes +
-                      message('COMMAND', 'command', [1, 'Status', 3, 6].pack('Na128nN') + 'Status').bytes,
+          message('COMMAND', 'command', [1, 'Status', 3, 6].pack('Na128nN') + 'Status').bytes,
         'point' => [1, 0] + message('POINT', 'target', "\0" * 136).bytes,
         'wrong_checksum' => [0, 0] + good[1].bytes,
         'too_long' => [1, 0] + message('STRING', 'x', text('y' * 5000)).bytes }

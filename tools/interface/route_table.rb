@@ -109,7 +109,8 @@ module Interface
       query = route.parameters.members.empty? ? 'nothing' : route.parameters.name
       "    {ROUTE_#{route.name.upcase}, #{C.string(route.method)}, #{C.string(route.path)}, " \
         "#{value(route)}, #{C.string(@routes.allowed(route.path))},\n     #{route.anyone?}, #{least(route)}, " \
-        "#{route.page?}, #{route.authority?}, #{asked(route)}, #{route.lenient?}, #{noted(route)}, #{route.body_most}U, #{sent(route)}, #{body}, &request_#{query}}"
+        "#{route.page?}, #{route.authority?}, #{asked(route)}, #{route.lenient?}, #{noted(route)}, " \
+        "#{route.body_most}U, #{sent(route)}, #{body}, &request_#{query}}"
     end
 
     def noted(route)

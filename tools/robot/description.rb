@@ -162,7 +162,7 @@ module Robot
 
   # A limit that axes share, in mm or deg.
   CoupledLimit = Struct.new(:name, :is_length, :refusal, :is_curved, :mask, :minimum, :maximum, :margin, :formula,
-                             keyword_init: true)
+                            keyword_init: true)
 
   # A whole robot file, checked.
   #

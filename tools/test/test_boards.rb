@@ -62,7 +62,8 @@ class TestBoards < Minitest::Test
   def test_SWR_TOOL_015_a_board_needs_nothing_but_what_control_opens
     source = board("box: slot-one\n").source
     assert_equal 3, source.scan(/^        \{0\},$/).size
-    ['.box = "slot-one",', '.name = "{instance}",', '.slowness = "1",', '.is_simulated = false,', '.cycle = {0},', '.cycle_lane_mb = LIMIT_CYCLE_LANE_MB,'].each { |text| assert_includes source, text }
+    ['.box = "slot-one",', '.name = "{instance}",', '.slowness = "1",', '.is_simulated = false,', '.cycle = {0},',
+     '.cycle_lane_mb = LIMIT_CYCLE_LANE_MB,'].each { |text| assert_includes source, text }
   end
 
   WRONG = {

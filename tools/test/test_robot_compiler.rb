@@ -638,8 +638,8 @@ class TestRobotCompiler < Minitest::Test
 
   def test_SWR_ROBOT_001_an_insertion_that_is_negative_or_too_deep_is_refused
     assert_refused(with('minimum_ticks: 0', 'minimum_ticks: -1', axis: 'insertion'),
-                   'axes[3].minimum_ticks: is negative; expected 0 or more, 0 is fully out', axis: 'insertion',
-                   at: 'minimum_ticks: -1')
+                   'axes[3].minimum_ticks: is negative; expected 0 or more, 0 is fully out',
+                   axis: 'insertion', at: 'minimum_ticks: -1')
     assert_refused(with('133334', '666669'), 'axes[3].maximum_ticks: is deeper than 200 mm; expected less',
                    at: '666669')
   end
@@ -689,7 +689,8 @@ class TestRobotCompiler < Minitest::Test
   end
 
   def test_SWR_DRIVE_006_a_curve_that_does_not_rise_to_full_speed_is_refused
-    { '[10.3, 14.7, 14.7, 25.5, 32.5, 42.0, 55.9, 74.8, 100]' =>
+    {
+      '[10.3, 14.7, 14.7, 25.5, 32.5, 42.0, 55.9, 74.8, 100]' =>
         'does not rise from each speed to the next; expected half a percent at least',
       '[10.3, 100]' => 'has 2 speeds; expected 9',
       '[10.3, 14.7, 19.5, 25.5, 32.5, 42.0, 55.9, 74.8, 99]' => 'ends with 99.0; expected 100 percent of full speed'

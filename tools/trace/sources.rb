@@ -159,7 +159,7 @@ module Trace
       names = known.select { |callable| callable.body.match?(ASSERTION) }.map(&:name)
       loop do
         more = known.reject { |callable| names.include?(callable.name) }
-                        .select { |callable| words[callable].intersect?(names) }
+                    .select { |callable| words[callable].intersect?(names) }
         return names if more.empty?
 
         names |= more.map(&:name)

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Our OpenIGTLink codec beside the standard's own library (libOpenIGTLink 1.11): a TRANSFORM from a matrix to bytes
-// and back. The library's objects are kept from message to message, or made anew for each.
+// Our OpenIGTLink codec beside the standard's own library (libOpenIGTLink 1.11): a TRANSFORM from a
+// matrix to bytes and back. The library's objects are kept from message to message, or made anew
+// for each.
 //
 //   bench-codec ROUNDS CALLS     ROUNDS times in turn CALLS of each way
 //
-// Prints for each way its name and its ns per call, the median of the rounds. Before that it compares what all ways
-// write and read, and ends with status 1 when anything differs. Each way is one function with its name, so that
-// callgrind can count it.
+// Prints for each way its name and its ns per call, the median of the rounds. Before that it
+// compares what all ways write and read, and ends with status 1 when anything differs. Each way is
+// one function with its name, so that callgrind can count it.
 
 extern "C" {
 #include "message/igtl_codec.h"
@@ -26,7 +27,8 @@ extern "C" {
 
 #define WAY extern "C" __attribute__((noinline)) void
 
-namespace {
+namespace
+{
 
 const char kName[] = "CURRENT_POSITION";
 const unsigned kSeconds = 1700000000;
@@ -74,7 +76,8 @@ WAY pack_ours()
         std::memcpy(&numbers[3 * i + 1], &to_send[1][i], sizeof numbers[0]);
         std::memcpy(&numbers[3 * i + 2], &to_send[2][i], sizeof numbers[0]);
     }
-    igtl_encode_transform(&packet, kName, numbers, (static_cast<uint64_t>(kSeconds) << 32) | kFraction);
+    igtl_encode_transform(&packet, kName, numbers,
+                          (static_cast<uint64_t>(kSeconds) << 32) | kFraction);
     sent = packet.bytes;
 }
 
@@ -117,7 +120,8 @@ WAY unpack_new()
     Unpack(igtl::MessageHeader::New(), igtl::TransformMessage::New());
 }
 
-namespace {
+namespace
+{
 
 struct Way {
     const char *name;
@@ -183,9 +187,11 @@ int main(int count, char **words)
         std::fprintf(stderr, "usage: bench-codec ROUNDS CALLS\n");
         return 2;
     }
-    std::vector<Way> packing = {{"pack_ours", pack_ours, {}}, {"pack_kept", pack_kept, {}}, {"pack_new", pack_new, {}}};
-    std::vector<Way> unpacking = {
-        {"unpack_ours", unpack_ours, {}}, {"unpack_kept", unpack_kept, {}}, {"unpack_new", unpack_new, {}}};
+    std::vector<Way> packing = {
+        {"pack_ours", pack_ours, {}}, {"pack_kept", pack_kept, {}}, {"pack_new", pack_new, {}}};
+    std::vector<Way> unpacking = {{"unpack_ours", unpack_ours, {}},
+                                  {"unpack_kept", unpack_kept, {}},
+                                  {"unpack_new", unpack_new, {}}};
     kept_sender = igtl::TransformMessage::New();
     kept_sender->SetDeviceName(kName);
     kept_reader = igtl::TransformMessage::New();

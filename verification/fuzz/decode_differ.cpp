@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Messages of the standard's own library (libOpenIGTLink 1.11), damaged by chance: whatever our codec accepts, the library
-// must read to the same values. It does not survive what is malformed, so only what we accept is handed to it, of header
-// version 2 the content as version 1. Ends with status 1 and a sentence at the first difference.
+// Messages of the standard's own library (libOpenIGTLink 1.11), damaged by chance: whatever our
+// codec accepts, the library must read to the same values. It does not survive what is malformed,
+// so only what we accept is handed to it, of header version 2 the content as version 1. Ends with
+// status 1 and a sentence at the first difference.
 
 extern "C" {
 #include "message/igtl_codec.h"
@@ -27,7 +28,8 @@ extern "C" {
 #include <string>
 #include <vector>
 
-namespace {
+namespace
+{
 
 typedef std::vector<uint8_t> Bytes;
 
@@ -77,7 +79,8 @@ void Put(Bytes &bytes, size_t at, uint64_t value, unsigned count)
 void Seal(Bytes &bytes)
 {
     Put(bytes, 42, bytes.size() - IGTL_HEADER_BYTES, 8);
-    Put(bytes, 50, igtl_crc64(0, bytes.data() + IGTL_HEADER_BYTES, bytes.size() - IGTL_HEADER_BYTES), 8);
+    Put(bytes, 50,
+        igtl_crc64(0, bytes.data() + IGTL_HEADER_BYTES, bytes.size() - IGTL_HEADER_BYTES), 8);
 }
 
 Bytes Packed(igtl::MessageBase *message)
@@ -162,16 +165,26 @@ template <class Message> Bytes Empty()
 Bytes Some()
 {
     switch (Random(10)) {
-    case 0: return Transform();
-    case 1: return String();
-    case 2: return Status();
-    case 3: return Points();
-    case 4: return Start();
-    case 5: return Empty<igtl::StopTrackingDataMessage>();
-    case 6: return Empty<igtl::GetTransformMessage>();
-    case 7: return Empty<igtl::GetStatusMessage>();
-    case 8: return Trajectories();
-    default: return Empty<igtl::GetCapabilityMessage>();
+    case 0:
+        return Transform();
+    case 1:
+        return String();
+    case 2:
+        return Status();
+    case 3:
+        return Points();
+    case 4:
+        return Start();
+    case 5:
+        return Empty<igtl::StopTrackingDataMessage>();
+    case 6:
+        return Empty<igtl::GetTransformMessage>();
+    case 7:
+        return Empty<igtl::GetStatusMessage>();
+    case 8:
+        return Trajectories();
+    default:
+        return Empty<igtl::GetCapabilityMessage>();
     }
 }
 
@@ -195,7 +208,8 @@ void Damage(Bytes &bytes)
         bytes[Random(static_cast<unsigned>(bytes.size()))] = static_cast<uint8_t>(Random(256));
     }
     if (Random(8) == 0) {
-        bytes.resize(IGTL_HEADER_BYTES + Random(static_cast<unsigned>(bytes.size() - IGTL_HEADER_BYTES) + 20));
+        bytes.resize(IGTL_HEADER_BYTES +
+                     Random(static_cast<unsigned>(bytes.size() - IGTL_HEADER_BYTES) + 20));
     }
     if (Random(16) != 0) {
         Seal(bytes);
@@ -212,8 +226,10 @@ template <class Message> typename Message::Pointer Read(const Bytes &plain)
     typename Message::Pointer message = Message::New();
     message->SetMessageHeader(header);
     message->AllocatePack();
-    Check(message->GetPackBodySize() == static_cast<int>(plain.size() - IGTL_HEADER_BYTES), "a body's length");
-    std::memcpy(message->GetPackBodyPointer(), plain.data() + IGTL_HEADER_BYTES, plain.size() - IGTL_HEADER_BYTES);
+    Check(message->GetPackBodySize() == static_cast<int>(plain.size() - IGTL_HEADER_BYTES),
+          "a body's length");
+    std::memcpy(message->GetPackBodyPointer(), plain.data() + IGTL_HEADER_BYTES,
+                plain.size() - IGTL_HEADER_BYTES);
     Check((message->Unpack(1) & igtl::MessageHeader::UNPACK_BODY) != 0, "a checksum");
     return message;
 }
@@ -242,7 +258,8 @@ void CompareTransform(const igtl_message_t &ours, const Bytes &plain)
 
 void CompareString(const igtl_message_t &ours, const Bytes &plain)
 {
-    Check(std::string(ours.text, ours.text_bytes) == Read<igtl::StringMessage>(plain)->GetString(), "a text");
+    Check(std::string(ours.text, ours.text_bytes) == Read<igtl::StringMessage>(plain)->GetString(),
+          "a text");
 }
 
 void CompareStatus(const igtl_message_t &ours, const Bytes &plain)
@@ -256,14 +273,17 @@ void ComparePoints(const igtl_message_t &ours, const Bytes &plain)
         return; // The library has no list without a point.
     }
     igtl::PointMessage::Pointer theirs = Read<igtl::PointMessage>(plain);
-    Check(theirs->GetNumberOfPointElement() == static_cast<int>(ours.content_bytes / IGTL_POINT_BYTES), "a number of points");
+    Check(theirs->GetNumberOfPointElement() ==
+              static_cast<int>(ours.content_bytes / IGTL_POINT_BYTES),
+          "a number of points");
     for (int i = 0; i < theirs->GetNumberOfPointElement(); i++) {
         igtl::PointElement::Pointer point;
         igtlFloat32 position[3];
         theirs->GetPointElement(i, point);
         point->GetPosition(position);
         for (int k = 0; k < 3; k++) {
-            Check(Bits(position[k]) == BitsAt(ours.content + i * IGTL_POINT_BYTES + 100 + 4 * k), "a point");
+            Check(Bits(position[k]) == BitsAt(ours.content + i * IGTL_POINT_BYTES + 100 + 4 * k),
+                  "a point");
         }
     }
 }
@@ -280,7 +300,8 @@ void CompareTrajectory(const igtl_message_t &ours, const Bytes &plain)
     element->GetTargetPosition(target);
     Check(element->GetType() == static_cast<igtlUint8>(ours.code), "what a trajectory has");
     for (unsigned i = 0; i < 3; i++) {
-        Check(Bits(entry[i]) == ours.numbers[i] && Bits(target[i]) == ours.numbers[3 + i], "a trajectory");
+        Check(Bits(entry[i]) == ours.numbers[i] && Bits(target[i]) == ours.numbers[3 + i],
+              "a trajectory");
     }
 }
 
@@ -289,20 +310,34 @@ void CompareStart(const igtl_message_t &ours, const Bytes &plain)
     igtl::StartTrackingDataMessage::Pointer theirs = Read<igtl::StartTrackingDataMessage>(plain);
     Check(theirs->GetResolution() == ours.resolution_ms, "a resolution");
     if (ours.subject_bytes < 32) { // The library leaves out one that fills its field.
-        Check(std::string(ours.subject, ours.subject_bytes) == theirs->GetCoordinateName(), "a coordinate system");
+        Check(std::string(ours.subject, ours.subject_bytes) == theirs->GetCoordinateName(),
+              "a coordinate system");
     }
 }
 
 void CompareContent(const igtl_message_t &ours, const Bytes &plain)
 {
     switch (ours.kind) {
-    case IGTL_KIND_TRANSFORM: CompareTransform(ours, plain); break;
-    case IGTL_KIND_STRING: CompareString(ours, plain); break;
-    case IGTL_KIND_STATUS: CompareStatus(ours, plain); break;
-    case IGTL_KIND_POINT: ComparePoints(ours, plain); break;
-    case IGTL_KIND_STT_TDATA: CompareStart(ours, plain); break;
-    case IGTL_KIND_TRAJECTORY: CompareTrajectory(ours, plain); break;
-    default: break;
+    case IGTL_KIND_TRANSFORM:
+        CompareTransform(ours, plain);
+        break;
+    case IGTL_KIND_STRING:
+        CompareString(ours, plain);
+        break;
+    case IGTL_KIND_STATUS:
+        CompareStatus(ours, plain);
+        break;
+    case IGTL_KIND_POINT:
+        ComparePoints(ours, plain);
+        break;
+    case IGTL_KIND_STT_TDATA:
+        CompareStart(ours, plain);
+        break;
+    case IGTL_KIND_TRAJECTORY:
+        CompareTrajectory(ours, plain);
+        break;
+    default:
+        break;
     }
 }
 
@@ -321,15 +356,16 @@ void Compare(const Bytes &bytes)
 {
     igtl_header_t header;
     igtl_message_t ours;
-    const bool is_read = igtl_decode_header(bytes.data(), &header) == IGTL_OK && header.kind != IGTL_KIND_OTHER &&
-                         header.body_bytes <= kBodyMax && header.body_bytes == bytes.size() - IGTL_HEADER_BYTES &&
-                         igtl_decode_body(&header, bytes.data() + IGTL_HEADER_BYTES, &ours) == IGTL_OK;
+    const bool is_read =
+        igtl_decode_header(bytes.data(), &header) == IGTL_OK && header.kind != IGTL_KIND_OTHER &&
+        header.body_bytes <= kBodyMax && header.body_bytes == bytes.size() - IGTL_HEADER_BYTES &&
+        igtl_decode_body(&header, bytes.data() + IGTL_HEADER_BYTES, &ours) == IGTL_OK;
     if (!is_read) {
         refused++;
         return;
     }
-    const bool is_named = header.kind != IGTL_KIND_GET_OTHER && header.kind != IGTL_KIND_STT_OTHER &&
-                          header.kind != IGTL_KIND_STP_OTHER;
+    const bool is_named = header.kind != IGTL_KIND_GET_OTHER &&
+                          header.kind != IGTL_KIND_STT_OTHER && header.kind != IGTL_KIND_STP_OTHER;
     accepted[is_named ? header.type : "others"]++;
     Bytes plain(bytes.begin(), bytes.begin() + IGTL_HEADER_BYTES);
     plain.insert(plain.end(), ours.content, ours.content + ours.content_bytes);

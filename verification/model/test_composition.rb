@@ -110,7 +110,7 @@ class TestComposition < Minitest::Test
     'a_reaction_of_one_axis_that_is_not_said_to_be' => ['of: axis_1, ', '', /\Areaction card enters lost axis_1/],
     'a_condition_on_one_axis' => ['when: permit_N', 'when: permit_1', /\Astimulus stall_1\.driven/],
     'an_input_from_one_axis' => ["workphase.has_target: In('plan.targeted')", "workphase.has_target: In('axis_1.homed')",
-                                  /\Ainput workphase\./],
+                                 /\Ainput workphase\./],
     'a_fact_of_one_axis' => ["is_homed: In('axis_N.homed')", "is_homed: In('axis_1.homed')", /\Afacts permit_1/],
     'a_property_of_one_axis' => ["In('stall_N.stalled') || !In('axis_N", "In('stall_N.stalled') || !In('axis_1",
                                  /\Aproperty COMP-I02/]

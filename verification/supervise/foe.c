@@ -11,8 +11,8 @@
 
 #define ORDER_SIZE 48U
 #define LOST_CYCLES (LIMIT_SILENT_KEPT_CYCLES + 60U) /* A card is silent for so long. */
-#define MERCY_CYCLES 3000U /* Until it is broken again. */
-#define STRAY_CYCLES 200U  /* An impostor stays pressed after homing. */
+#define MERCY_CYCLES 3000U                           /* Until it is broken again. */
+#define STRAY_CYCLES 200U                            /* An impostor stays pressed after homing. */
 
 enum { PART_ENCODER = 0, PART_MOTOR = 1, PART_SWITCH = 2, PART_LOAD = 3 };
 

@@ -158,7 +158,8 @@ class TestHttpActs < Minitest::Test
   def test_SWR_HTTP_029_what_no_axis_can_mean_is_refused_where_it_stands
     anna = holder
     ['1e7', '-1e7'].each do |text|
-      found = anna.request('post', '/api/v1/motors/yaw/jog', "{\"id\":#{anna.id += 1},\"position\":#{text},\"unit\":\"deg\"}", 'X-Boresight-Page' => anna.page.to_s)
+      found = anna.request('post', '/api/v1/motors/yaw/jog', "{\"id\":#{anna.id += 1},\"position\":#{text},\"unit\":\"deg\"}",
+                           'X-Boresight-Page' => anna.page.to_s)
       assert_equal %w[OUT_OF_RANGE /position], JSON.parse(found.body).values_at('code', 'pointer')
     end
   end

@@ -288,7 +288,8 @@ class TestHttpArchive < Minitest::Test
     egon = client('egon')
     assert_equal '200', set_level(egon, { level: 'WARNING' }).code
     assert_equal ['WARNING', 'egon', nil], level_told(egon).values_at('level', 'by', 'reason')
-    wait_until('the log says so') { boresight.event_lines.any? { |line| line.end_with?('LOG_LEVEL value=1 From here on events from WARNING on are written, set by egon.') } }
+    said = 'LOG_LEVEL value=1 From here on events from WARNING on are written, set by egon.'
+    wait_until('the log says so') { boresight.event_lines.any? { |line| line.end_with?(said) } }
     assert_equal '200', set_level(egon, { level: 'INFORMATION' }).code
     wait_until('the log says so') { boresight.event_lines.any? { |line| line.include?('LOG_LEVEL value=0') } }
   end

@@ -300,7 +300,7 @@ class TestHttpSessionsAnew < Minitest::Test
   # has not logged for long is asked for again, and then there twice with its number.
   def notes
     boresight.log.select { |entry| %w[NOTE LOGIN_REFUSED].include?(entry['name']) }.uniq { |entry| entry['value'] }
-        .map { |entry| entry.values_at('text', 'name', 'severity', 'cause') }
+             .map { |entry| entry.values_at('text', 'name', 'severity', 'cause') }
   end
 
   def test_SWR_SESS_020_each_login_refusal_and_logout_is_an_event

@@ -144,7 +144,7 @@ class TestHttpTls < Minitest::Test
 
   def log_in
     ask('POST', '/api/v1/session', body: JSON.generate(name: 'anna', password: 'correct-horse'),
-                                       headers: { 'Origin' => origin })
+                                   headers: { 'Origin' => origin })
   end
 
   def origin
@@ -250,7 +250,7 @@ class TestHttpTls < Minitest::Test
   def test_SWR_SESS_019_the_library_never_speaks_tls_itself
     %w[8443s 8443r 127.0.0.1:8443s].each do |its_port|
       _, status = Open3.capture2e(Boresight.program('boresight-http'), '--instance', self.class.boresight.instance,
-                                       '--recordings', self.class.boresight.recordings,
+                                  '--recordings', self.class.boresight.recordings,
                                   '--box', 'x', '--port', its_port)
       assert_equal 2, status.exitstatus
     end

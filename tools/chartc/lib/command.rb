@@ -135,6 +135,7 @@ module Chart
           if seen.key?(one.id)
             raise Refusal.new(document.file, one.line, 8, "#{one.id} stands in #{seen[one.id]} already; choose another")
           end
+
           seen[one.id] = document.file
         end
       end

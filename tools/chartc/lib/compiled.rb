@@ -94,7 +94,7 @@ module Chart
     # Its size in one line.
     def words
       format('%-15<name>s %3<reached>d configurations, %6<pairs>d pairs', name: document.name, reached: walk.reached.length,
-                                                                            pairs: walk.pair_count)
+                                                                          pairs: walk.pair_count)
     end
   end
 end

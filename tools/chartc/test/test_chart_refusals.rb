@@ -79,15 +79,15 @@ class TestChartRefusals < Minitest::Test
     sends = (0..32).map { |n| send_of("late_#{n}") }
     cancels = (0..32).map { |n| "<cancel sendid=\"late_#{n}\"/>" }
     text = chart('base_timer').sub(/<onentry>.*/, "<onentry>#{sends.join}</onentry>")
-                             .sub(/<onexit>.*/, "<onexit>#{cancels.join}</onexit>")
+                              .sub(/<onexit>.*/, "<onexit>#{cancels.join}</onexit>")
     assert_match(/CHART-R19 the chart has 33 timers; at most 32 fit/, refusal_in('base_timer', text).message)
   end
 
   def test_SWR_CHART_003_at_most_64_regions_fit
     regions = (0..64).map { |n| "<state id=\"part_#{n}\" bs:req=\"SWR-CHART-003\"/>" }
     text = chart('base').sub(/bs:safe="[^"]*"/, "bs:safe=\"#{(0..64).map { |n| "part_#{n}" }.join(' ')}\"")
-                       .sub('initial="off"', 'initial="all"')
-                       .sub(%r{^  <state.*</state>}m, "<parallel id=\"all\">#{regions.join}</parallel>")
+                        .sub('initial="off"', 'initial="all"')
+                        .sub(%r{^  <state.*</state>}m, "<parallel id=\"all\">#{regions.join}</parallel>")
     assert_match(/CHART-R19 the chart has 65 regions; at most 64 fit/, refusal_in('base', text).message)
   end
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A client of the OpenIGTLink server, for tests and for the demonstration. Headers, checksums and messages are those
-// of the standard's own library (libOpenIGTLink 1.11); of our code only the command line is in it.
+// A client of the OpenIGTLink server, for tests and for the demonstration. Headers, checksums and
+// messages are those of the standard's own library (libOpenIGTLink 1.11); of our code only the
+// command line is in it.
 //
-//   boresight-client [--host 127.0.0.1] [--port 18936] ["phase START_UP" "wait STATUS START_UP 30000" ...]
+//   boresight-client [--host 127.0.0.1] [--port 18936] ["phase START_UP" "wait STATUS START_UP
+//   30000" ...]
 //
-// Without commands they are read from the standard input, one a line. Everything that arrives is printed as one line
-// of JSON; each command ends with a line {"done": ...}. A command that fails ends the client with status 1 and a
-// sentence. Matrices are 12 numbers, row by row (r11 r12 r13 tx ... tz), or all 16.
+// Without commands they are read from the standard input, one a line. Everything that arrives is
+// printed as one line of JSON; each command ends with a line {"done": ...}. A command that fails
+// ends the client with status 1 and a sentence. Matrices are 12 numbers, row by row (r11 r12 r13 tx
+// ... tz), or all 16.
 
 #include <igtlCapabilityMessage.h>
 #include <igtlClientSocket.h>
@@ -38,7 +41,8 @@ extern "C" {
 #include <poll.h>
 #include <unistd.h>
 
-namespace {
+namespace
+{
 
 // A bound against hanging, where none is given.
 const int kPatienceMs = 120000;
@@ -47,8 +51,9 @@ typedef std::chrono::steady_clock Clock;
 typedef std::vector<std::string> Words;
 
 // The library hides its descriptor from all but heirs; poll() needs it.
-class Channel : public igtl::ClientSocket {
-public:
+class Channel : public igtl::ClientSocket
+{
+  public:
     typedef igtl::SmartPointer<Channel> Pointer;
     static Pointer New()
     {
@@ -56,12 +61,16 @@ public:
         channel->UnRegister();
         return channel;
     }
-    int Descriptor() const { return m_SocketDescriptor; }
+    int Descriptor() const
+    {
+        return m_SocketDescriptor;
+    }
 };
 
 // A message without content, of any type.
-class Question : public igtl::HeaderOnlyMessageBase {
-public:
+class Question : public igtl::HeaderOnlyMessageBase
+{
+  public:
     typedef igtl::SmartPointer<Question> Pointer;
     static Pointer New(const std::string &type)
     {
@@ -110,16 +119,20 @@ std::string Number(double value)
     return text;
 }
 
-class Client {
-public:
-    Client() : start_(Clock::now()), cursor_(0), next_id_(1) {}
+class Client
+{
+  public:
+    Client() : start_(Clock::now()), cursor_(0), next_id_(1)
+    {
+    }
 
     void Connect(const std::string &host, int port)
     {
         channel_ = Channel::New();
         if (channel_->ConnectToServer(host.c_str(), port) != 0) {
             std::ostringstream message;
-            message << "nothing listens on " << host << " port " << port << "; start boresight first";
+            message << "nothing listens on " << host << " port " << port
+                    << "; start boresight first";
             throw std::runtime_error(message.str());
         }
         channel_->SetReceiveTimeout(kPatienceMs);
@@ -137,7 +150,8 @@ public:
             return;
         }
         Dispatch(words, line);
-        std::cout << "{\"t_ms\":" << Number(Now()) << ",\"done\":" << Quote(line) << "}" << std::endl;
+        std::cout << "{\"t_ms\":" << Number(Now()) << ",\"done\":" << Quote(line) << "}"
+                  << std::endl;
     }
 
     // Prints what arrives until standard input has a line.
@@ -157,7 +171,7 @@ public:
         }
     }
 
-private:
+  private:
     double Now() const
     {
         return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
@@ -320,7 +334,8 @@ private:
         if (word == "both") {
             return igtl::TrajectoryElement::TYPE_ENTRY_TARGET;
         }
-        return word == "entry" ? igtl::TrajectoryElement::TYPE_ENTRY_ONLY : igtl::TrajectoryElement::TYPE_TARGET_ONLY;
+        return word == "entry" ? igtl::TrajectoryElement::TYPE_ENTRY_ONLY
+                               : igtl::TrajectoryElement::TYPE_TARGET_ONLY;
     }
 
     template <class Real> void SendArray(const Words &words, int type)
@@ -367,14 +382,16 @@ private:
             const float sent = std::strtof(words[1 + i].c_str(), NULL);
             const bool are_nan = std::isnan(sent) && std::isnan(echo.numbers[i]);
             if (!are_nan && std::memcmp(&sent, &echo.numbers[i], sizeof sent) != 0) {
-                throw std::runtime_error("the acknowledgement does not repeat the matrix that was sent");
+                throw std::runtime_error(
+                    "the acknowledgement does not repeat the matrix that was sent");
             }
         }
     }
 
     void ReportAcknowledgement(const Received &received, double sent_ms)
     {
-        std::cout << "{\"t_ms\":" << Number(Now()) << ",\"type\":\"ACK\",\"name\":" << Quote(received.name)
+        std::cout << "{\"t_ms\":" << Number(Now())
+                  << ",\"type\":\"ACK\",\"name\":" << Quote(received.name)
                   << ",\"ack_ms\":" << Number(received.t_ms - sent_ms) << "}" << std::endl;
     }
 
@@ -414,7 +431,8 @@ private:
                 throw std::runtime_error(message.str());
             }
             if (!Receive()) {
-                throw std::runtime_error("the connection was closed while waiting for " + type + " " + name);
+                throw std::runtime_error("the connection was closed while waiting for " + type +
+                                         " " + name);
             }
         }
     }
@@ -424,8 +442,8 @@ private:
         const Received received = Await(words[1], words[2], Patience(words, 4));
         if (received.code != std::atoi(words[3].c_str())) {
             std::ostringstream message;
-            message << words[1] << " " << words[2] << " has code " << received.code << " (" << received.text
-                    << "), expected " << words[3];
+            message << words[1] << " " << words[2] << " has code " << received.code << " ("
+                    << received.text << "), expected " << words[3];
             throw std::runtime_error(message.str());
         }
     }
@@ -497,7 +515,8 @@ private:
             return false;
         }
         header->Unpack();
-        Received received = {header->GetDeviceType(), header->GetDeviceName(), 0, "", std::vector<float>(), Now()};
+        Received received = {
+            header->GetDeviceType(), header->GetDeviceName(), 0, "", std::vector<float>(), Now()};
         const std::string content = ReadBody(header, &received);
         std::cout << "{\"t_ms\":" << Number(received.t_ms) << ",\"type\":" << Quote(received.type)
                   << ",\"name\":" << Quote(received.name) << content << "}" << std::endl;
@@ -512,8 +531,8 @@ private:
         message->AllocatePack();
         channel_->Receive(message->GetPackBodyPointer(), message->GetPackBodySize());
         if ((message->Unpack(1) & igtl::MessageHeader::UNPACK_BODY) == 0) {
-            throw std::runtime_error(std::string("the checksum of ") + header->GetDeviceType() + " " +
-                                     header->GetDeviceName() + " is wrong");
+            throw std::runtime_error(std::string("the checksum of ") + header->GetDeviceType() +
+                                     " " + header->GetDeviceName() + " is wrong");
         }
         return message;
     }
@@ -525,7 +544,8 @@ private:
             igtl::StatusMessage::Pointer message = Body<igtl::StatusMessage>(header);
             received->code = message->GetCode();
             received->text = message->GetStatusString();
-            content << ",\"code\":" << received->code << ",\"error_name\":" << Quote(message->GetErrorName())
+            content << ",\"code\":" << received->code
+                    << ",\"error_name\":" << Quote(message->GetErrorName())
                     << ",\"text\":" << Quote(received->text);
         } else if (received->type == "STRING") {
             content << ",\"text\":" << Quote(Body<igtl::StringMessage>(header)->GetString());
@@ -545,7 +565,8 @@ private:
             received->code = Body<igtl::RTSTrackingDataMessage>(header)->GetStatus();
             content << ",\"code\":" << received->code;
         } else if (received->type == "CAPABILITY") {
-            content << ",\"types\":[" << Types(Body<igtl::CapabilityMessage>(header)->GetTypes()) << "]";
+            content << ",\"types\":[" << Types(Body<igtl::CapabilityMessage>(header)->GetTypes())
+                    << "]";
         } else if (received->type == "POINT") {
             igtl::PointElement::Pointer point;
             igtlFloat32 position[3];
@@ -620,14 +641,15 @@ const char kCommands[] =
     "Exit code 0: all commands done. 1: one failed, said in a sentence. 2: wrong\n"
     "command line.\n";
 
-const command_line_t kCommandLine = {"boresight-client",
-                                     "Talks to Boresight by OpenIGTLink, as a navigation program does.",
-                                     "[OPTION...] [COMMAND...]",
-                                     kKnown,
-                                     kOptions,
-                                     0,
-                                     COMMAND_LINE_MANY,
-                                     kCommands};
+const command_line_t kCommandLine = {
+    "boresight-client",
+    "Talks to Boresight by OpenIGTLink, as a navigation program does.",
+    "[OPTION...] [COMMAND...]",
+    kKnown,
+    kOptions,
+    0,
+    COMMAND_LINE_MANY,
+    kCommands};
 
 } // namespace
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Compares our OpenIGTLink codec with the standard's own library (libOpenIGTLink 1.11), both ways: what we write the
-// library must unpack to the same values with a right checksum, and what the library packs we must read; where both
-// write the same message, the bytes must be equal. Ends with status 1 and a sentence at the first difference.
+// Compares our OpenIGTLink codec with the standard's own library (libOpenIGTLink 1.11), both ways:
+// what we write the library must unpack to the same values with a right checksum, and what the
+// library packs we must read; where both write the same message, the bytes must be equal. Ends with
+// status 1 and a sentence at the first difference.
 
 extern "C" {
 #include "message/igtl_codec.h"
@@ -27,7 +28,8 @@ extern "C" {
 #include <string>
 #include <vector>
 
-namespace {
+namespace
+{
 
 const int kRounds = 2000;
 std::mt19937 generator(20130612);
@@ -59,7 +61,8 @@ std::string Text(unsigned longest)
 
 float Finite()
 {
-    return std::ldexp(static_cast<float>(static_cast<int>(Random(2000001)) - 1000000), static_cast<int>(Random(30)) - 20);
+    return std::ldexp(static_cast<float>(static_cast<int>(Random(2000001)) - 1000000),
+                      static_cast<int>(Random(30)) - 20);
 }
 
 uint32_t Bits(float number)
@@ -78,8 +81,10 @@ template <class Message> typename Message::Pointer Unpacked(const igtl_packet_t 
     typename Message::Pointer message = Message::New();
     message->SetMessageHeader(header);
     message->AllocatePack();
-    Check(message->GetPackBodySize() == static_cast<int>(packet.length - IGTL_HEADER_BYTES), "a body's length");
-    std::memcpy(message->GetPackBodyPointer(), &packet.bytes[IGTL_HEADER_BYTES], packet.length - IGTL_HEADER_BYTES);
+    Check(message->GetPackBodySize() == static_cast<int>(packet.length - IGTL_HEADER_BYTES),
+          "a body's length");
+    std::memcpy(message->GetPackBodyPointer(), &packet.bytes[IGTL_HEADER_BYTES],
+                packet.length - IGTL_HEADER_BYTES);
     Check((message->Unpack(1) & igtl::MessageHeader::UNPACK_BODY) != 0, "a checksum");
     return message;
 }
@@ -90,7 +95,8 @@ igtl_message_t Decoded(igtl::MessageBase *message)
     igtl_header_t header;
     igtl_message_t decoded;
     Check(igtl_decode_header(bytes, &header) == IGTL_OK, "a header");
-    Check(header.body_bytes + IGTL_HEADER_BYTES == static_cast<uint64_t>(message->GetPackSize()), "a length");
+    Check(header.body_bytes + IGTL_HEADER_BYTES == static_cast<uint64_t>(message->GetPackSize()),
+          "a length");
     Check(igtl_decode_body(&header, &bytes[IGTL_HEADER_BYTES], &decoded) == IGTL_OK, "a body");
     Check(std::string(decoded.name) == message->GetDeviceName(), "a device name");
     return decoded;
@@ -252,9 +258,12 @@ void CompareTracking()
         body[70 * i + 21] = 0;
     }
     Check(message->GetPackSize() == static_cast<int>(packet.length), "a message's length");
-    Check(std::memcmp(body, &packet.bytes[IGTL_HEADER_BYTES], packet.length - IGTL_HEADER_BYTES) == 0, "a TDATA");
+    Check(std::memcmp(body, &packet.bytes[IGTL_HEADER_BYTES], packet.length - IGTL_HEADER_BYTES) ==
+              0,
+          "a TDATA");
     igtl::TrackingDataMessage::Pointer unpacked = Unpacked<igtl::TrackingDataMessage>(packet);
-    Check(unpacked->GetNumberOfTrackingDataElements() == static_cast<int>(count), "a number of instruments");
+    Check(unpacked->GetNumberOfTrackingDataElements() == static_cast<int>(count),
+          "a number of instruments");
     for (unsigned i = 0; i < count; i++) {
         igtl::TrackingDataElement::Pointer element;
         igtl::Matrix4x4 matrix;
@@ -310,7 +319,8 @@ template <class Number> void CompareArray(int type)
     message->SetArray(type, &array);
     message->Pack();
     const igtl_message_t decoded = Decoded(message);
-    Check(decoded.kind == IGTL_KIND_ARRAY && decoded.rows == rows && decoded.columns == columns, "an array's shape");
+    Check(decoded.kind == IGTL_KIND_ARRAY && decoded.rows == rows && decoded.columns == columns,
+          "an array's shape");
     Check(decoded.number_bytes == sizeof(Number), "an array's type");
     for (unsigned i = 0; i < numbers.size(); i++) {
         uint64_t bits = 0;

@@ -106,9 +106,13 @@ module Chart
       ["static uint32_t stimulate(#{@names.chart_type} *chart, const pair_t *pair#{values})", '{', body, '}', '']
     end
 
+    def members
+      regions.map { |one| @names.field(one.name) } + memories.map { |one| @names.memory(one) }
+    end
+
     def compare_function
       [call('static void compare', check_parameters, ''), '{',
-       (regions.map { |one| @names.field(one.name) } + memories.map { |one| @names.memory(one) }).map { |one| equal("pair->to_#{one}", "chart->#{one}", 'UINT32') },
+       members.map { |one| equal("pair->to_#{one}", "chart->#{one}", 'UINT32') },
        timers? ? [equal('pair->next_armed', 'armed_of(chart)', 'HEX32'), timer_values] : [],
        equal('pair->actions', 'actions', 'HEX32'),
        equal('pair->last_transition', 'last_transition(chart)', 'UINT32'),
