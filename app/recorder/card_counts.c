@@ -7,11 +7,24 @@
 #include <string.h>
 
 #define US_PER_MS UINT64_C(1000)
+#define OF_CARD 3U /* From here on the card itself counts. */
 
 static bool is_time(const card_counts_t *self, uint64_t now_us)
 {
     return (self->told_us == 0U) || (now_us == CARD_COUNTS_END) ||
            ((now_us - self->told_us) >= (LIMIT_CARD_COUNTS_PAUSE_MS * US_PER_MS));
+}
+
+/* Before its first answer everything that the card tells is 0. */
+static void settle(card_counts_t *self, uint32_t heartbeat, const uint32_t *numbers)
+{
+    if (self->is_settled || (heartbeat == 0U)) {
+        return;
+    }
+    self->first_heartbeat = (self->first_heartbeat == 0U) ? heartbeat : self->first_heartbeat;
+    self->is_settled = (heartbeat - self->first_heartbeat) >= LIMIT_CARD_COUNTS_SETTLE_FRAMES;
+    (void)memcpy(&self->numbers[OF_CARD], &numbers[OF_CARD],
+                 sizeof self->numbers - (OF_CARD * sizeof numbers[0]));
 }
 
 bool card_counts_look(card_counts_t *self, uint32_t slot, const snapshot_card_t *card,
@@ -24,6 +37,7 @@ bool card_counts_look(card_counts_t *self, uint32_t slot, const snapshot_card_t 
                                 card->sequence_gaps,
                                 card->watchdog_trips};
 
+    settle(self, card->heartbeat, numbers);
     if ((memcmp(numbers, self->numbers, sizeof numbers) == 0) || !is_time(self, now_us)) {
         return false;
     }

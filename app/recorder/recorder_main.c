@@ -57,6 +57,16 @@ static position_keeper_t position_keeper;
 static card_counts_t card_counts[CARD_SLOT_COUNT];
 static sweep_keeper_t sweep_keeper;
 
+/* A recorder before this one may not have written what has changed in this run. */
+static void begin_counts(const exchange_t *exchange)
+{
+    const bool is_again = exchange_file(exchange, EXCHANGE_FILE_LOG) != 0U;
+
+    for (uint32_t i = 0U; i < CARD_SLOT_COUNT; i++) {
+        card_counts[i].is_settled = is_again;
+    }
+}
+
 static void log_counts(const snapshot_t *snapshot, uint64_t now_us)
 {
     char text[CARD_COUNTS_SIZE];
@@ -162,6 +172,7 @@ static int keep(const char *const values[])
                                  .layout = INTERFACE_LAYOUT};
     (void)snprintf(header.build, sizeof header.build, "%s", BUILD_ID);
     (void)snprintf(header.robot, sizeof header.robot, "%s", robot->name);
+    begin_counts(exchange);
     event_log_open(&event_log, values[DIRECTORY], exchange);
     position_keeper_open(&position_keeper, values[POSITIONS]);
     sweep_keeper = (sweep_keeper_t){.directory = values[DIRECTORY], .robot = robot};

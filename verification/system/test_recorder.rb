@@ -180,6 +180,11 @@ class TestRecorder < SystemTest
     assert_match(/ Frames of card 3: [1-9]\d* damaged, \d+ out of order, \d+ missed\. Commands to it: /, counts.last)
   end
 
+  def test_SWR_REC_054_a_healthy_start_writes_no_counts_of_commands_to_cards
+    record(500) { nil }
+    assert_empty boresight.log_lines.grep(/ CARD_COUNTS .* 0 damaged, 0 out of order, 0 missed\./)
+  end
+
   def test_SWR_REC_040_a_run_that_ends_on_a_full_disk_says_how_many_cycles_are_in_no_recording
     last = record(500) do
       # The log has room for what it says of that.

@@ -23,6 +23,7 @@ void setUp(void)
     (void)memset(&counts, 0, sizeof counts);
     (void)memset(&card, 0, sizeof card);
     text[0] = '\0';
+    counts.is_settled = true;
 }
 
 void tearDown(void)
@@ -86,4 +87,44 @@ void test_SWR_REC_053_at_the_end_no_pause_counts(void)
     TEST_ASSERT_TRUE(look(START_US));
     card.frames_missed = 2U;
     TEST_ASSERT_TRUE(look(CARD_COUNTS_END));
+}
+
+/* In a run that begins, as a recorder that comes to it sees it. */
+static void begin_run(void)
+{
+    counts.is_settled = false;
+    TEST_ASSERT_FALSE(look(START_US));
+    card.heartbeat = 4711U;
+}
+
+void test_SWR_REC_054_what_a_card_has_counted_up_to_its_first_frames_is_not_told(void)
+{
+    begin_run();
+    card.rx_crc_errors = 3U;
+    card.watchdog_trips = 2U;
+    TEST_ASSERT_FALSE(look(START_US));
+    card.heartbeat += LIMIT_CARD_COUNTS_SETTLE_FRAMES;
+    card.sequence_gaps = 1U;
+    TEST_ASSERT_FALSE(look(START_US));
+    card.heartbeat += LIMIT_CARD_COUNTS_SETTLE_FRAMES;
+    TEST_ASSERT_FALSE(look(CARD_COUNTS_END));
+}
+
+void test_SWR_REC_054_what_it_counts_after_them_is_told_with_the_whole_counts(void)
+{
+    begin_run();
+    card.sequence_gaps = 1U;
+    TEST_ASSERT_FALSE(look(START_US));
+    card.heartbeat += LIMIT_CARD_COUNTS_SETTLE_FRAMES;
+    TEST_ASSERT_FALSE(look(START_US));
+    card.sequence_gaps = 2U;
+    TEST_ASSERT_TRUE(look(START_US));
+    TEST_ASSERT_NOT_NULL(strstr(text, "Commands to it: 0 damaged, 2 out of order."));
+}
+
+void test_SWR_REC_054_frames_that_control_discards_count_from_the_first_on(void)
+{
+    begin_run();
+    card.frames_missed = 1U;
+    TEST_ASSERT_TRUE(look(START_US));
 }
