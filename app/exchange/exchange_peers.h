@@ -57,6 +57,7 @@ typedef struct {
 #define EXCHANGE_PEERS 48U          /**< Rows of a source. */
 #define EXCHANGE_PEER_NAME_SIZE 32U /**< Room for an address with its port, and for an account. */
 #define EXCHANGE_PEER_MESSAGE_SIZE 24U /**< Room for the name of a message. */
+#define EXCHANGE_PEER_STATUS_SIZE 128U /**< Longer texts of a STATUS are cut. */
 
 /** A connection of OpenIGTLink, or a page of the console; of a page what is not known is 0. Times
  * are monotonic, of the machine. */
@@ -75,7 +76,8 @@ typedef struct {
     char port[EXCHANGE_PORT_NAME_SIZE]; /**< Name of its port. */
     char name[EXCHANGE_PEER_NAME_SIZE]; /**< Its address with its port; the account of a page. */
     char message[EXCHANGE_PEER_MESSAGE_SIZE]; /**< Name of its last one. */
-    uint32_t spare;                           /**< 0: no padding. */
+    char status[EXCHANGE_PEER_STATUS_SIZE];   /**< Its last STATUS in words; "": none. */
+    uint32_t statuses;                        /**< How often that has changed. */
 } exchange_peer_t;
 
 typedef struct {

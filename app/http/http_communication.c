@@ -40,6 +40,7 @@ static cJSON *new_connection(const telemetry_view_t *view, const exchange_peer_t
         .bytes_out = peer->bytes_out,
         .errors = peer->errors,
         .last_message = was_heard ? peer->message : NULL,
+        .status = (peer->status[0] != '\0') ? peer->status : NULL,
         .silent_s = seconds_since(was_heard ? peer->heard_us : peer->since_us)};
     return json_connection(&also);
 }

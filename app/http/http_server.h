@@ -14,6 +14,7 @@
 #include "gate/http_guard.h"
 #include "http/http_notes.h"
 #include "http/http_record.h"
+#include "http/http_statuses.h"
 #include "http/http_stream.h"
 #include "http/telemetry.h"
 #include "http/telemetry_json.h"
@@ -34,6 +35,7 @@ typedef struct http_server {
     session_desk_t desk;
     http_notes_t notes;
     http_record_t record;
+    http_statuses_t statuses;
     act_desk_t acts;
     saved_desk_t positions;
     bool has_key;

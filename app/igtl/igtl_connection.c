@@ -7,6 +7,7 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
@@ -16,6 +17,10 @@
 #define KEEPALIVE_INTERVAL_S 2
 #define KEEPALIVE_COUNT 3
 #define UNACKNOWLEDGED_MS 10000
+
+/* In a STATUS behind code and subcode. */
+#define ERROR_NAME_AT 10U
+#define ERROR_NAME_BYTES 20U
 
 void igtl_connection_init(igtl_connection_t *self)
 {
@@ -29,6 +34,8 @@ void igtl_connection_init(igtl_connection_t *self)
     self->heard_us = 0U;
     self->was_heard = false;
     self->heard[0] = '\0';
+    self->status[0] = '\0';
+    self->statuses = 0U;
     self->messages_in = 0U;
     self->messages_out = 0U;
     self->received = 0U;
@@ -152,6 +159,38 @@ uint64_t igtl_connection_unread_us(igtl_connection_t *self, uint64_t now_us)
         self->moved_us = now_us;
     }
     return now_us - self->moved_us;
+}
+
+/* Up to its first NUL, behind a space. */
+static void add_field(char text[IGTL_CONNECTION_STATUS], const uint8_t *field, uint32_t bytes)
+{
+    size_t used = strlen(text);
+
+    for (uint32_t i = 0U; (i < bytes) && (field[i] != 0U); i++) {
+        if ((i == 0U) && (used < (IGTL_CONNECTION_STATUS - 1U))) {
+            text[used] = ' ';
+            used++;
+        }
+        if (used < (IGTL_CONNECTION_STATUS - 1U)) {
+            text[used] = ((field[i] < 0x20U) || (field[i] > 0x7EU)) ? '?' : (char)field[i];
+            used++;
+        }
+    }
+    text[used] = '\0';
+}
+
+void igtl_connection_keep_status(igtl_connection_t *self, const igtl_message_t *message)
+{
+    char text[IGTL_CONNECTION_STATUS];
+
+    (void)snprintf(text, sizeof text, "%s %u", message->name, (unsigned)message->code);
+    add_field(text, &message->content[ERROR_NAME_AT], ERROR_NAME_BYTES);
+    add_field(text, &message->content[IGTL_STATUS_BYTES],
+              message->content_bytes - IGTL_STATUS_BYTES);
+    if (strcmp(text, self->status) != 0) {
+        (void)memcpy(self->status, text, sizeof self->status);
+        self->statuses++;
+    }
 }
 
 void igtl_connection_unwatch(igtl_connection_t *self)

@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #define IGTL_NO_PLACE UINT32_MAX
+#define IGTL_CONNECTION_STATUS 128U /**< Longer texts of a STATUS are cut. */
 
 typedef struct {
     int descriptor;             /**< -1: free. */
@@ -23,7 +24,9 @@ typedef struct {
     uint64_t heard_us;          /**< When it connected or last sent a valid message. */
     bool was_heard;             /**< It has sent a valid message. */
     char heard[IGTL_NAME_SIZE]; /**< Name of the last one. */
-    uint64_t messages_in;       /**< Valid ones. */
+    char status[IGTL_CONNECTION_STATUS]; /**< Its last STATUS in words; "": none. */
+    uint32_t statuses;                   /**< How often that has changed. */
+    uint64_t messages_in;                /**< Valid ones. */
     uint64_t messages_out;
     uint64_t received;     /**< Bytes that were read. */
     uint32_t errors;       /**< Messages that were refused before anyone looked at what they say. */
@@ -83,6 +86,14 @@ bool igtl_connection_flush(igtl_connection_t *self);
  * @satisfies SWR-IGTL-027
  */
 uint64_t igtl_connection_unread_us(igtl_connection_t *self, uint64_t now_us);
+
+/**
+ * Keeps what the STATUS `message` says: device name, code, error name and text, with `?` for what
+ * is not printable.
+ *
+ * @satisfies SWR-IGTL-092
+ */
+void igtl_connection_keep_status(igtl_connection_t *self, const igtl_message_t *message);
 
 /** Nobody watches what it acknowledges any more. */
 void igtl_connection_unwatch(igtl_connection_t *self);

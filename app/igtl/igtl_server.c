@@ -182,6 +182,9 @@ static bool handle(igtl_server_t *self, igtl_connection_t *connection, igtl_inbo
 
     switch (event) {
     case IGTL_INBOX_MESSAGE:
+        if (inbox->message.kind == IGTL_KIND_STATUS) {
+            igtl_connection_keep_status(connection, &inbox->message);
+        }
         if ((connection->place != IGTL_NO_PLACE) ||
             igtl_places_admit(self, connection, &inbox->message, moment)) {
             self->calls->receive(self->dialect, igtl_server_peer(self, connection), &inbox->message,

@@ -75,6 +75,8 @@ void igtl_show_peer(const igtl_server_t *server, const igtl_connection_t *connec
     igtl_port_place(connection->address, connection->port, row->name);
     (void)snprintf(row->port, sizeof row->port, "%s", server->port->name);
     (void)snprintf(row->message, sizeof row->message, "%s", connection->heard);
+    (void)snprintf(row->status, sizeof row->status, "%s", connection->status);
+    row->statuses = connection->statuses;
 }
 
 void igtl_show_peers(exchange_t *exchange, const igtl_server_t *servers, uint32_t count)

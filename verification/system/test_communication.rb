@@ -91,6 +91,19 @@ class TestCommunication < Minitest::Test
     watcher&.close
   end
 
+  # Code, subcode, error name, text.
+  def test_SWR_IGTL_092_SWR_EVENT_022_the_status_of_an_imager_is_shown_and_logged
+    imager = TCPSocket.open('127.0.0.1', boresight.igtl_port)
+    wait_until('it is told') { connections.size == 1 }
+    assert_nil connections.first['status']
+    imager.write(RawIgtl.message('STATUS', 'IMAGER', [1, 0, 'OK', "Valid Target\0"].pack('nQ>a20a*')))
+    wait_until('its status is shown') { connections.first['status'] == 'IMAGER 1 OK Valid Target' }
+    wait_until('its status is logged') { boresight.log_lines.any? { |line| line.end_with?(' STATUS IMAGER 1 OK Valid Target') } }
+    assert_described '/api/v1/communication', 'GET', get('/api/v1/communication')
+  ensure
+    imager&.close
+  end
+
   def test_SWR_IGTL_060_who_has_authority_ends_a_connection
     watcher = TCPSocket.open('127.0.0.1', boresight.igtl_port)
     wait_until('it is told') { connections.size == 1 }

@@ -11,6 +11,7 @@
 #include "http/act_desk.h"
 #include "http/http_notes.h"
 #include "http/http_record.h"
+#include "http/http_statuses.h"
 #include "http/http_transaction.h"
 #include "http/page_table.h"
 #include "limits/requirement_limits.h"
@@ -34,6 +35,7 @@ static char error[256];
 static act_desk_t desk;
 static http_notes_t notes;
 static http_record_t record;
+static http_statuses_t statuses;
 static char text[1024];
 static void *own_data;
 
@@ -60,6 +62,7 @@ void setUp(void)
     act_desk_init(&desk, server);
     http_notes_init(&notes, server, &desk);
     http_record_init(&record, &notes, NOW_MS);
+    http_statuses_init(&statuses, &notes);
     own_data = NULL;
 }
 
@@ -251,4 +254,79 @@ void test_SWR_EVENT_019_notes_that_are_behind_are_not_pushed_out(void)
     http_record_write(&record, &entry, NOW_MS);
     TEST_ASSERT_EQUAL_UINT32((LIMIT_NOTES_KEPT / 2U) + 1U, exchange_newest_note(server));
     TEST_ASSERT_EQUAL_UINT32(1U, record.commanded.left_out);
+}
+
+static exchange_peers_t imagers;
+
+static void send_status(uint32_t index, const char *status)
+{
+    exchange_peer_t *peer = &imagers.peers[index];
+    peer->number = 11U + index;
+    peer->since_us = 1U;
+    (void)snprintf(peer->name, sizeof peer->name, "127.0.0.1:%u", (unsigned)(5000U + index));
+    (void)snprintf(peer->status, sizeof peer->status, "%s", status);
+    peer->statuses++;
+    exchange_publish_peers(server, COMMAND_SOURCE_IGTL, &imagers);
+}
+
+static void expect_status(uint32_t number, const char *who, const char *sentence)
+{
+    exchange_note_t note;
+    TEST_ASSERT_EQUAL_UINT32(number, exchange_newest_note(server));
+    TEST_ASSERT_TRUE(exchange_read_note(control, number, &note));
+    TEST_ASSERT_EQUAL_UINT32(NOTE_STATUS, note.kind);
+    TEST_ASSERT_EQUAL_STRING(who, note.who);
+    TEST_ASSERT_EQUAL_STRING(sentence, note.text);
+}
+
+static void begin_imagers(uint32_t count)
+{
+    (void)memset(&imagers, 0, sizeof imagers);
+    imagers.count = count;
+}
+
+void test_SWR_EVENT_022_a_status_that_has_changed_is_logged_once(void)
+{
+    begin_imagers(1U);
+    http_statuses_tick(&statuses, NOW_MS);
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_newest_note(server));
+    send_status(0U, "IMAGER 1 OK Valid Target");
+    http_statuses_tick(&statuses, NOW_MS);
+    http_statuses_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS);
+    expect_status(1U, "127.0.0.1:5000", "STATUS IMAGER 1 OK Valid Target");
+}
+
+void test_SWR_EVENT_022_of_many_the_newest_is_logged_with_the_number_of_those_before_it(void)
+{
+    begin_imagers(1U);
+    send_status(0U, "a");
+    http_statuses_tick(&statuses, NOW_MS);
+    send_status(0U, "b");
+    http_statuses_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS - 1U);
+    send_status(0U, "c");
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_newest_note(server));
+    http_statuses_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS);
+    expect_status(2U, "127.0.0.1:5000", "(1 before it are not logged) STATUS c");
+}
+
+void test_SWR_EVENT_022_who_changes_all_the_time_does_not_keep_another_from_the_log(void)
+{
+    begin_imagers(2U);
+    send_status(0U, "a");
+    send_status(1U, "z");
+    http_statuses_tick(&statuses, NOW_MS);
+    send_status(0U, "b");
+    http_statuses_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS);
+    expect_status(2U, "127.0.0.1:5001", "STATUS z");
+}
+
+void test_SWR_EVENT_022_a_connection_of_another_run_with_the_same_number_is_another(void)
+{
+    begin_imagers(1U);
+    send_status(0U, "a");
+    http_statuses_tick(&statuses, NOW_MS);
+    imagers.peers[0].since_us = 2U;
+    exchange_publish_peers(server, COMMAND_SOURCE_IGTL, &imagers);
+    http_statuses_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS);
+    expect_status(2U, "127.0.0.1:5000", "STATUS a");
 }

@@ -452,6 +452,39 @@ void test_SWR_IGTL_056_row_of_a_connection_says_who_it_is_and_what_it_sent(void)
     TEST_ASSERT_TRUE(row_of(0U)->bytes_out > 58U);
 }
 
+static void send_status(uint32_t client, const char *error_name, const char *told)
+{
+    const igtl_status_t status = {1U, error_name, told};
+    igtl_packet_t packet;
+
+    igtl_encode_status(&packet, "IMAGER", &status, 0U);
+    send_packet(client, &packet);
+    igtl_server_receive(&server, &moment);
+}
+
+void test_SWR_IGTL_092_the_last_status_of_a_client_is_shown_with_the_count_of_its_changes(void)
+{
+    enter(0U);
+    TEST_ASSERT_EQUAL_STRING("", row_of(0U)->status);
+    send_status(0U, "OK", "Valid Target");
+    send_status(0U, "OK", "Valid Target");
+    TEST_ASSERT_EQUAL_STRING("IMAGER 1 OK Valid Target", row_of(0U)->status);
+    TEST_ASSERT_EQUAL_UINT32(1U, row_of(0U)->statuses);
+    send_status(0U, "", "Scan\n");
+    TEST_ASSERT_EQUAL_STRING("IMAGER 1 Scan?", row_of(0U)->status);
+    TEST_ASSERT_EQUAL_UINT32(2U, row_of(0U)->statuses);
+}
+
+void test_SWR_IGTL_092_a_long_status_is_cut(void)
+{
+    char told[IGTL_TEXT_MAX + 1U] = "";
+
+    enter(0U);
+    (void)memset(told, 'x', sizeof told - 1U);
+    send_status(0U, "OK", told);
+    TEST_ASSERT_EQUAL_size_t(EXCHANGE_PEER_STATUS_SIZE - 1U, strlen(row_of(0U)->status));
+}
+
 void test_SWR_IGTL_056_a_connection_that_waits_says_so(void)
 {
     fill();

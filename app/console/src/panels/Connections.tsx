@@ -17,6 +17,7 @@ const columns = [
   { number: "Out" },
   { number: "Refused" },
   "Last message",
+  "Status sent",
   { number: "Silent for" },
   { number: "Here for" },
   "Keep alive",
@@ -62,6 +63,7 @@ function Row({
       />
       <td className="number">{connection.errors}</td>
       <td>{connection.last_message ?? "none yet"}</td>
+      <td>{connection.status ?? "none yet"}</td>
       <td className="number">{formatDuration(connection.silent_s * 1000)}</td>
       <td className="number">{formatDuration(connection.age_s * 1000)}</td>
       <td>
@@ -91,6 +93,7 @@ function Row({
  * A row for each connection of OpenIGTLink. Whether one may be ended is the server's to say.
  *
  * @satisfies SWR-CON-037
+ * @satisfies SWR-CON-112
  */
 export function Connections({
   connections,

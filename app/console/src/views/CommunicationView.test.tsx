@@ -30,6 +30,7 @@ const display: Connection = {
   bytes_out: 95_400,
   errors: 2,
   last_message: null,
+  status: null,
   silent_s: 12,
 };
 const commander: Connection = {
@@ -79,7 +80,7 @@ async function press(name: string): Promise<void> {
 test("SWR-CON-037 each connection is told with its traffic", async () => {
   await show();
   expect(row("41000").textContent).toBe(
-    "127.0.0.1:41000transforms, crtk, waits for a placeno3 (174 B)900 (95.4 kB)2none yet12 s2 minDisconnect…",
+    "127.0.0.1:41000transforms, crtk, waits for a placeno3 (174 B)900 (95.4 kB)2none yetnone yet12 s2 minDisconnect…",
   );
   expect(row("42000").textContent).toContain("commands");
   expect(row("42000").textContent).toContain("CMD_0001");
@@ -100,6 +101,16 @@ test("SWR-CON-037 this page knows itself", async () => {
     <CommunicationView {...makeViewProperties(server.operation, robot)} />,
   );
   expect(await screen.findByText("anna, this page")).toBeTruthy();
+});
+
+test("SWR-CON-112 the status that a client has sent is shown", async () => {
+  const status = "IMAGER 1 OK Valid Target";
+  server.answers[PATH] = {
+    body: { ...told, connections: [display, { ...commander, status }] },
+  };
+  await show();
+  expect(within(row("42000")).getByText(status)).toBeTruthy();
+  expect(within(row("41000")).queryByText(status)).toBeNull();
 });
 
 test("SWR-CON-037 a connection is ended after a second question", async () => {
