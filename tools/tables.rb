@@ -160,11 +160,16 @@ class TableSources
   end
 
   # @satisfies SWR-TOOL-036
+  # @satisfies SWR-TOOL-045
   def waits
     rows = YAML.safe_load_file(File.join(@root, 'tools/waits.yml')).map do |row|
-      ["`#{row['command']}`#{row['when']}", [span(*seconds_of(row['seconds'])), *row['says']].join('; ')]
+      ["`#{row['command']}`#{row['when']}", [span(*seconds_of(row['seconds'])) + machine_of(row), *row['says']].join('; ')]
     end
     markdown(['Command', 'How long it takes, about, on two free cores'], rows)
+  end
+
+  def machine_of(row)
+    row['seconds'] == 'gates' ? " on #{row.fetch('machine')}" : ''
   end
 
   def seconds_of(seconds)

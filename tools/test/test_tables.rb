@@ -101,7 +101,7 @@ class TestTables < Minitest::Test
   WAITS = <<~YAML
     - {command: make a, when: ' later', seconds: [3, 10], says: mostly}
     - {command: make b, seconds: [60, 240]}
-    - {command: make c, seconds: gates}
+    - {command: make c, seconds: gates, machine: an abacus}
   YAML
 
   # The last one alone, after the others beside each other.
@@ -112,14 +112,22 @@ class TestTables < Minitest::Test
   YAML
 
   def test_SWR_TOOL_036_how_long_commands_take_is_filled_from_the_gates_and_from_what_was_measured
+    assert_equal ['| `make a` later | 3 to 10 s; mostly |', '| `make b` | 1 to 4 minutes |'], waits_of(GATES).first(2)
+  end
+
+  def test_SWR_TOOL_045_how_long_the_gates_take_follows_their_sum_and_names_the_machine
+    assert_equal '| `make c` | 11 minutes on an abacus |', waits_of(GATES).last
+    assert_equal '| `make c` | 21 minutes on an abacus |', waits_of(GATES.sub('600', '1200')).last
+  end
+
+  def waits_of(gates)
     in_project("<!-- table:waits -->\n<!-- end -->\n") do |root|
       FileUtils.mv("#{root}/docs/user-manual.md", "#{root}/README.md")
       FileUtils.mkdir_p(["#{root}/tools", "#{root}/verification"])
       File.write("#{root}/tools/waits.yml", WAITS)
-      File.write("#{root}/verification/gates.yml", GATES)
+      File.write("#{root}/verification/gates.yml", gates)
       assert_empty run_tool(root).first
-      assert_equal ['| `make a` later | 3 to 10 s; mostly |', '| `make b` | 1 to 4 minutes |', '| `make c` | 11 minutes |'],
-                   File.readlines("#{root}/README.md", chomp: true)[3..5]
+      return File.readlines("#{root}/README.md", chomp: true)[3..5]
     end
   end
 
