@@ -6,9 +6,9 @@
 #
 #   ruby tools/prose.rb      one line for each, exit 1 if there is any
 #
-# So it does in the texts of the console and of its page, and in what is said of the interface. Spans of time: tools/prose_times.rb.
+# So it does in the texts of the console and of its page, and in what is said of the interface. Spans of time: tools/prose_numbers.rb.
 
-require_relative 'prose_times'
+require_relative 'prose_numbers'
 
 # What README.md, docs and the console say in words.
 class Prose
@@ -56,7 +56,7 @@ end
 
 if $PROGRAM_NAME == __FILE__
   root = File.expand_path('..', __dir__)
-  complaints = Prose.new(root).complaints + ProseTimes.new(root).complaints
+  complaints = Prose.new(root).complaints + ProseNumbers.new(root).complaints
   puts complaints
   exit complaints.empty?
 end

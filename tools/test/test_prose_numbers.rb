@@ -7,9 +7,9 @@ require 'fileutils'
 require 'minitest/autorun'
 require 'tmpdir'
 require 'yaml'
-require_relative '../prose_times'
+require_relative '../prose_numbers'
 
-class TestProseTimes < Minitest::Test
+class TestProseNumbers < Minitest::Test
   ROOT = File.expand_path('../..', __dir__)
   FILES = {
     'requirements/a.yml' => "- {id: SWR-A-001, title: A, text: A., limits: [{name: wait_us, value: 10000000, unit: us, status: proposed}]}\n",
@@ -18,11 +18,11 @@ class TestProseTimes < Minitest::Test
 
   def complaints_of(text, *entries)
     Dir.mktmpdir do |root|
-      FILES.merge('docs/manual.md' => text, ProseTimes::LIST => YAML.dump('docs/manual.md' => entries)).each do |file, content|
+      FILES.merge('docs/manual.md' => text, ProseNumbers::LIST => YAML.dump('docs/manual.md' => entries)).each do |file, content|
         FileUtils.mkdir_p(File.dirname(File.join(root, file)))
         File.write(File.join(root, file), content)
       end
-      ProseTimes.new(root).complaints
+      ProseNumbers.new(root).complaints
     end
   end
 
@@ -35,7 +35,7 @@ class TestProseTimes < Minitest::Test
   end
 
   def test_SWR_TOOL_037_the_documents_say_what_their_sources_say
-    assert_empty ProseTimes.new(ROOT).complaints
+    assert_empty ProseNumbers.new(ROOT).complaints
   end
 
   def test_SWR_TOOL_037_what_is_equal_in_any_unit_is_accepted
@@ -49,11 +49,11 @@ class TestProseTimes < Minitest::Test
   end
 
   def test_SWR_TOOL_037_a_span_without_a_source_is_named_with_its_line
-    assert_equal ["docs/manual.md:3: '20 minutes' has no source in tools/prose_times.yml"], complaints_of("# A\n\nIt takes 20\nminutes.\n")
+    assert_equal ["docs/manual.md:3: '20 minutes' has no source in tools/prose_numbers.yml"], complaints_of("# A\n\nIt takes 20\nminutes.\n")
   end
 
   def test_SWR_TOOL_037_a_source_of_what_is_not_said_is_named
-    assert_equal ["tools/prose_times.yml: docs/manual.md does not say 'waits 10 s'"], complaints_of("# A\n", limit('waits 10 s'))
+    assert_equal ["tools/prose_numbers.yml: docs/manual.md does not say 'waits 10 s'"], complaints_of("# A\n", limit('waits 10 s'))
   end
 
   def test_SWR_TOOL_037_an_example_says_why_it_has_none

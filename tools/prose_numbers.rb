@@ -4,10 +4,10 @@
 require 'yaml'
 require_relative 'trace/requirements'
 
-# Finds spans of time in documents that have no source, or another value than it (tools/prose_times.yml). What stands in a
+# Finds spans of time in documents that have no source, or another value than it (tools/prose_numbers.yml). What stands in a
 # table that tools/tables.rb fills, and in an indented block, is none of its matter.
-class ProseTimes
-  LIST = 'tools/prose_times.yml'
+class ProseNumbers
+  LIST = 'tools/prose_numbers.yml'
   US = { 'us' => 1, 'ms' => 1000, 's' => 1_000_000, 'second' => 1_000_000, 'min' => 60_000_000, 'minute' => 60_000_000,
          'h' => 3_600_000_000, 'hour' => 3_600_000_000, 'cycles' => 1000,
          'looks' => 10_000 }.freeze
