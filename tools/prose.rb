@@ -6,7 +6,7 @@
 #
 #   ruby tools/prose.rb      one line for each, exit 1 if there is any
 #
-# So it does in the texts of the console and of its page, and in what is said of the interface. Spans of time: tools/prose_numbers.rb.
+# So it does in the texts of the console and of its page, and in what is said of the interface. Numbers with a unit: tools/prose_numbers.rb.
 
 require_relative 'prose_numbers'
 

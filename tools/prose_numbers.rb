@@ -4,16 +4,32 @@
 require 'yaml'
 require_relative 'trace/requirements'
 
-# Finds spans of time in documents that have no source, or another value than it (tools/prose_numbers.yml). What stands in a
-# table that tools/tables.rb fills, and in an indented block, is none of its matter.
+# Finds spans of time, sizes and counts in documents that have no source, or another value than it (tools/prose_numbers.yml). What
+# stands in a table that tools/tables.rb fills, in code and in an indented block, is none of its matter.
 class ProseNumbers
   LIST = 'tools/prose_numbers.yml'
-  US = { 'us' => 1, 'ms' => 1000, 's' => 1_000_000, 'second' => 1_000_000, 'min' => 60_000_000, 'minute' => 60_000_000,
-         'h' => 3_600_000_000, 'hour' => 3_600_000_000, 'cycles' => 1000,
-         'looks' => 10_000 }.freeze
+  # How much each unit of documents, limits and constants is, by what it measures.
+  MEASURES = {
+    time: { 'us' => 1, 'µs' => 1, 'ms' => 1000, 's' => 1_000_000, 'second' => 1_000_000, 'min' => 60_000_000, 'minute' => 60_000_000,
+            'h' => 3_600_000_000, 'hour' => 3_600_000_000, 'cycles' => 1000, 'looks' => 10_000 },
+    memory: { 'bytes' => 1, 'kB' => 1000, 'KiB' => 1024, 'MB' => 1_000_000 },
+    length: { 'nm' => 1, 'µm' => 1000, 'mm' => 1_000_000 },
+    angle: { 'bam' => 360.0 / (2**32), 'degrees' => 1, 'µrad' => 180e-6 / Math::PI },
+    speed: { '0.1 ticks/s' => 0.1, 'ticks/s' => 1, 'mm/s' => 1 },
+    frequency: { 'Hz' => 1, 'kHz' => 1000, 'Hz x 22009' => 1.0 / 22_009 },
+    heat: { '0.1 degree Celsius' => 0.1, '°C' => 1 },
+    current: { 'mA' => 1 },
+    share: { 'percent' => 1, '%' => 1 }
+  }.merge(%w[ticks rows files points entries cards clients connections instructions].to_h { |name| [name.to_sym, { name => 1 }] }).freeze
+  UNITS = MEASURES.flat_map { |measure, units| units.map { |unit, size| [unit, [measure, size]] } }.to_h.merge('counts' => [:ticks, 1]).freeze
+
   WORDS = { 'one' => 1, 'two' => 2, 'three' => 3, 'five' => 5, 'ten' => 10, 'twelve' => 12, 'fifteen' => 15, 'twenty' => 20,
             'thirty' => 30 }.freeze
-  SPAN = /(?<![\w.,:-])(?<count>\d[\d.,]*|#{WORDS.keys.join('|')})\s+(?<unit>us|ms|s|min|h|seconds?|minutes?|hours?)(?![\w-])/i
+  NUMBER = '\d[\d.,]*'
+  # Of spans of time in words too; "two cards" and the like count nothing too often.
+  SPAN = /(?<![\w.,:-])(?<count>#{NUMBER}|#{WORDS.keys.join('|')})\s+(?<unit>[uµ]s|ms|s|min|h|seconds?|minutes?|hours?)(?![\w-])/i
+  SIZES = UNITS.keys.select { |unit| unit.match?(/\A\D+\z/) } - MEASURES[:time].keys + %w[cycles] - %w[bam]
+  SIZE = %r{(?<![\w.,:-])(?<count>#{NUMBER})\s+(?<unit>#{Regexp.union(SIZES.sort_by { |unit| -unit.size })})(?![\w/-])}
 
   def initialize(root)
     @root = root
@@ -22,6 +38,7 @@ class ProseNumbers
   end
 
   # @satisfies SWR-TOOL-037
+  # @satisfies SWR-TOOL-046
   def complaints
     @list.flat_map { |file, entries| complaints_of(file, prose_of(file), entries) }
   end
@@ -32,41 +49,51 @@ class ProseNumbers
     covered = entries.to_h { |entry| [entry, places_of(entry['says'], text)] }
     gone = covered.select { |_entry, places| places.empty? }.keys
     gone.map { |entry| "#{LIST}: #{file} does not say '#{entry['says']}'" } + entries.filter_map { |entry| difference(entry, file) } +
-      spans_in(text).reject { |place, _span| covered.values.flatten.any? { |range| range.cover?(place) } }
-                    .map { |place, span| "#{file}:#{text[0...place].count("\n") + 1}: '#{span}' has no source in #{LIST}" }
+      numbers_in(text).reject { |place, _number| covered.values.flatten.any? { |range| range.cover?(place) } }
+                    .map { |place, number| "#{file}:#{text[0...place].count("\n") + 1}: '#{number}' has no source in #{LIST}" }
   end
 
   # An entry without a source is an example, or said of the world: why stands beside it.
   def difference(entry, file)
     return if entry['because']
 
-    wanted = entry['limit'] ? limit_us(entry['limit']) : constant_us(entry)
-    found = us_of(SPAN.match(entry['says']))
-    "#{file}: '#{entry['says']}', but #{entry['limit'] || entry['constant']} is #{wanted || 'not there'}" if found != wanted
+    value, unit = entry['limit'] ? value_of_limit(entry['limit']) : value_of_constant(entry)
+    said = SPAN.match(entry['says']) || SIZE.match(entry['says'])
+    return if value && amount(*said_in(said)) == amount(value, unit)
+
+    "#{file}: '#{entry['says']}', but #{entry['limit'] || entry['constant']} is #{value ? "#{value} #{unit}" : 'not there'}"
   end
 
-  def limit_us(name)
+  def value_of_limit(name)
     limit = limits[name]
-    limit && (limit.value.to_i * US.fetch(limit.unit))
+    limit && [limit.value, limit.unit]
   end
 
   def limits
     @limits ||= Trace::Requirements.load('requirements', @root).limits_by_name
   end
 
-  def constant_us(entry)
+  def value_of_constant(entry)
     text = File.read(File.join(@root, entry['file']))
     value = text[/\b#{Regexp.escape(entry['constant'])}\b[^\n]*?(?<!\w)(\d[\d_.]*)/, 1]
-    value && (value.delete('_').to_f * US.fetch(entry['unit'])).round
+    value && [value.delete('_'), entry['unit']]
   end
 
-  def us_of(span)
-    count = WORDS[span[:count].downcase] || span[:count].delete(',').to_f
-    (count * US.fetch(span[:unit].size > 2 ? span[:unit].delete_suffix('s') : span[:unit])).round
+  def said_in(match)
+    unit = match[:unit]
+    [WORDS[match[:count].downcase] || match[:count].delete(','), UNITS.key?(unit) ? unit : unit.downcase.delete_suffix('s')]
   end
 
-  def spans_in(text)
-    text.to_enum(:scan, SPAN).map { [Regexp.last_match.begin(0), Regexp.last_match[0].gsub(/\s+/, ' ')] }
+  # Angles of limits are whole numbers of their small unit.
+  def amount(value, unit)
+    measure, size = UNITS.fetch(unit)
+    [measure, (value.to_f * size).round(4)]
+  end
+
+  def numbers_in(text)
+    [SPAN, SIZE].flat_map do |pattern|
+      text.to_enum(:scan, pattern).map { [Regexp.last_match.begin(0), Regexp.last_match[0].gsub(/\s+/, ' ')] }
+    end
   end
 
   # A phrase may go on in the next line.

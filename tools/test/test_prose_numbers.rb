@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# The rule under test: a document says no span of time but that of its source.
+# The rule under test: a document says no span of time, size or count but that of its source.
 
 require 'fileutils'
 require 'minitest/autorun'
@@ -13,7 +13,14 @@ class TestProseNumbers < Minitest::Test
   ROOT = File.expand_path('../..', __dir__)
   FILES = {
     'requirements/a.yml' => "- {id: SWR-A-001, title: A, text: A., limits: [{name: wait_us, value: 10000000, unit: us, status: proposed}]}\n",
-    'app/a.ts' => "export const OLD_MS = 1_500;\n"
+    'requirements/b.yml' => <<~YAML,
+      - id: SWR-B-001
+        title: B
+        text: B.
+        limits: [{name: turn_bam, value: 5965232, unit: bam, status: proposed}, {name: way_nm, value: 625000, unit: nm, status: proposed}]
+    YAML
+    'app/a.ts' => "export const OLD_MS = 1_500;\n",
+    'app/rows.rb' => "ROWS = 4_096\n"
   }.freeze
 
   def complaints_of(text, *entries)
@@ -44,8 +51,8 @@ class TestProseNumbers < Minitest::Test
   end
 
   def test_SWR_TOOL_037_another_value_is_named_with_its_source
-    assert_equal ["docs/manual.md: 'waits 20 s', but wait_us is 10000000"], complaints_of("It waits 20 s.\n", limit('waits 20 s'))
-    assert_equal ["docs/manual.md: 'after 2 s', but OLD_MS is 1500000"], complaints_of("Old after 2 s.\n", constant('after 2 s'))
+    assert_equal ["docs/manual.md: 'waits 20 s', but wait_us is 10000000 us"], complaints_of("It waits 20 s.\n", limit('waits 20 s'))
+    assert_equal ["docs/manual.md: 'after 2 s', but OLD_MS is 1500 ms"], complaints_of("Old after 2 s.\n", constant('after 2 s'))
   end
 
   def test_SWR_TOOL_037_a_span_without_a_source_is_named_with_its_line
@@ -58,6 +65,20 @@ class TestProseNumbers < Minitest::Test
 
   def test_SWR_TOOL_037_an_example_says_why_it_has_none
     assert_empty complaints_of("Such as 12 s.\n", { 'says' => 'as 12 s', 'because' => 'an example' })
+  end
+
+  def test_SWR_TOOL_046_sizes_and_counts_are_those_of_their_sources
+    says = { 'within 0.5 degrees' => 'turn_bam', 'and 0.625 mm' => 'way_nm' }.map { |words, name| { 'says' => words, 'limit' => name } }
+    rows = { 'says' => '4,096 rows', 'constant' => 'ROWS', 'file' => 'app/rows.rb', 'unit' => 'rows' }
+    assert_empty complaints_of("It is within 0.5 degrees and 0.625 mm of it, in 4,096 rows.\n", rows, *says)
+  end
+
+  def test_SWR_TOOL_046_another_size_another_measure_and_a_size_without_a_source_are_named
+    assert_equal ["docs/manual.md: 'waits 9 MB', but wait_us is 10000000 us"], complaints_of("It waits 9 MB.\n", limit('waits 9 MB'))
+    ['60 MB', '6,162 entries', '100 %', '0.1 mm', '1 µm', '5 mm/s', '24 counts', '55 kHz', '16 cycles'].each do |size|
+      assert_equal ["docs/manual.md:1: '#{size}' has no source in tools/prose_numbers.yml"], complaints_of("At #{size}, it ends.\n")
+    end
+    assert_empty complaints_of("Two cards, 5 words, 3 mm/min, 7 filesystems.\n")
   end
 
   def test_SWR_TOOL_037_code_and_filled_tables_are_left_out
