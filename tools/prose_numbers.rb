@@ -11,7 +11,7 @@ class ProseNumbers
   # How much each unit of documents, limits and constants is, by what it measures.
   MEASURES = {
     time: { 'us' => 1, 'µs' => 1, 'ms' => 1000, 's' => 1_000_000, 'second' => 1_000_000, 'min' => 60_000_000, 'minute' => 60_000_000,
-            'h' => 3_600_000_000, 'hour' => 3_600_000_000, 'cycles' => 1000, 'looks' => 10_000 },
+            'h' => 3_600_000_000, 'hour' => 3_600_000_000, 'day' => 86_400_000_000, 'cycles' => 1000, 'looks' => 10_000 },
     memory: { 'bytes' => 1, 'kB' => 1000, 'KiB' => 1024, 'MB' => 1_000_000 },
     length: { 'nm' => 1, 'µm' => 1000, 'mm' => 1_000_000 },
     angle: { 'bam' => 360.0 / (2**32), 'degrees' => 1, 'µrad' => 180e-6 / Math::PI },
@@ -23,13 +23,15 @@ class ProseNumbers
   }.merge(%w[ticks rows files points entries cards clients connections instructions].to_h { |name| [name.to_sym, { name => 1 }] }).freeze
   UNITS = MEASURES.flat_map { |measure, units| units.map { |unit, size| [unit, [measure, size]] } }.to_h.merge('counts' => [:ticks, 1]).freeze
 
-  WORDS = { 'one' => 1, 'two' => 2, 'three' => 3, 'five' => 5, 'ten' => 10, 'twelve' => 12, 'fifteen' => 15, 'twenty' => 20,
+  WORDS = { 'one' => 1, 'two' => 2, 'three' => 3, 'four' => 4, 'five' => 5, 'six' => 6, 'seven' => 7, 'eight' => 8, 'ten' => 10, 'twelve' => 12, 'fifteen' => 15, 'twenty' => 20,
             'thirty' => 30 }.freeze
   NUMBER = '\d[\d.,]*'
   # Of spans of time in words too; "two cards" and the like count nothing too often.
-  SPAN = /(?<![\w.,:-])(?<count>#{NUMBER}|#{WORDS.keys.join('|')})\s+(?<unit>[uµ]s|ms|s|min|h|seconds?|minutes?|hours?)(?![\w-])/i
+  SPAN = /(?<![\w.,:-])(?<count>#{NUMBER}|#{WORDS.keys.join('|')})\s+(?<unit>[uµ]s|ms|s|min|h|seconds?|minutes?|hours?|days?)(?![\w-])/i
   SIZES = UNITS.keys.select { |unit| unit.match?(/\A\D+\z/) } - MEASURES[:time].keys + %w[cycles] - %w[bam]
   SIZE = %r{(?<![\w.,:-])(?<count>#{NUMBER})\s+(?<unit>#{Regexp.union(SIZES.sort_by { |unit| -unit.size })})(?![\w/-])}
+  # What has no unit may be listed, too: then the bare numbers are compared.
+  COUNT = /(?<![\w.,:-])(?<count>#{NUMBER}|#{WORDS.keys.join('|')})(?<unit>)(?!\w)/i
 
   def initialize(root)
     @root = root
@@ -58,8 +60,8 @@ class ProseNumbers
     return if entry['because']
 
     value, unit = entry['limit'] ? value_of_limit(entry['limit']) : value_of_constant(entry)
-    said = SPAN.match(entry['says']) || SIZE.match(entry['says'])
-    return if value && amount(*said_in(said)) == amount(value, unit)
+    said = said_in([SPAN, SIZE, COUNT].filter_map { |pattern| pattern.match(entry['says']) }.first)
+    return if value && amount(*said) == amount(value, said.last ? unit : nil)
 
     "#{file}: '#{entry['says']}', but #{entry['limit'] || entry['constant']} is #{value ? "#{value} #{unit}" : 'not there'}"
   end
@@ -80,13 +82,13 @@ class ProseNumbers
   end
 
   def said_in(match)
-    unit = match[:unit]
-    [WORDS[match[:count].downcase] || match[:count].delete(','), UNITS.key?(unit) ? unit : unit.downcase.delete_suffix('s')]
+    unit = match[:unit] unless match[:unit].empty?
+    [WORDS[match[:count].downcase] || match[:count].delete(','), unit && !UNITS.key?(unit) ? unit.downcase.delete_suffix('s') : unit]
   end
 
   # Angles of limits are whole numbers of their small unit.
   def amount(value, unit)
-    measure, size = UNITS.fetch(unit)
+    measure, size = unit ? UNITS.fetch(unit) : [:count, 1]
     [measure, (value.to_f * size).round(4)]
   end
 

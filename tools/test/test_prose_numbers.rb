@@ -19,7 +19,7 @@ class TestProseNumbers < Minitest::Test
         text: B.
         limits: [{name: turn_bam, value: 5965232, unit: bam, status: proposed}, {name: way_nm, value: 625000, unit: nm, status: proposed}]
     YAML
-    'app/a.ts' => "export const OLD_MS = 1_500;\n",
+    'app/a.ts' => "export const OLD_MS = 1_500;\nexport const SEATS = 8;\n",
     'app/rows.rb' => "ROWS = 4_096\n"
   }.freeze
 
@@ -79,6 +79,12 @@ class TestProseNumbers < Minitest::Test
       assert_equal ["docs/manual.md:1: '#{size}' has no source in tools/prose_numbers.yml"], complaints_of("At #{size}, it ends.\n")
     end
     assert_empty complaints_of("Two cards, 5 words, 3 mm/min, 7 filesystems.\n")
+  end
+
+  def test_SWR_TOOL_046_a_count_without_a_unit_is_compared_where_it_is_listed
+    rows = { 'says' => 'Eight can be', 'constant' => 'SEATS', 'file' => 'app/a.ts', 'unit' => 'seats' }
+    assert_empty complaints_of("Eight can be open, four of one account.\n", rows)
+    assert_equal ["docs/manual.md: 'Four can be', but SEATS is 8 seats"], complaints_of("Four can be open.\n", rows.merge('says' => 'Four can be'))
   end
 
   def test_SWR_TOOL_037_code_and_filled_tables_are_left_out
