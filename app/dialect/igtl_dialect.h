@@ -45,7 +45,7 @@ typedef struct {
 /** The moment in which something happens. */
 typedef struct {
     uint64_t now_us;            /**< Monotonic. */
-    uint64_t patience_us;       /**< Of those who wait for control; see igtl_main.c. */
+    uint64_t patience_us;       /**< By which timeouts of answers run; see igtl_timeout_clock.h. */
     uint64_t timestamp;         /**< For outgoing messages, units of 2^-32 s since 1970. */
     const snapshot_t *snapshot; /**< The newest; NULL: none yet, or control is silent. */
     const char *holder;         /**< How people call who has authority by that; NULL: nobody. */

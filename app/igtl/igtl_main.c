@@ -14,10 +14,10 @@
 #include "igtl/igtl_relay.h"
 #include "igtl/igtl_server.h"
 #include "igtl/igtl_show.h"
+#include "igtl/igtl_timeout_clock.h"
 #include "dialect/transform_dialect.h"
 #include "dialect/workphase_dialect.h"
 #include "dialect/workphase_receive.h"
-#include "limits/requirement_limits.h"
 
 #include <errno.h>
 #include <poll.h>
@@ -33,8 +33,6 @@
 #define CONNECTED_WAIT_MS 10
 #define ANSWER_WAIT_MS 1 /* A command is on its way. */
 #define CONTROL_SILENT_US UINT64_C(1000000)
-#define LONGEST_TURN_US UINT64_C(20000)
-#define CYCLE_NS (UINT64_C(1000) * LIMIT_CYCLE_US)
 #define SHOW_US UINT64_C(100000)
 #define ERROR_SIZE 400U
 
@@ -49,10 +47,7 @@ typedef struct {
     snapshot_t snapshot;
     igtl_moment_t moment;
     char holder[EXCHANGE_TITLE_SIZE];
-    uint64_t listened_ns;
-    uint64_t patience_ns;
-    uint64_t cycles_ns;      /* Of control, as far as they are not in patience_ns. */
-    uint32_t patience_beats; /* Of control, up to these. */
+    igtl_timeout_clock_t timeouts;
     uint32_t control_beats;
     uint64_t control_seen_us;
     bool is_control_silent;
@@ -109,29 +104,15 @@ static void pass_commands(void)
     igtl_relay_requests(process.exchange, &process.transform.requests, workphase, answer_transform);
 }
 
-static uint64_t least(uint64_t one, uint64_t other)
-{
-    return (one < other) ? one : other;
-}
-
-/* Control owes an answer in its own time: the board may be slow, in a pause of the machine control
- * could not answer, and on a busy one it has fewer cycles. Of a silent one none is expected. */
-static void advance_patience(uint64_t elapsed_us)
+static void advance_timeouts(uint64_t elapsed_us)
 {
     loop_figures_t loop;
     const uint32_t slowness = exchange_read_loop(process.exchange, &loop) ? loop.slowness : 1U;
-    const uint64_t turn_ns = (least(elapsed_us, LONGEST_TURN_US) * 1000U) / slowness;
-    const uint32_t beats = exchange_beats(process.exchange, EXCHANGE_CONTROL);
-    const uint64_t passed_ns = (uint64_t)(beats - process.patience_beats) * CYCLE_NS;
 
-    process.patience_beats = beats;
-    process.listened_ns += turn_ns;
-    process.cycles_ns = least(process.cycles_ns + passed_ns, LONGEST_TURN_US * 1000U);
-    const uint64_t advance_ns =
-        process.is_control_silent ? turn_ns : least(turn_ns, process.cycles_ns);
-    process.cycles_ns -= least(advance_ns, process.cycles_ns);
-    process.patience_ns += advance_ns;
-    process.moment.patience_us = process.patience_ns / 1000U;
+    igtl_timeout_clock_step(&process.timeouts, elapsed_us, slowness,
+                            exchange_beats(process.exchange, EXCHANGE_CONTROL),
+                            process.is_control_silent);
+    process.moment.patience_us = igtl_timeout_clock_us(&process.timeouts);
 }
 
 static void look_who_commands(void)
@@ -153,7 +134,7 @@ static void look_around(void)
     snapshot_t fresh;
 
     process.moment.now_us = clock_monotonic_us();
-    advance_patience(process.moment.now_us - before_us);
+    advance_timeouts(process.moment.now_us - before_us);
     process.moment.timestamp = timestamp_now();
     if (exchange_read_snapshot(process.exchange, &fresh)) {
         process.snapshot = fresh;
@@ -177,7 +158,7 @@ static void take_answers(void)
 static void watch_control(void)
 {
     const uint32_t beats = exchange_beats(process.exchange, EXCHANGE_CONTROL);
-    const uint64_t listened_us = process.listened_ns / 1000U;
+    const uint64_t listened_us = igtl_timeout_clock_listened_us(&process.timeouts);
 
     if (beats != process.control_beats) {
         process.control_beats = beats;
