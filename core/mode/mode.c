@@ -249,10 +249,15 @@ mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
 
 void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)
 {
+    const bool has_swept =
+        (self->kind == (uint32_t)MODE_SWEEP) && sweep_mode_has_begun(&self->request.sweep);
     leg_stop(&self->leg);
     self->program.stage = (uint32_t)PROGRAM_STAGE_NONE;
     for (uint32_t i = 0U; i < axis_count; i++) {
         axis_stop_homing(&axes[i]);
+        if (has_swept && (i == self->request.way.axis)) {
+            axis_doubt(&axes[i]);
+        }
     }
 }
 

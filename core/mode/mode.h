@@ -125,7 +125,12 @@ typedef struct {
 mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
                         const axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count);
 
-/** The order has ended or was given up: whatever runs stops, and homing is given up. */
+/**
+ * The order has ended or was given up: whatever runs stops, and homing is given up. The position of
+ * an axis that a sweep has turned is in doubt, as nothing has compared its counts meanwhile.
+ *
+ * @satisfies SWR-SWEEP-025
+ */
 void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count);
 
 /**

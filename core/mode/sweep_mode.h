@@ -57,4 +57,14 @@ solution_t sweep_mode_judge(uint32_t index, bool is_free, const robot_t *robot,
 void sweep_mode_step(sweep_mode_t *self, uint32_t index, leg_t *leg, const mode_frame_t *frame,
                      mode_result_t *result);
 
+/**
+ * It has begun, so that counts may have been lost that nothing has compared with a speed.
+ *
+ * @satisfies SWR-SWEEP-025
+ */
+static inline bool sweep_mode_has_begun(const sweep_mode_t *self)
+{
+    return self->stage != 0U;
+}
+
 #endif

@@ -137,7 +137,9 @@ void test_SWR_SWEEP_001_the_published_curve_is_measured_up_to_the_speed_of_the_a
         }
     }
     TEST_ASSERT_EQUAL_UINT32(8U, compared);
-    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
+                             rig.outputs.snapshot.axes[PROSTATE_AXIS_ROTATION].reference);
     TEST_ASSERT_TRUE(axis_is_enabled(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
 }
 
@@ -194,6 +196,20 @@ void test_SWR_SWEEP_007_a_motor_that_is_stuck_has_no_beginning(void)
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_SWEEP_UPWARDS));
 }
 
+static uint32_t grade(void)
+{
+    return rig.outputs.snapshot.axes[PROSTATE_AXIS_ROTATION].reference;
+}
+
+static void confirm(void)
+{
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 2U);
+    rig_box(&rig, "button release");
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade());
+}
+
 /* A run is its own measure: what the motor should make of the frequency is what the sweep is for.
  * The next drive has a speed to compare with. */
 void test_SWR_SWEEP_001_half_counts_are_not_noticed_in_a_sweep(void)
@@ -206,6 +222,8 @@ void test_SWR_SWEEP_001_half_counts_are_not_noticed_in_a_sweep(void)
     TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
     TEST_ASSERT_FALSE(axis_is_faulty(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    rig_cycle(&rig);
+    confirm();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     const command_t jog = {
         .kind = (uint32_t)COMMAND_JOG_BY, .argument = PROSTATE_AXIS_ROTATION, .value = 2000};
@@ -213,6 +231,68 @@ void test_SWR_SWEEP_001_half_counts_are_not_noticed_in_a_sweep(void)
     rig_press(&rig);
     expect_aborted(STATUS_FAULT_PRESENT);
     rig_release(&rig);
+}
+
+static void expect_doubt(void)
+{
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade());
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_UNVERIFIED));
+}
+
+static uint32_t homed_grade(void)
+{
+    rig_start_robot_homed(&rig, &robot_prostate);
+    return grade();
+}
+
+/* What was lost stays lost: the operator compares, and the step says so. */
+void test_SWR_SWEEP_025_counts_lost_in_a_sweep_leave_a_doubt_that_the_operator_ends(void)
+{
+    begin();
+    rig_box(&rig, "encoder rotation stuck");
+    rig_cycles(&rig, 2000U);
+    rig_box(&rig, "encoder rotation normal");
+    rig_cycles(&rig, 20000U);
+    rig_release(&rig);
+    rig_cycles(&rig, 500U);
+    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[PROSTATE_AXIS_ROTATION]));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    expect_doubt();
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_CONFIRM, rig.outputs.snapshot.next_step);
+    confirm();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+}
+
+void test_SWR_SWEEP_025_whatever_ends_it_leaves_the_doubt(void)
+{
+    begin();
+    rig_box(&rig, "estop pull");
+    expect_doubt();
+    rig_release(&rig);
+    (void)homed_grade();
+    begin();
+    rig_box(&rig, "motor rotation hot");
+    expect_aborted(STATUS_FAULT_PRESENT);
+    expect_doubt();
+    rig_release(&rig);
+    (void)homed_grade();
+    begin();
+    rig_release(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, LONG_CYCLES).kind);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_EXPIRED));
+    expect_doubt();
+}
+
+void test_SWR_SWEEP_025_one_that_has_not_begun_leaves_none(void)
+{
+    const uint32_t before = grade();
+    arm();
+    rig_cycles(&rig, 10U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_EQUAL_UINT32(before, grade());
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_UNVERIFIED));
 }
 
 void test_SWR_SWEEP_007_a_motor_that_runs_by_itself_aborts_it(void)

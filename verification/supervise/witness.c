@@ -148,19 +148,17 @@ static void judge_permit(witness_t *self, const rig_t *rig)
     }
 }
 
-/* Counts in a sweep are compared with no expected speed: what a broken encoder has lost there, or
- * made too much, by one run at most, stays until the axis is placed anew. */
+/* Counts in a sweep are compared with no expected speed: until it ends, an encoder that is or was
+ * broken may have lost those of a run, or made too much. */
 static void note_sweep(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
 {
     const double off = truth - (double)rig->outputs.snapshot.axes[axis].position_ticks;
     const double run = config_of(rig, axis)->full_speed_ticks_per_s * SWEPT_S;
-    if (is_driven(rig, axis)) {
-        self->is_swept[axis] = self->order_watch.kind == (uint32_t)COMMAND_SWEEP;
-    }
-    if (is_doubted(rig, axis)) {
+    const bool is_swept =
+        (self->order_watch.kind == (uint32_t)COMMAND_SWEEP) && (self->order_watch.argument == axis);
+    if (!is_swept || is_doubted(rig, axis)) {
         self->swept_off[axis] = 0.0;
-    } else if (self->is_swept[axis] && (fabs(off) <= run) &&
-               (rig->box.axes[axis].encoder.fault != SIM_ENCODER_NORMAL)) {
+    } else if ((fabs(off) <= run) && (rig->box.axes[axis].encoder.fault != SIM_ENCODER_NORMAL)) {
         self->swept_off[axis] = off;
     } else {
         /* It stays. */

@@ -87,9 +87,8 @@ typedef struct {
     uint32_t off_cycles[ROBOT_AXIS_MAX];
     uint32_t half_cycles[ROBOT_AXIS_MAX]; /**< Left of a second after half counts. */
     uint32_t astray_cycles[ROBOT_AXIS_MAX];
-    bool is_swept[ROBOT_AXIS_MAX];               /**< Driven last by a sweep. */
-    double swept_off[ROBOT_AXIS_MAX];            /**< Ticks that its encoder has missed there. */
-    uint32_t untrue_cycles;                      /**< An arrival is shown that is none. */
+    double swept_off[ROBOT_AXIS_MAX]; /**< Ticks that its encoder has missed in a sweep. */
+    uint32_t untrue_cycles;           /**< An arrival is shown that is none. */
     double places[ROBOT_AXIS_MAX][WITNESS_MEAN]; /**< True positions of the last cycles. */
     uint32_t looks;
     uint32_t moving_cycles;
