@@ -174,10 +174,16 @@ static inline bool link_is_well(const link_t *self)
     return (self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) == 0U);
 }
 
-/** The right card sent a valid frame without a fault in this cycle. */
+/**
+ * The right card sent a valid frame without a fault in this cycle; a card that is not usable also
+ * accepted the command that it was sent.
+ *
+ * @satisfies SWR-LINK-042
+ */
 static inline bool link_is_healthy_now(const link_t *self)
 {
-    return link_is_well(self) && link_is_right_card(self);
+    return link_is_well(self) && link_is_right_card(self) &&
+           (link_is_usable(self) || (self->echo_mismatches == 0U));
 }
 
 #endif

@@ -279,6 +279,16 @@ static void retract(void)
     order("pedal release");
 }
 
+/* What is in doubt after a sweep is right. */
+static void confirm(void)
+{
+    say_phase(WORKPHASE_STOP);
+    order("button press");
+    cycles((LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 2U);
+    order("button release");
+    cycles(2U);
+}
+
 /* Into the second run of the search. */
 static void sweep(void)
 {
@@ -317,6 +327,7 @@ static void play_homed(void)
     move();
     retract();
     sweep();
+    confirm();
     aim();
     lose();
 }

@@ -122,6 +122,36 @@ void tearDown(void)
 {
 }
 
+/* A command of which each field can be wrong alone. */
+static void start_driving(void)
+{
+    setUp();
+    drive = (card_drive_t){CARD_DRIVE_PWM, 1U, 0U, 0U};
+    repeat(good_cycle, 3U);
+}
+
+/* One field of the read-back is wrong. */
+static void wrong_echo_cycle(uint32_t which)
+{
+    make_report();
+    switch (which) {
+    case 0U:
+        report.applied.mode = CARD_DRIVE_NON_PWM;
+        break;
+    case 1U:
+        report.applied.direction ^= 1U;
+        break;
+    case 2U:
+        report.applied.duty++;
+        break;
+    default:
+        report.accepted_sequence--;
+        break;
+    }
+    receive();
+    command();
+}
+
 void test_SWR_LINK_001_a_card_is_not_usable_before_its_first_frame(void)
 {
     link_init(&card, CARD_TYPE_PWM, FIRMWARE);
@@ -331,6 +361,31 @@ void test_SWR_LINK_003_a_reset_while_the_card_has_a_fault_changes_nothing(void)
     TEST_ASSERT_FALSE(link_is_usable(&card));
 }
 
+/* Its clock stood, so that its watchdog has not tripped yet, and the numbers of the commands went
+ * on. */
+void test_SWR_LINK_042_a_lost_card_that_refuses_its_commands_is_not_used_again(void)
+{
+    for (uint32_t which = 0U; which < 4U; which++) {
+        start_driving();
+        lose_by_silence();
+        wrong_echo_cycle(which);
+        TEST_ASSERT_FALSE(link_is_healthy_now(&card));
+        link_reset(&card);
+        TEST_ASSERT_FALSE(link_is_usable(&card));
+        good_cycle();
+        TEST_ASSERT_TRUE(link_is_healthy_now(&card));
+        link_reset(&card);
+        TEST_ASSERT_TRUE(link_is_usable(&card));
+    }
+}
+
+void test_SWR_LINK_042_a_card_in_use_may_show_another_command_for_less_than_the_limit(void)
+{
+    start_driving();
+    wrong_echo_cycle(2U);
+    TEST_ASSERT_TRUE(link_is_healthy_now(&card));
+}
+
 void test_SWR_LINK_003_the_cause_of_a_loss_is_the_first_one(void)
 {
     lose_by_silence();
@@ -362,36 +417,6 @@ void test_SWR_LINK_005_the_read_back_speaks_of_the_command_before_the_last_one(v
         TEST_ASSERT_EQUAL_UINT32(0U, card.echo_mismatches);
         TEST_ASSERT_TRUE(link_is_usable(&card));
     }
-}
-
-/* A command of which each field can be wrong alone. */
-static void start_driving(void)
-{
-    setUp();
-    drive = (card_drive_t){CARD_DRIVE_PWM, 1U, 0U, 0U};
-    repeat(good_cycle, 3U);
-}
-
-/* One field of the read-back is wrong. */
-static void wrong_echo_cycle(uint32_t which)
-{
-    make_report();
-    switch (which) {
-    case 0U:
-        report.applied.mode = CARD_DRIVE_NON_PWM;
-        break;
-    case 1U:
-        report.applied.direction ^= 1U;
-        break;
-    case 2U:
-        report.applied.duty++;
-        break;
-    default:
-        report.accepted_sequence--;
-        break;
-    }
-    receive();
-    command();
 }
 
 void test_SWR_LINK_005_each_wrong_field_up_to_the_limit_is_a_lost_card(void)
@@ -547,6 +572,7 @@ void test_SWR_LINK_007_the_heartbeat_wraps(void)
 void test_SWR_LINK_007_a_lost_card_may_have_begun_to_count_anew(void)
 {
     lose_by_silence();
+    make_report();
     receive_with_heartbeat(1U);
     link_step(&card, SLOT, bytes, &samples, elapsed_us);
     TEST_ASSERT_EQUAL_UINT32(1U, card.is_fresh);

@@ -365,15 +365,17 @@ test("SWR-HTTP-002 a page of nobody stops what another one moves", async () => {
   const observer = await openPage();
   await openView("Motors");
   await drag(dragged, -200);
-  await keep("pedal");
-  await observer.locator(".sign-word", { hasText: "MOVING" }).waitFor();
-  await said("Not logged in", observer);
-  await press(/^STOP MOTION/, observer);
-  await said("Control has stopped all motion.", observer);
-  await page.locator(".banner-state strong", { hasText: "STOP" }).waitFor();
-  const { axes } = await read<Motors>("motors");
-  expect(axes.filter((one) => one.is_driven)).toEqual([]);
-  await letGo("pedal");
+  await said("Press and hold the pedal.");
+  const stopped = async () => {
+    await observer.locator(".sign-word", { hasText: "MOVING" }).waitFor();
+    await said("Not logged in", observer);
+    await press(/^STOP MOTION/, observer);
+    await said("Control has stopped all motion.", observer);
+    await page.locator(".banner-state strong", { hasText: "STOP" }).waitFor();
+    const { axes } = await read<Motors>("motors");
+    expect(axes.filter((one) => one.is_driven)).toEqual([]);
+  };
+  await keepPedalUntil(stopped());
   await observer.context().close();
   await openView("Procedure");
 });
