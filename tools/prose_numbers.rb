@@ -23,8 +23,8 @@ class ProseNumbers
   }.merge(%w[ticks rows files points entries cards clients connections instructions].to_h { |name| [name.to_sym, { name => 1 }] }).freeze
   UNITS = MEASURES.flat_map { |measure, units| units.map { |unit, size| [unit, [measure, size]] } }.to_h.merge('counts' => [:ticks, 1]).freeze
 
-  WORDS = { 'one' => 1, 'two' => 2, 'three' => 3, 'four' => 4, 'five' => 5, 'six' => 6, 'seven' => 7, 'eight' => 8, 'ten' => 10, 'twelve' => 12, 'fifteen' => 15, 'twenty' => 20,
-            'thirty' => 30 }.freeze
+  WORDS = { 'one' => 1, 'two' => 2, 'three' => 3, 'four' => 4, 'five' => 5, 'six' => 6, 'seven' => 7, 'eight' => 8, 'ten' => 10,
+            'twelve' => 12, 'fifteen' => 15, 'twenty' => 20, 'thirty' => 30 }.freeze
   NUMBER = '\d[\d.,]*'
   # Of spans of time in words too; "two cards" and the like count nothing too often.
   SPAN = /(?<![\w.,:-])(?<count>#{NUMBER}|#{WORDS.keys.join('|')})\s+(?<unit>[uµ]s|ms|s|min|h|seconds?|minutes?|hours?|days?)(?![\w-])/i
@@ -52,7 +52,7 @@ class ProseNumbers
     gone = covered.select { |_entry, places| places.empty? }.keys
     gone.map { |entry| "#{LIST}: #{file} does not say '#{entry['says']}'" } + entries.filter_map { |entry| difference(entry, file) } +
       numbers_in(text).reject { |place, _number| covered.values.flatten.any? { |range| range.cover?(place) } }
-                    .map { |place, number| "#{file}:#{text[0...place].count("\n") + 1}: '#{number}' has no source in #{LIST}" }
+                      .map { |place, number| "#{file}:#{text[0...place].count("\n") + 1}: '#{number}' has no source in #{LIST}" }
   end
 
   # An entry without a source is an example, or said of the world: why stands beside it.

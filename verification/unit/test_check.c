@@ -324,14 +324,14 @@ void test_SWR_CHECK_004_the_budget_adds_up_what_the_board_says(void)
     const check_budget_t budget = check_budget(&thesis, CHECK_CARDS);
     TEST_ASSERT_EQUAL_UINT32(200U, budget.wake_us);
     TEST_ASSERT_EQUAL_UINT32(192U, budget.words_us);
-    TEST_ASSERT_EQUAL_UINT32(88U, budget.step_us);
+    TEST_ASSERT_EQUAL_UINT32(85U, budget.step_us);
     TEST_ASSERT_EQUAL_UINT32(30U, budget.publish_us);
     TEST_ASSERT_EQUAL_UINT32(409U, budget.wire_us);
     facts.board = thesis;
     expect(
         true, COMPUTER_CHECK_BUDGET,
-        "With 10 cards wake-up 200 + words 192 + step 88 + publish 30 = 510 us of 800; the wires "
-        "take 409 us, frames are back after 889 us of 1000. There is time for 10 cards.");
+        "With 10 cards wake-up 200 + words 192 + step 85 + publish 30 = 507 us of 800; the wires "
+        "take 409 us, frames are back after 886 us of 1000. There is time for 10 cards.");
 }
 
 /* Half the words, half the bits. */
@@ -342,7 +342,7 @@ void test_SWR_CHECK_009_frames_are_as_large_as_the_dialect_of_the_cards_has_them
     const check_budget_t budget = check_budget(&board, CHECK_CARDS);
     TEST_ASSERT_EQUAL_UINT32(96U, budget.words_us);
     TEST_ASSERT_EQUAL_UINT32(204U, budget.wire_us);
-    TEST_ASSERT_EQUAL_UINT32(88U, budget.step_us);
+    TEST_ASSERT_EQUAL_UINT32(85U, budget.step_us);
 }
 
 /* As bsp/nifpga/board.yml has it of the thesis: its calls of eight cards take 300 us, the wires
@@ -357,13 +357,13 @@ void test_SWR_CHECK_010_it_is_told_for_how_many_cards_there_is_time(void)
                                   .dialect = (uint32_t)CARD_DIALECT_AIM32};
     expect(
         false, COMPUTER_CHECK_BUDGET,
-        "With 10 cards wake-up 200 + words 374 + step 132 + publish 30 = 736 us of 800; the wires "
-        "take 400 us, frames are back after 1106 us of 1000. There is time for 7 cards.");
+        "With 10 cards wake-up 200 + words 374 + step 128 + publish 30 = 732 us of 800; the wires "
+        "take 400 us, frames are back after 1102 us of 1000. There is time for 7 cards.");
     facts.board.wire_hz = 1000000U;
     expect(
         false, COMPUTER_CHECK_BUDGET,
-        "With 10 cards wake-up 200 + words 374 + step 132 + publish 30 = 736 us of 800; the wires "
-        "take 1024 us, frames are back after 1730 us of 1000. There is time for 0 cards.");
+        "With 10 cards wake-up 200 + words 374 + step 128 + publish 30 = 732 us of 800; the wires "
+        "take 1024 us, frames are back after 1726 us of 1000. There is time for 0 cards.");
 }
 
 void test_SWR_CHECK_004_wires_that_are_too_slow_or_too_few_do_not_fit(void)
@@ -372,14 +372,14 @@ void test_SWR_CHECK_004_wires_that_are_too_slow_or_too_few_do_not_fit(void)
     facts.board.wires = 9U;
     expect(
         false, COMPUTER_CHECK_BUDGET,
-        "With 10 cards wake-up 200 + words 192 + step 88 + publish 30 = 510 us of 800; the wires "
-        "take 819 us, frames are back after 1299 us of 1000. There is time for 9 cards.");
+        "With 10 cards wake-up 200 + words 192 + step 85 + publish 30 = 507 us of 800; the wires "
+        "take 819 us, frames are back after 1296 us of 1000. There is time for 9 cards.");
     facts.board = thesis;
     facts.board.word_ns = 770U;
     expect(
         false, COMPUTER_CHECK_BUDGET,
-        "With 10 cards wake-up 200 + words 492 + step 88 + publish 30 = 810 us of 800; the wires "
-        "take 409 us, frames are back after 1189 us of 1000. There is time for 6 cards.");
+        "With 10 cards wake-up 200 + words 492 + step 85 + publish 30 = 807 us of 800; the wires "
+        "take 409 us, frames are back after 1186 us of 1000. There is time for 6 cards.");
 }
 
 void test_SWR_CHECK_004_a_real_board_has_to_say_what_it_costs(void)
