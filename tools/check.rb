@@ -13,7 +13,7 @@ require 'open3'
 
 # Files that differ, and the tests that reach them.
 class Change
-  TOOLS_TESTS = %w[tools/test tools/chartc/test].freeze
+  TOOLS_TESTS = %w[tools/test tools/*/test].freeze
   MOST_C_TESTS = 24
   C_TESTS = 'verification/{unit,integration}/test_*.c'
 
