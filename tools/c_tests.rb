@@ -39,6 +39,7 @@ class CTests
   # The tests of a chart are as generated: beside it.
   FOLDERS = %w[core app bsp bsp/include build/gen build/gen/charts verification].freeze
   ROBOT_TESTS = 'core/robot/*/test'
+  FILES = ['verification/{unit,integration}/test_*.c', "#{ROBOT_TESTS}/test_*.c", 'build/gen/tests/test_*.c'].freeze
   SUPPORT = Dir['verification/*/support/*.c'] + Dir["#{ROBOT_TESTS}/*.c"].grep_v(%r{/test_\w+\.c\z}) +
             ["#{UNITY}/src/unity.c", "#{CMOCK}/src/cmock.c"]
   ALWAYS = %w[contract_trap unity cmock].freeze
@@ -89,7 +90,7 @@ class CTests
   private
 
   def every_test
-    Dir['verification/{unit,integration}/test_*.c', "#{ROBOT_TESTS}/test_*.c", 'build/gen/tests/test_*.c'].sort
+    Dir[*FILES].sort
   end
 
   def tests(way)

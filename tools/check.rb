@@ -5,17 +5,18 @@
 # Looks at a change in about two minutes: its form, types and rooms, the tests that reach its files, and the trace of
 # the requirements. What passes here may still fail in `make test`, which looks at the whole.
 #
-#   ruby tools/check.rb [COMMIT]   what differs from COMMIT, the last one unless said; new files too
+#   ruby tools/check.rb [COMMIT]   what differs from COMMIT, the last one unless said; new files too. `make check` calls
+#                                  it, with the pinned Node in PATH
 #
 # Exit code 0: nothing found. 1: a step failed; its output is shown.
 
 require 'open3'
+require_relative 'c_tests'
 
 # Files that differ, and the tests that reach them.
 class Change
-  TOOLS_TESTS = %w[tools/test tools/*/test].freeze
+  TOOLS_TESTS = %w[tools/test/test_*.rb tools/*/test/test_*.rb].freeze
   MOST_C_TESTS = 24
-  C_TESTS = 'verification/{unit,integration}/test_*.c'
 
   attr_reader :files
 
@@ -35,7 +36,7 @@ class Change
 
   # Tests that changed, those of a module that changed, and those that include it; of these not more than a check has time for.
   def c_tests
-    changed = @files & Dir.glob(C_TESTS, base: @root)
+    changed = @files & Dir.glob(CTests::FILES, base: @root)
     own, others = reached.partition { |test| modules.include?(File.basename(test, '.c').delete_prefix('test_')) }
     (changed | own | others).first([MOST_C_TESTS, changed.size].max)
   end
@@ -43,7 +44,7 @@ class Change
   # Tests of tools that changed, and those of the tool that changed.
   def ruby_tests
     names = of('.rb').map { |file| "test_#{File.basename(file, '.rb').delete_prefix('test_')}.rb" }
-    Dir.glob(TOOLS_TESTS.map { |folder| "#{folder}/test_*.rb" }, base: @root).select { |test| names.include?(File.basename(test)) }
+    Dir.glob(TOOLS_TESTS, base: @root).select { |test| names.include?(File.basename(test)) }
   end
 
   private
@@ -53,8 +54,8 @@ class Change
   end
 
   def reached
-    headers = of('.c', '.h').map { |file| File.join(File.basename(File.dirname(file)), "#{File.basename(file, '.*')}.h") }
-    Dir.glob(C_TESTS, base: @root).sort.select { |test| headers.intersect?(includes(test)) }
+    headers = of('.c', '.h').map { |file| "#{file.delete_suffix(File.extname(file))}.h" }
+    Dir.glob(CTests::FILES, base: @root).sort.select { |test| includes(test).any? { |one| headers.any? { |header| header.end_with?("/#{one}") } } }
   end
 
   def includes(test)

@@ -26,11 +26,11 @@ class ProseNumbers
   WORDS = { 'one' => 1, 'two' => 2, 'three' => 3, 'four' => 4, 'five' => 5, 'six' => 6, 'seven' => 7, 'eight' => 8, 'ten' => 10,
             'twelve' => 12, 'fifteen' => 15, 'twenty' => 20, 'thirty' => 30 }.freeze
   NUMBER = '\d[\d.,]*'
-  # Of spans of time in words too; "two cards" and the like count nothing too often.
+  # Only spans of time are also found in words: "two cards" is seldom a count that has a source.
   SPAN = /(?<![\w.,:-])(?<count>#{NUMBER}|#{WORDS.keys.join('|')})\s+(?<unit>[uµ]s|ms|s|min|h|seconds?|minutes?|hours?|days?)(?![\w-])/i
   SIZES = UNITS.keys.select { |unit| unit.match?(/\A\D+\z/) } - MEASURES[:time].keys + %w[cycles] - %w[bam]
   SIZE = %r{(?<![\w.,:-])(?<count>#{NUMBER})\s+(?<unit>#{Regexp.union(SIZES.sort_by { |unit| -unit.size })})(?![\w/-])}
-  # What has no unit may be listed, too: then the bare numbers are compared.
+  # A number without a unit is compared where it is listed.
   COUNT = /(?<![\w.,:-])(?<count>#{NUMBER}|#{WORDS.keys.join('|')})(?<unit>)(?!\w)/i
 
   def initialize(root)

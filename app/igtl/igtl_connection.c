@@ -18,10 +18,6 @@
 #define KEEPALIVE_COUNT 3
 #define UNACKNOWLEDGED_MS 10000
 
-/* In a STATUS behind code and subcode. */
-#define ERROR_NAME_AT 10U
-#define ERROR_NAME_BYTES 20U
-
 void igtl_connection_init(igtl_connection_t *self)
 {
     self->descriptor = -1;
@@ -162,16 +158,16 @@ uint64_t igtl_connection_unread_us(igtl_connection_t *self, uint64_t now_us)
 }
 
 /* Up to its first NUL, behind a space. */
-static void add_field(char text[IGTL_CONNECTION_STATUS], const uint8_t *field, uint32_t bytes)
+static void add_field(char text[EXCHANGE_PEER_STATUS_SIZE], const uint8_t *field, uint32_t bytes)
 {
     size_t used = strlen(text);
 
     for (uint32_t i = 0U; (i < bytes) && (field[i] != 0U); i++) {
-        if ((i == 0U) && (used < (IGTL_CONNECTION_STATUS - 1U))) {
+        if ((i == 0U) && (used < (EXCHANGE_PEER_STATUS_SIZE - 1U))) {
             text[used] = ' ';
             used++;
         }
-        if (used < (IGTL_CONNECTION_STATUS - 1U)) {
+        if (used < (EXCHANGE_PEER_STATUS_SIZE - 1U)) {
             text[used] = ((field[i] < 0x20U) || (field[i] > 0x7EU)) ? '?' : (char)field[i];
             used++;
         }
@@ -181,10 +177,10 @@ static void add_field(char text[IGTL_CONNECTION_STATUS], const uint8_t *field, u
 
 void igtl_connection_keep_status(igtl_connection_t *self, const igtl_message_t *message)
 {
-    char text[IGTL_CONNECTION_STATUS];
+    char text[EXCHANGE_PEER_STATUS_SIZE];
 
     (void)snprintf(text, sizeof text, "%s %u", message->name, (unsigned)message->code);
-    add_field(text, &message->content[ERROR_NAME_AT], ERROR_NAME_BYTES);
+    add_field(text, &message->content[IGTL_STATUS_NAME_OFFSET], IGTL_STATUS_NAME_BYTES);
     add_field(text, &message->content[IGTL_STATUS_BYTES],
               message->content_bytes - IGTL_STATUS_BYTES);
     if (strcmp(text, self->status) != 0) {

@@ -3,6 +3,7 @@
 #ifndef BORESIGHT_IGTL_CONNECTION_H
 #define BORESIGHT_IGTL_CONNECTION_H
 
+#include "exchange/exchange_peers.h"
 #include "message/igtl_codec.h"
 #include "message/igtl_inbox.h"
 #include "message/igtl_outbox.h"
@@ -11,7 +12,6 @@
 #include <stdint.h>
 
 #define IGTL_NO_PLACE UINT32_MAX
-#define IGTL_CONNECTION_STATUS 128U /**< Longer texts of a STATUS are cut. */
 
 typedef struct {
     int descriptor;             /**< -1: free. */
@@ -24,9 +24,9 @@ typedef struct {
     uint64_t heard_us;          /**< When it connected or last sent a valid message. */
     bool was_heard;             /**< It has sent a valid message. */
     char heard[IGTL_NAME_SIZE]; /**< Name of the last one. */
-    char status[IGTL_CONNECTION_STATUS]; /**< Its last STATUS in words; "": none. */
-    uint32_t statuses;                   /**< How often that has changed. */
-    uint64_t messages_in;                /**< Valid ones. */
+    char status[EXCHANGE_PEER_STATUS_SIZE]; /**< Its last STATUS in words; "": none. */
+    uint32_t statuses;                      /**< How often that has changed. */
+    uint64_t messages_in;                   /**< Valid ones. */
     uint64_t messages_out;
     uint64_t received;     /**< Bytes that were read. */
     uint32_t errors;       /**< Messages that were refused before anyone looked at what they say. */

@@ -20,6 +20,8 @@
 #define IGTL_POINT_BYTES 136U
 #define IGTL_TRAJECTORY_BYTES 150U /**< One element of a TRAJ. */
 #define IGTL_TRAJECTORY_NUMBERS 6U
+#define IGTL_STATUS_NAME_OFFSET 10U  /**< Of the error name, behind code and subcode. */
+#define IGTL_STATUS_NAME_BYTES 20U   /**< Of the error name. */
 #define IGTL_STATUS_BYTES 30U        /**< Before the text. */
 #define IGTL_STREAM_BYTES 36U        /**< STT_TDATA. */
 #define IGTL_COMMAND_BYTES 138U      /**< Before the text. */

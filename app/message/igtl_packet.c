@@ -13,8 +13,6 @@
 #define TIME_OFFSET 34U
 #define LENGTH_OFFSET 42U
 #define CRC_OFFSET 50U
-#define STATUS_NAME_OFFSET 10U
-#define STATUS_NAME_BYTES 20U
 #define POINT_NAME_BYTES 64U
 #define POINT_COLOUR 96U
 #define POINT_POSITION 100U
@@ -108,8 +106,8 @@ void igtl_encode_status(igtl_packet_t *packet, const char *name, const igtl_stat
 
     put_u16(&body[0], status->code);
     put_u64(&body[2], 0U);
-    put_text(&body[STATUS_NAME_OFFSET], STATUS_NAME_BYTES, status->error_name,
-             STATUS_NAME_BYTES - 1U);
+    put_text(&body[IGTL_STATUS_NAME_OFFSET], IGTL_STATUS_NAME_BYTES, status->error_name,
+             IGTL_STATUS_NAME_BYTES - 1U);
     put_text(&body[IGTL_STATUS_BYTES], length + 1U, status->text, length);
     seal(packet);
 }

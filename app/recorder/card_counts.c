@@ -15,7 +15,7 @@ static bool is_time(const card_counts_t *self, uint64_t now_us)
            ((now_us - self->told_us) >= (LIMIT_CARD_COUNTS_PAUSE_MS * US_PER_MS));
 }
 
-/* Before its first answer everything that the card tells is 0. */
+/* All counts of a card are 0 until its first answer. */
 static void settle(card_counts_t *self, uint32_t heartbeat, const uint32_t *numbers)
 {
     if (self->is_settled || (heartbeat == 0U)) {

@@ -13,6 +13,7 @@ class TestCheck < Minitest::Test
     tests = change('core/axis/encoder.c').c_tests
     assert_includes tests, 'verification/unit/test_encoder.c'
     refute_includes tests, 'verification/unit/test_probe.c'
+    assert_includes change('core/robot/neuro/neuro.c').c_tests, 'core/robot/neuro/test/test_neuro.c'
   end
 
   def test_SWR_TOOL_041_of_many_tests_those_of_the_module_are_run_first

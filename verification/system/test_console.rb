@@ -44,7 +44,8 @@ end
 class TestConsole < Minitest::Test
   include BrowserVerdicts
 
-  # All motions of the file together are shorter than homing, which START_UP would arm no more: so slowly does time pass.
+  # Time passes so much more slowly that homing does not end while a slow machine waits with the pedal pressed. START_UP
+  # would arm nothing in a homed robot.
   SLOW = %w[--slow 8].freeze
 
   # Of one run against one system.
