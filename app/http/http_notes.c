@@ -55,16 +55,17 @@ void http_notes_tell_replaced(http_notes_t *self)
     static const struct {
         exchange_process_t process;
         const char *name;
-    } servers[] = {{EXCHANGE_IGTL, "igtl"}, {EXCHANGE_HTTP, "http"}};
+    } programs[] = {
+        {EXCHANGE_RECORDER, "recorder"}, {EXCHANGE_IGTL, "igtl"}, {EXCHANGE_HTTP, "http"}};
     char text[80];
 
-    for (size_t i = 0U; i < (sizeof servers / sizeof servers[0]); i++) {
-        const uint32_t count = exchange_take_replaced(self->exchange, servers[i].process);
+    for (size_t i = 0U; i < (sizeof programs / sizeof programs[0]); i++) {
+        const uint32_t count = exchange_take_replaced(self->exchange, programs[i].process);
         if (count > 0U) {
             (void)snprintf(text, sizeof text,
                            "gave no sign of life for %u s and was replaced, %u time%s.",
                            LIMIT_HANG_US / 1000000U, (unsigned)count, (count > 1U) ? "s" : "");
-            http_notes_write(self, NOTE_REPLACED, servers[i].name, text);
+            http_notes_write(self, NOTE_REPLACED, programs[i].name, text);
         }
     }
 }

@@ -288,16 +288,16 @@ static int next_tick_ms(void)
     return (int)(wait_us / 1000U) + 1;
 }
 
-/* Who serves others is replaced. The recorder is not: what it waits for is the disk, and what it
- * has not written yet would be lost. */
+/* Control is not replaced: it alone knows where the robot is. The cycles that the recorder has not
+ * written stay in their lane for the next one. */
 static void end_hanging(void)
 {
-    static const member_t servers[] = {MEMBER_IGTL, MEMBER_HTTP};
+    static const member_t replaced[] = {MEMBER_RECORDER, MEMBER_IGTL, MEMBER_HTTP};
 
-    for (uint32_t i = 0U; i < (sizeof servers / sizeof servers[0]); i++) {
-        if (family_end_hanging(&family, exchange, servers[i])) {
+    for (uint32_t i = 0U; i < (sizeof replaced / sizeof replaced[0]); i++) {
+        if (family_end_hanging(&family, exchange, replaced[i])) {
             screen_say(&screen, "%s has given no sign of life for %u s; it is ended.",
-                       family.members[servers[i]].name,
+                       family.members[replaced[i]].name,
                        (unsigned)(LIMIT_HANG_US / UINT64_C(1000000)));
         }
     }
