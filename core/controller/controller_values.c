@@ -56,8 +56,8 @@ static void note_told(controller_t *self, const cycle_t *cycle, const command_t 
         note_place(self, cycle, PLAN_PLACE_ENTRY_X, &command->pose.translation);
         break;
     case (uint32_t)COMMAND_ACCEPT_ENTRY:
-        if (!is_refused) {
-            note_place(self, cycle, PLAN_PLACE_ENTRY_X, &answer->pose.translation);
+        if (self->plan.has_proposed_entry != 0U) {
+            note_place(self, cycle, PLAN_PLACE_ENTRY_X, &self->plan.proposed_entry);
         }
         break;
     case (uint32_t)COMMAND_PROBE:

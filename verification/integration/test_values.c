@@ -111,6 +111,17 @@ void test_SWR_EVENT_020_an_accepted_proposal_of_an_entry_point_stands_there_with
     expect_place(PLAN_PLACE_ENTRY_X, 5000000, 240000000, 60000000);
 }
 
+void test_SWR_EVENT_020_a_refused_proposal_of_an_entry_point_stands_there_with_its_numbers(void)
+{
+    const rigid_t entry = rig_pose(5000000, 240000000, 60000000);
+    rig_start_targeted(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, send(COMMAND_PROPOSE_ENTRY, &entry));
+    (void)rig_workphase(&rig, WORKPHASE_PLANNING);
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, send(COMMAND_ACCEPT_ENTRY, &entry));
+    expect_place(PLAN_PLACE_ENTRY_X, 5000000, 240000000, 60000000);
+}
+
 void test_SWR_EVENT_020_refused_lengths_stand_in_the_log(void)
 {
     const int32_t negative_nm[] = {-1, 6000000, 7000000, 46000000};
