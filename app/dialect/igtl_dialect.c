@@ -128,6 +128,13 @@ void igtl_tell_status(igtl_outbox_t *outbox, const char *name, const igtl_status
     igtl_outbox_add(outbox, &packet);
 }
 
+void igtl_tell_refused(igtl_outbox_t *outbox, const char *name, const igtl_status_t *status,
+                       const igtl_moment_t *moment)
+{
+    igtl_tell_status(outbox, name, status, moment);
+    igtl_outbox_note_refusal(outbox, name, status->text);
+}
+
 void igtl_tell_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
                        const igtl_moment_t *moment)
 {
@@ -135,7 +142,7 @@ void igtl_tell_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
     const igtl_status_t refusal = {igtl_reason_code(status), status_name((int32_t)status), text};
 
     write_reason(status, moment, text);
-    igtl_tell_status(outbox, name, &refusal, moment);
+    igtl_tell_refused(outbox, name, &refusal, moment);
 }
 
 void igtl_tell_not_found(igtl_outbox_t *outbox, const char *name, const igtl_moment_t *moment)
@@ -143,7 +150,7 @@ void igtl_tell_not_found(igtl_outbox_t *outbox, const char *name, const igtl_mom
     static const igtl_status_t status = {IGTL_STATUS_NOT_FOUND, "NOT_FOUND",
                                          "NOT_FOUND: There is nothing of this name."};
 
-    igtl_tell_status(outbox, name, &status, moment);
+    igtl_tell_refused(outbox, name, &status, moment);
 }
 
 bool igtl_is_text(const igtl_message_t *message, const char *text)

@@ -66,7 +66,11 @@ void igtl_reason_text(const robot_t *robot, const answer_t *answer, const igtl_m
 void igtl_tell_status(igtl_outbox_t *outbox, const char *name, const igtl_status_t *status,
                       const igtl_moment_t *moment);
 
-/** Sends STATUS(`name`, code and sentence of `status`). */
+/** The same of a message that is refused, which is kept for the log. */
+void igtl_tell_refused(igtl_outbox_t *outbox, const char *name, const igtl_status_t *status,
+                       const igtl_moment_t *moment);
+
+/** Sends STATUS(`name`, code and sentence of `status`), as of a refused message. */
 void igtl_tell_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
                        const igtl_moment_t *moment);
 

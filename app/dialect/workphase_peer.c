@@ -154,7 +154,7 @@ void workphase_peer_tell_unit(workphase_peer_t *self, const char *word, const ch
     const igtl_status_t refusal = {igtl_reason_code(STATUS_WRONG_UNIT), name, text};
 
     (void)snprintf(text, sizeof text, "%s: Send each number with its unit: %s.", name, form);
-    igtl_tell_status(self->outbox, word, &refusal, moment);
+    igtl_tell_refused(self->outbox, word, &refusal, moment);
 }
 
 const char *workphase_peer_tip_subject(const workphase_peer_t *self)

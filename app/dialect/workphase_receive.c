@@ -66,7 +66,7 @@ static void refuse_text(workphase_peer_t *peer, const igtl_message_t *message,
 
     (void)memcpy(name, message->text, length);
     if (strcmp(name, ablation.name) == 0) {
-        igtl_tell_status(peer->outbox, name, &ablation.refusal, moment);
+        igtl_tell_refused(peer->outbox, name, &ablation.refusal, moment);
         return;
     }
     igtl_tell_refusal(peer->outbox, (length > 0U) ? name : message->name, STATUS_UNKNOWN_COMMAND,
@@ -151,7 +151,7 @@ static void refuse_word(const workphase_dialect_t *self, workphase_peer_t *peer,
         workphase_words_tell_form(self->robot, status, text);
         const igtl_status_t refusal = {igtl_reason_code(status), status_name((int32_t)status),
                                        text};
-        igtl_tell_status(peer->outbox, word->word, &refusal, moment);
+        igtl_tell_refused(peer->outbox, word->word, &refusal, moment);
     } else if ((status == STATUS_WRONG_UNIT) && (word->form != NULL)) {
         workphase_peer_tell_unit(peer, word->word, word->form, moment);
     } else {

@@ -63,6 +63,7 @@ static bool are_peers_whole(exchange_peers_t *peers)
         peer->name[EXCHANGE_PEER_NAME_SIZE - 1U] = '\0';
         peer->message[EXCHANGE_PEER_MESSAGE_SIZE - 1U] = '\0';
         peer->status[EXCHANGE_PEER_STATUS_SIZE - 1U] = '\0';
+        peer->refusal[EXCHANGE_PEER_STATUS_SIZE - 1U] = '\0';
     }
     return are_whole;
 }

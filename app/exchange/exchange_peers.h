@@ -57,7 +57,7 @@ typedef struct {
 #define EXCHANGE_PEERS 48U          /**< Rows of a source. */
 #define EXCHANGE_PEER_NAME_SIZE 32U /**< Room for an address with its port, and for an account. */
 #define EXCHANGE_PEER_MESSAGE_SIZE 24U /**< Room for the name of a message. */
-#define EXCHANGE_PEER_STATUS_SIZE 128U /**< Longer texts of a STATUS are cut. */
+#define EXCHANGE_PEER_STATUS_SIZE 128U /**< Longer texts are cut. */
 
 /** A connection of OpenIGTLink, or a page of the console; of a page what is not known is 0. Times
  * are monotonic, of the machine. */
@@ -77,7 +77,10 @@ typedef struct {
     char name[EXCHANGE_PEER_NAME_SIZE]; /**< Its address with its port; the account of a page. */
     char message[EXCHANGE_PEER_MESSAGE_SIZE]; /**< Name of its last one. */
     char status[EXCHANGE_PEER_STATUS_SIZE];   /**< Its last STATUS in words; "": none. */
-    uint32_t statuses;                        /**< How often that has changed. */
+    char refusal[EXCHANGE_PEER_STATUS_SIZE];  /**< Its last message that igtl refused; "": none. */
+    uint32_t statuses;                        /**< Number of changes of `status`. */
+    uint32_t refusals;                        /**< Number of changes of `refusal`. */
+    uint32_t spare;                           /**< 0: no padding. */
 } exchange_peer_t;
 
 typedef struct {

@@ -42,7 +42,7 @@ void http_server_init(http_server_t *self, const http_server_config_t *config)
     (void)pthread_mutex_init(&self->orders, NULL);
     http_notes_init(&self->notes, config->exchange, &self->acts);
     http_record_init(&self->record, &self->notes, telemetry_now_ms());
-    http_statuses_init(&self->statuses, &self->notes);
+    http_peers_log_init(&self->peers_log, &self->notes);
     session_desk_init(&self->desk, config->accounts, http_notes_write, &self->notes);
     http_positions_begin(self, config->box_key);
     make_boot_id(self->identity.boot_id, sizeof self->identity.boot_id);
@@ -94,7 +94,7 @@ void http_server_tick(http_server_t *self)
     http_notes_tell_replaced(&self->notes);
     http_notes_tell_damage(&self->notes, telemetry_now_ms());
     http_record_tick(&self->record, telemetry_now_ms());
-    http_statuses_tick(&self->statuses, telemetry_now_ms());
+    http_peers_log_tick(&self->peers_log, telemetry_now_ms());
     http_notes_tick(&self->notes);
     act_desk_tick(&self->acts, &self->desk, telemetry_now_ms());
     telemetry_look(&self->telemetry, &view);

@@ -14,7 +14,7 @@
 #include "gate/http_guard.h"
 #include "http/http_notes.h"
 #include "http/http_record.h"
-#include "http/http_statuses.h"
+#include "http/http_peers_log.h"
 #include "http/http_stream.h"
 #include "http/telemetry.h"
 #include "http/telemetry_json.h"
@@ -35,7 +35,7 @@ typedef struct http_server {
     session_desk_t desk;
     http_notes_t notes;
     http_record_t record;
-    http_statuses_t statuses;
+    http_peers_log_t peers_log;
     act_desk_t acts;
     saved_desk_t positions;
     bool has_key;

@@ -32,6 +32,8 @@ void igtl_connection_init(igtl_connection_t *self)
     self->heard[0] = '\0';
     self->status[0] = '\0';
     self->statuses = 0U;
+    self->refusal[0] = '\0';
+    self->refusals = 0U;
     self->messages_in = 0U;
     self->messages_out = 0U;
     self->received = 0U;
@@ -157,6 +159,11 @@ uint64_t igtl_connection_unread_us(igtl_connection_t *self, uint64_t now_us)
     return now_us - self->moved_us;
 }
 
+static bool is_printable(uint8_t byte)
+{
+    return (byte >= 0x20U) && (byte <= 0x7EU);
+}
+
 /* Up to its first NUL, behind a space. */
 static void add_field(char text[EXCHANGE_PEER_STATUS_SIZE], const uint8_t *field, uint32_t bytes)
 {
@@ -168,7 +175,7 @@ static void add_field(char text[EXCHANGE_PEER_STATUS_SIZE], const uint8_t *field
             used++;
         }
         if (used < (EXCHANGE_PEER_STATUS_SIZE - 1U)) {
-            text[used] = ((field[i] < 0x20U) || (field[i] > 0x7EU)) ? '?' : (char)field[i];
+            text[used] = is_printable(field[i]) ? (char)field[i] : '?';
             used++;
         }
     }
@@ -186,6 +193,20 @@ void igtl_connection_keep_status(igtl_connection_t *self, const igtl_message_t *
     if (strcmp(text, self->status) != 0) {
         (void)memcpy(self->status, text, sizeof self->status);
         self->statuses++;
+    }
+}
+
+void igtl_connection_keep_refusal(igtl_connection_t *self)
+{
+    const char *const refusal = self->outbox.refusal;
+
+    char text[IGTL_OUTBOX_REFUSAL] = "";
+    for (uint32_t i = 0U; refusal[i] != '\0'; i++) {
+        text[i] = is_printable((uint8_t)refusal[i]) ? refusal[i] : '?';
+    }
+    if ((text[0] != '\0') && (strcmp(text, self->refusal) != 0)) {
+        (void)memcpy(self->refusal, text, sizeof self->refusal);
+        self->refusals++;
     }
 }
 

@@ -25,7 +25,9 @@ typedef struct {
     bool was_heard;             /**< It has sent a valid message. */
     char heard[IGTL_NAME_SIZE]; /**< Name of the last one. */
     char status[EXCHANGE_PEER_STATUS_SIZE]; /**< Its last STATUS in words; "": none. */
-    uint32_t statuses;                      /**< How often that has changed. */
+    uint32_t statuses;                      /**< Number of changes of `status`. */
+    char refusal[IGTL_OUTBOX_REFUSAL];      /**< Of its last message that was refused; "": none. */
+    uint32_t refusals;                      /**< Number of changes of `refusal`. */
     uint64_t messages_in;                   /**< Valid ones. */
     uint64_t messages_out;
     uint64_t received;     /**< Bytes that were read. */
@@ -94,6 +96,13 @@ uint64_t igtl_connection_unread_us(igtl_connection_t *self, uint64_t now_us);
  * @satisfies SWR-IGTL-092
  */
 void igtl_connection_keep_status(igtl_connection_t *self, const igtl_message_t *message);
+
+/**
+ * Keeps what the outbox has noted as refused of the message that was just received, if anything.
+ *
+ * @satisfies SWR-IGTL-093
+ */
+void igtl_connection_keep_refusal(igtl_connection_t *self);
 
 /** Nobody watches what it acknowledges any more. */
 void igtl_connection_unwatch(igtl_connection_t *self);

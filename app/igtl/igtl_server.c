@@ -161,7 +161,7 @@ static void tell_trouble(igtl_connection_t *connection, igtl_result_t reason, co
 {
     const igtl_status_t status = {igtl_result_code(reason), "REFUSED", igtl_result_text(reason)};
 
-    igtl_tell_status(&connection->outbox, name, &status, moment);
+    igtl_tell_refused(&connection->outbox, name, &status, moment);
 }
 
 /* Tells why, as far as the peer listens, and closes. */
@@ -180,6 +180,7 @@ static bool handle(igtl_server_t *self, igtl_connection_t *connection, igtl_inbo
 {
     const igtl_inbox_t *inbox = &connection->inbox;
 
+    connection->outbox.refusal[0] = '\0'; /* One that nobody asked for, of a stream. */
     switch (event) {
     case IGTL_INBOX_MESSAGE:
         if (inbox->message.kind == IGTL_KIND_STATUS) {
@@ -189,10 +190,12 @@ static bool handle(igtl_server_t *self, igtl_connection_t *connection, igtl_inbo
             igtl_places_admit(self, connection, &inbox->message, moment)) {
             self->calls->receive(self->dialect, igtl_server_peer(self, connection), &inbox->message,
                                  moment);
+            igtl_connection_keep_refusal(connection);
         }
         return true;
     case IGTL_INBOX_REFUSED:
         tell_trouble(connection, inbox->reason, inbox->header.name, moment);
+        igtl_connection_keep_refusal(connection);
         note(self, IGTL_TROUBLE_MESSAGE, igtl_result_text(inbox->reason), moment->now_us);
         return true;
     case IGTL_INBOX_BROKEN:

@@ -77,6 +77,8 @@ void igtl_show_peer(const igtl_server_t *server, const igtl_connection_t *connec
     (void)snprintf(row->message, sizeof row->message, "%s", connection->heard);
     (void)snprintf(row->status, sizeof row->status, "%s", connection->status);
     row->statuses = connection->statuses;
+    (void)snprintf(row->refusal, sizeof row->refusal, "%s", connection->refusal);
+    row->refusals = connection->refusals;
 }
 
 void igtl_show_peers(exchange_t *exchange, const igtl_server_t *servers, uint32_t count)

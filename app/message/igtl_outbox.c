@@ -2,6 +2,7 @@
 #include "message/igtl_outbox.h"
 
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 
 #define LABEL_OFFSET 2U /* Type and device name in the header. */
@@ -48,6 +49,11 @@ static void append(igtl_outbox_t *self, const igtl_packet_t *packet, bool is_sta
 void igtl_outbox_add(igtl_outbox_t *self, const igtl_packet_t *packet)
 {
     append(self, packet, false);
+}
+
+void igtl_outbox_note_refusal(igtl_outbox_t *self, const char *name, const char *reason)
+{
+    (void)snprintf(self->refusal, sizeof self->refusal, "%s %s", name, reason);
 }
 
 void igtl_outbox_add_state(igtl_outbox_t *self, const igtl_packet_t *packet)

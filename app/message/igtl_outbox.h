@@ -15,6 +15,7 @@
 #include <stdint.h>
 
 #define IGTL_OUTBOX_PACKETS 64U
+#define IGTL_OUTBOX_REFUSAL 128U /**< Longer refusals are cut. */
 
 typedef struct {
     uint32_t version; /**< Of headers: 2 once the peer has sent it, before 1. */
@@ -24,6 +25,7 @@ typedef struct {
     uint32_t count;
     uint32_t sent;       /**< Bytes of the first packet that have left. */
     bool has_overflowed; /**< A message found no room: the peer is too slow, drop it. */
+    char refusal[IGTL_OUTBOX_REFUSAL]; /**< The last one that was noted, in words; "": none. */
 } igtl_outbox_t;
 
 void igtl_outbox_init(igtl_outbox_t *self);
@@ -37,6 +39,9 @@ void igtl_outbox_hear(igtl_outbox_t *self, uint32_t version);
 
 /** Adds an answer or a report: every one is sent. */
 void igtl_outbox_add(igtl_outbox_t *self, const igtl_packet_t *packet);
+
+/** Keeps in words that the message `name` was refused, and why. */
+void igtl_outbox_note_refusal(igtl_outbox_t *self, const char *name, const char *reason);
 
 /** Adds a state, of which only the newest matters. */
 void igtl_outbox_add_state(igtl_outbox_t *self, const igtl_packet_t *packet);

@@ -104,6 +104,23 @@ class TestCommunication < Minitest::Test
     imager&.close
   end
 
+  # Old words of PROBE, without units.
+  def test_SWR_IGTL_093_SWR_EVENT_023_a_message_that_igtl_refuses_is_logged
+    peer = TCPSocket.open('127.0.0.1', boresight.brp_port)
+    3.times { peer.write(RawIgtl.string('PROBE', 'PROBE 10 5 5 41')) }
+    wait_until('its refusal is logged') { refusals.any? }
+    assert_match(/ REFUSED PROBE PROBE_LENGTH: /, refusals.first)
+    peer.write(RawIgtl.string('JUGGLE', 'JUGGLE'))
+    wait_until('the next one is logged') { refusals.size == 2 }
+    assert_match(/ REFUSED JUGGLE UNKNOWN_COMMAND: /, refusals.last)
+  ensure
+    peer&.close
+  end
+
+  def refusals
+    boresight.log_lines.grep(/ REFUSED /)
+  end
+
   def test_SWR_IGTL_060_who_has_authority_ends_a_connection
     watcher = TCPSocket.open('127.0.0.1', boresight.igtl_port)
     wait_until('it is told') { connections.size == 1 }

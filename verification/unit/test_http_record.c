@@ -11,7 +11,7 @@
 #include "http/act_desk.h"
 #include "http/http_notes.h"
 #include "http/http_record.h"
-#include "http/http_statuses.h"
+#include "http/http_peers_log.h"
 #include "http/http_transaction.h"
 #include "http/page_table.h"
 #include "limits/requirement_limits.h"
@@ -35,7 +35,7 @@ static char error[256];
 static act_desk_t desk;
 static http_notes_t notes;
 static http_record_t record;
-static http_statuses_t statuses;
+static http_peers_log_t statuses;
 static char text[1024];
 static void *own_data;
 
@@ -62,7 +62,7 @@ void setUp(void)
     act_desk_init(&desk, server);
     http_notes_init(&notes, server, &desk);
     http_record_init(&record, &notes, NOW_MS);
-    http_statuses_init(&statuses, &notes);
+    http_peers_log_init(&statuses, &notes);
     own_data = NULL;
 }
 
@@ -269,6 +269,14 @@ static void send_status(uint32_t index, const char *status)
     exchange_publish_peers(server, COMMAND_SOURCE_IGTL, &imagers);
 }
 
+static void refuse(uint32_t index, const char *refusal)
+{
+    exchange_peer_t *peer = &imagers.peers[index];
+    (void)snprintf(peer->refusal, sizeof peer->refusal, "%s", refusal);
+    peer->refusals++;
+    exchange_publish_peers(server, COMMAND_SOURCE_IGTL, &imagers);
+}
+
 static void expect_status(uint32_t number, const char *who, const char *sentence)
 {
     exchange_note_t note;
@@ -288,11 +296,11 @@ static void begin_imagers(uint32_t count)
 void test_SWR_EVENT_022_a_status_that_has_changed_is_logged_once(void)
 {
     begin_imagers(1U);
-    http_statuses_tick(&statuses, NOW_MS);
+    http_peers_log_tick(&statuses, NOW_MS);
     TEST_ASSERT_EQUAL_UINT32(0U, exchange_newest_note(server));
     send_status(0U, "IMAGER 1 OK Valid Target");
-    http_statuses_tick(&statuses, NOW_MS);
-    http_statuses_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS);
+    http_peers_log_tick(&statuses, NOW_MS);
+    http_peers_log_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS);
     expect_status(1U, "127.0.0.1:5000", "STATUS IMAGER 1 OK Valid Target");
 }
 
@@ -300,12 +308,12 @@ void test_SWR_EVENT_022_of_many_the_newest_is_logged_with_the_number_of_those_be
 {
     begin_imagers(1U);
     send_status(0U, "a");
-    http_statuses_tick(&statuses, NOW_MS);
+    http_peers_log_tick(&statuses, NOW_MS);
     send_status(0U, "b");
-    http_statuses_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS - 1U);
+    http_peers_log_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS - 1U);
     send_status(0U, "c");
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_newest_note(server));
-    http_statuses_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS);
+    http_peers_log_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS);
     expect_status(2U, "127.0.0.1:5000", "(1 before it are not logged) STATUS c");
 }
 
@@ -314,9 +322,9 @@ void test_SWR_EVENT_022_who_changes_all_the_time_does_not_keep_another_from_the_
     begin_imagers(2U);
     send_status(0U, "a");
     send_status(1U, "z");
-    http_statuses_tick(&statuses, NOW_MS);
+    http_peers_log_tick(&statuses, NOW_MS);
     send_status(0U, "b");
-    http_statuses_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS);
+    http_peers_log_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS);
     expect_status(2U, "127.0.0.1:5001", "STATUS z");
 }
 
@@ -324,9 +332,25 @@ void test_SWR_EVENT_022_a_connection_of_another_run_with_the_same_number_is_anot
 {
     begin_imagers(1U);
     send_status(0U, "a");
-    http_statuses_tick(&statuses, NOW_MS);
+    http_peers_log_tick(&statuses, NOW_MS);
     imagers.peers[0].since_us = 2U;
     exchange_publish_peers(server, COMMAND_SOURCE_IGTL, &imagers);
-    http_statuses_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS);
+    http_peers_log_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS);
     expect_status(2U, "127.0.0.1:5000", "STATUS a");
+}
+
+void test_SWR_EVENT_023_a_refusal_of_igtl_is_logged_beside_the_status(void)
+{
+    exchange_note_t note;
+    begin_imagers(1U);
+    send_status(0U, "a");
+    refuse(0U, "PROBE WRONG_UNIT: Give the unit.");
+    http_peers_log_tick(&statuses, NOW_MS);
+    expect_status(1U, "127.0.0.1:5000", "STATUS a");
+    http_peers_log_tick(&statuses, NOW_MS + LIMIT_STATUS_LOG_PAUSE_MS);
+    TEST_ASSERT_TRUE(exchange_read_note(control, 2U, &note));
+    TEST_ASSERT_EQUAL_UINT32(NOTE_REFUSAL, note.kind);
+    TEST_ASSERT_EQUAL_STRING("REFUSED PROBE WRONG_UNIT: Give the unit.", note.text);
+    http_peers_log_tick(&statuses, NOW_MS + (2U * LIMIT_STATUS_LOG_PAUSE_MS));
+    TEST_ASSERT_EQUAL_UINT32(2U, exchange_newest_note(server));
 }

@@ -485,6 +485,32 @@ void test_SWR_IGTL_092_a_long_status_is_cut(void)
     TEST_ASSERT_EQUAL_size_t(EXCHANGE_PEER_STATUS_SIZE - 1U, strlen(row_of(0U)->status));
 }
 
+void test_SWR_IGTL_093_the_last_refusal_is_kept_with_the_number_of_its_changes(void)
+{
+    enter(0U);
+    TEST_ASSERT_EQUAL_STRING("", row_of(0U)->refusal);
+    send_damaged(0U);
+    igtl_server_receive(&server, &moment);
+    send_damaged(0U);
+    igtl_server_receive(&server, &moment);
+    TEST_ASSERT_EQUAL_STRING_LEN("CMD_", row_of(0U)->refusal, 4U);
+    TEST_ASSERT_EQUAL_UINT32(1U, row_of(0U)->refusals);
+}
+
+void test_SWR_IGTL_093_what_the_dialect_refuses_of_a_message_is_kept(void)
+{
+    enter(0U);
+    igtl_outbox_note_refusal(&server.connections[0].outbox, "STREAM", "NOT_HOMED");
+    say(0U);
+    igtl_server_receive(&server, &moment);
+    TEST_ASSERT_EQUAL_STRING("", row_of(0U)->refusal);
+    igtl_outbox_note_refusal(&server.connections[0].outbox, "PRO\nBE",
+                             "WRONG_UNIT: Give the unit.");
+    igtl_connection_keep_refusal(&server.connections[0]);
+    TEST_ASSERT_EQUAL_STRING("PRO?BE WRONG_UNIT: Give the unit.", row_of(0U)->refusal);
+    TEST_ASSERT_EQUAL_UINT32(1U, row_of(0U)->refusals);
+}
+
 void test_SWR_IGTL_056_a_connection_that_waits_says_so(void)
 {
     fill();
