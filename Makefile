@@ -85,7 +85,7 @@ ROBOT_TABLES := $(ROBOTS:%=$(GEN)/robot/robot_%.c)
 CHARTS := $(basename $(notdir $(wildcard statecharts/*.scxml)))
 CHART_SOURCES := $(CHARTS:%=$(GEN)/charts/%_chart.c)
 CORE_SOURCES := $(wildcard core/*/*.c core/*/*/*.c) $(CHART_SOURCES) $(ROBOT_TABLES) \
-    $(GEN)/robot/kinematics.c $(GEN)/interface/command.c $(GEN)/interface/event.c $(GEN)/interface/mode_list.c
+    $(GEN)/robot/kinematics.c $(addprefix $(GEN)/interface/,command.c command_access.c command_dispatch.c) $(GEN)/interface/event.c $(GEN)/interface/mode_list.c
 # What the processes call things.
 NAMES := $(GEN)/interface/app/names.c
 # Who drives, is driven or drives again finds its robot among all.

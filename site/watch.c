@@ -62,12 +62,28 @@ static void say_orders(void)
     }
 }
 
-static void say_fields(void)
+/* A field of what every command says, or of what `kind` says, `base` bytes behind the command's
+ * begin. */
+static void say_field(const char *kind, const field_t *field, size_t base)
 {
-    for (const field_t *field = fields_command; field->name != NULL; field++) {
-        if (field->offset != offsetof(command_t, kind)) {
-            say("field %s %zu %zu\n", field->name, field->offset, field->size / sizeof(uint32_t));
-        }
+    say("field %s%s%s %zu %zu\n", kind, (kind[0] == '\0') ? "" : ".", field->name,
+        base + field->offset, field->size / sizeof(uint32_t));
+    for (int32_t value = 0;
+         (field->kind == FIELD_WORD) && (strcmp(field->word(value), "UNKNOWN") != 0); value++) {
+        say("word %s%s%s %s %ld\n", kind, (kind[0] == '\0') ? "" : ".", field->name,
+            field->word(value), (long)value);
+    }
+}
+
+static void say_command(uint32_t kind)
+{
+    const char *const name = command_kind_name((int32_t)kind);
+    const field_t *field = fields_of_command(kind);
+
+    say("command %s %lu\n", name, (unsigned long)kind);
+    while ((field != NULL) && (field->name != NULL)) {
+        say_field(name, field, offsetof(command_t, as));
+        field++;
     }
 }
 
@@ -75,15 +91,13 @@ void watch_vocabulary(void)
 {
     begin();
     say_orders();
+    for (const field_t *field = fields_command; field->name != NULL; field++) {
+        if (field->offset != offsetof(command_t, kind)) {
+            say_field("", field, 0U);
+        }
+    }
     for (uint32_t kind = 1U; kind < COMMAND_KIND_COUNT; kind++) {
-        say("command %s %lu\n", command_kind_name((int32_t)kind), (unsigned long)kind);
-    }
-    say_fields();
-    for (uint32_t i = 0U; i < COMMAND_SOURCE_COUNT; i++) {
-        say("word source %s %lu\n", command_source_name((int32_t)i), (unsigned long)i);
-    }
-    for (uint32_t i = 0U; i < WORKPHASE_COUNT; i++) {
-        say("word argument %s %lu\n", workphase_name((int32_t)i), (unsigned long)i);
+        say_command(kind);
     }
 }
 

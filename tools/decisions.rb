@@ -64,7 +64,7 @@ end
 class Decisions
   PAGE = 'docs/architecture.md'
   SENDERS = %w[IGTL HTTP].freeze
-  RIGHTS = 'core/controller/controller_obey.c'
+  RIGHTS = 'core/interface/commands.yml'
 
   attr_reader :records
 
@@ -116,7 +116,8 @@ class Decisions
   end
 
   def rights_of(sender)
-    File.read(File.join(@root, RIGHTS))[/\[COMMAND_SOURCE_#{sender}\] = \{(.*?)\}/m, 1].to_s.scan(/\[COMMAND_(\w+)\] = true/).flatten
+    kinds = YAML.safe_load_file(File.join(@root, RIGHTS))['enumerations'].find { |one| one['name'] == 'command_kind' }
+    kinds['values'].select { |kind| kind['from'].include?(sender) }.map { |kind| kind['name'] }
   end
 
   def of_row(file, name, field)

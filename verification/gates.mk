@@ -69,7 +69,7 @@ board-%: $(OUT)/libcore.a
 apart: $(PROGRAMS:%=$(LINKED)/%)
 
 # A process that damages what it may write.
-$(BIN)/neighbour: verification/system/neighbour.c $(call object,$(EXCHANGE))
+$(BIN)/neighbour: verification/system/neighbour.c $(call object,$(EXCHANGE)) $(OUT)/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(WARNINGS) -O2 -g -D_GNU_SOURCE $(APP_INCLUDES) $^ -o $@
 

@@ -29,24 +29,24 @@ status_t list_terms_step(const robot_t *robot, const told_step_t *told, program_
 command_t list_terms_step_command(const robot_t *robot, uint32_t index, const program_step_t *step)
 {
     const uint32_t turning = program_step_turning_axis(robot);
-    const int32_t dwell_ms = (int32_t)step->dwell_ms;
-    command_t command = {.kind = (uint32_t)COMMAND_PROGRAM_STEP,
-                         .argument = index,
-                         .value = (step->is_gated != 0U) ? -dwell_ms : dwell_ms};
+    command_t command = {
+        .kind = (uint32_t)COMMAND_PROGRAM_STEP,
+        .as.step = {.index = index, .dwell_ms = step->dwell_ms, .is_gated = step->is_gated}};
 
-    command.ticks[robot->needle_axis] = step->depth_ticks;
+    command.as.step.ticks[robot->needle_axis] = step->depth_ticks;
     if (turning < robot->axis_count) {
-        command.ticks[turning] = step->angle_ticks;
+        command.as.step.ticks[turning] = step->angle_ticks;
     }
     return command;
 }
 
 command_t list_terms_row_command(uint32_t index, const trajectory_row_t *row)
 {
-    command_t command = {
-        .kind = (uint32_t)COMMAND_LIST_ROW, .argument = index, .value = (int32_t)row->time_ms};
+    command_t command = {.kind = (uint32_t)COMMAND_LIST_ROW,
+                         .as.row = {.index = index, .time_ms = row->time_ms}};
 
-    (void)memcpy(command.ticks, row->ticks, sizeof command.ticks);
-    (void)memcpy(command.speeds, row->speeds_ticks_per_s, sizeof command.speeds);
+    (void)memcpy(command.as.row.ticks, row->ticks, sizeof row->ticks);
+    (void)memcpy(command.as.row.speeds_ticks_per_s, row->speeds_ticks_per_s,
+                 sizeof row->speeds_ticks_per_s);
     return command;
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "dialect/igtl_requests.h"
 
+#include "procedure/command_kinds.h"
+
 #include <stddef.h>
 #include <string.h>
 
@@ -23,18 +25,10 @@ static igtl_request_t *entry_with(igtl_requests_t *self, uint32_t id)
     return NULL;
 }
 
-bool igtl_requests_is_urgent(const command_t *command)
-{
-    return (command->kind == (uint32_t)COMMAND_WORKPHASE) &&
-           ((command->argument == (uint32_t)WORKPHASE_STOP) ||
-            (command->argument == (uint32_t)WORKPHASE_EMERGENCY));
-}
-
+/* STOP or EMERGENCY: never refused for want of a place. */
 static bool is_urgent(const igtl_request_t *request)
 {
-    const command_t command = {.kind = request->kind, .argument = request->argument};
-
-    return igtl_requests_is_urgent(&command);
+    return command_kinds_is_stop(&request->command);
 }
 
 static bool is_queued(const igtl_requests_t *self, uint32_t id)
@@ -78,15 +72,15 @@ static igtl_request_t *common_place(igtl_requests_t *self, uint32_t peer)
 }
 
 /* The newest request of this peer and kind, NULL for none. */
-static igtl_request_t *newest_of(igtl_requests_t *self, uint32_t peer, uint32_t argument)
+static igtl_request_t *newest_of(igtl_requests_t *self, uint32_t peer, workphase_t asked)
 {
     igtl_request_t *newest = NULL;
 
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         igtl_request_t *request = &self->requests[i];
 
-        if ((request->id != 0U) && is_urgent(request) && (request->argument == argument) &&
-            (request->peer == peer) &&
+        if ((request->id != 0U) && is_urgent(request) &&
+            (command_kinds_workphase(&request->command) == asked) && (request->peer == peer) &&
             ((newest == NULL) || (request->sent_us >= newest->sent_us))) {
             newest = request;
         }
@@ -96,7 +90,7 @@ static igtl_request_t *newest_of(igtl_requests_t *self, uint32_t peer, uint32_t 
 
 /* A place for STOP or EMERGENCY. When all of its kind are taken and this peer has its share not yet
  * used up, some are of peers that have gone: nobody waits for their answers. */
-static igtl_request_t *urgent_place(igtl_requests_t *self, uint32_t peer, uint32_t argument)
+static igtl_request_t *urgent_place(igtl_requests_t *self, uint32_t peer, workphase_t asked)
 {
     uint32_t all = 0U;
     uint32_t own = 0U;
@@ -105,15 +99,16 @@ static igtl_request_t *urgent_place(igtl_requests_t *self, uint32_t peer, uint32
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         const igtl_request_t *request = &self->requests[i];
 
-        if ((request->id != 0U) && is_urgent(request) && (request->argument == argument)) {
+        if ((request->id != 0U) && is_urgent(request) &&
+            (command_kinds_workphase(&request->command) == asked)) {
             all++;
             own += (request->peer == peer) ? 1U : 0U;
         }
     }
     if (own >= IGTL_REQUESTS_PER_PEER) {
-        place = newest_of(self, peer, argument);
+        place = newest_of(self, peer, asked);
     } else if (all >= IGTL_REQUESTS_URGENT) {
-        place = newest_of(self, IGTL_NOBODY, argument);
+        place = newest_of(self, IGTL_NOBODY, asked);
     } else {
         return entry_with(self, 0U);
     }
@@ -125,8 +120,8 @@ static igtl_request_t *urgent_place(igtl_requests_t *self, uint32_t peer, uint32
 
 static igtl_request_t *place_for(igtl_requests_t *self, uint32_t peer, const command_t *command)
 {
-    if (igtl_requests_is_urgent(command)) {
-        return urgent_place(self, peer, command->argument);
+    if (command_kinds_is_stop(command)) {
+        return urgent_place(self, peer, command_kinds_workphase(command));
     }
     return (command->kind == (uint32_t)COMMAND_RELEASE) ? entry_with(self, 0U)
                                                         : common_place(self, peer);
@@ -148,11 +143,8 @@ const igtl_request_t *igtl_requests_add(igtl_requests_t *self, uint32_t peer, co
     }
     self->queue[self->queued] = *command;
     self->queued++;
-    *request = (igtl_request_t){.id = command->id,
-                                .peer = peer,
-                                .kind = command->kind,
-                                .argument = command->argument,
-                                .sent_us = now_us};
+    *request =
+        (igtl_request_t){.id = command->id, .peer = peer, .command = *command, .sent_us = now_us};
     return request;
 }
 

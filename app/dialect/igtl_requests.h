@@ -26,10 +26,9 @@
 #define IGTL_NOBODY UINT32_MAX /**< The peer has gone. */
 
 typedef struct {
-    uint32_t id;   /**< 0: the entry is free. */
-    uint32_t peer; /**< Who asked, or IGTL_NOBODY. */
-    uint32_t kind; /**< command_kind_t. */
-    uint32_t argument;
+    uint32_t id;       /**< 0: the entry is free. */
+    uint32_t peer;     /**< Who asked, or IGTL_NOBODY. */
+    command_t command; /**< As it was sent. */
     uint64_t sent_us;
     bool is_accepted; /**< Begun; a final answer follows. */
     bool is_overdue;  /**< The peer was told that there is no answer. */
@@ -46,9 +45,6 @@ typedef struct {
 /** Starts with `first_id`, not 0; at most `most` (1..IGTL_REQUESTS_COMMON) at a time, and STOP and
  * EMERGENCY beside them. */
 void igtl_requests_init(igtl_requests_t *self, uint32_t first_id, uint32_t most);
-
-/** STOP or EMERGENCY: never refused for want of a place. */
-bool igtl_requests_is_urgent(const command_t *command);
 
 /**
  * Gives `command` an id and queues it for `peer`. NULL when too many are on their way: in all, or

@@ -92,7 +92,7 @@ static void propose(transform_dialect_t *self, uint32_t index, const igtl_messag
         refuse_unknown(peer, message, moment);
         return;
     }
-    status = igtl_border_read_pose(message->numbers, &command.pose);
+    status = igtl_border_read_pose(message->numbers, &command.as.seen_pose.pose);
     if (status == STATUS_OK) {
         put(self, index, &command, moment);
     } else {
@@ -117,8 +117,9 @@ static status_t read_trajectory(const igtl_message_t *message, uint32_t peer,
             command_t *proposal = &proposals[*count];
 
             *proposal = (command_t){.peer = peer, .kind = (uint32_t)kinds[i]};
-            rigid_set_identity(&proposal->pose);
-            status = igtl_border_read_point(&message->numbers[3U * i], &proposal->pose.translation);
+            rigid_set_identity(&proposal->as.seen_pose.pose);
+            status = igtl_border_read_point(&message->numbers[3U * i],
+                                            &proposal->as.seen_pose.pose.translation);
             (*count)++;
         }
     }
@@ -148,13 +149,14 @@ static void receive_string(transform_dialect_t *self, uint32_t index, const igtl
                            const igtl_moment_t *moment)
 {
     transform_peer_t *peer = &self->peers[index];
-    const command_t withdrawal = {.peer = peer->number,
-                                  .kind = (uint32_t)COMMAND_WITHDRAW,
-                                  .argument = (uint32_t)transform_proposals_kind(message->name)};
+    const command_t withdrawal = {
+        .peer = peer->number,
+        .kind = (uint32_t)COMMAND_WITHDRAW,
+        .as.withdrawal = {.of = (uint32_t)transform_proposals_kind(message->name)}};
 
     if ((strcmp(message->name, "start_up") == 0) || igtl_is_text(message, "START_UP")) {
         transform_show_all(&peer->shown);
-    } else if (withdrawal.argument == (uint32_t)COMMAND_NONE) {
+    } else if (withdrawal.as.withdrawal.of == (uint32_t)COMMAND_NONE) {
         refuse_unknown(peer, message, moment);
     } else if (igtl_is_text(message, "WITHDRAW")) {
         put(self, index, &withdrawal, moment);
@@ -203,8 +205,8 @@ static void tell_refused(transform_dialect_t *self, const igtl_request_t *reques
                                    status_name((int32_t)answer->status), text};
 
     igtl_reason_text(self->robot, answer, moment, text);
-    igtl_tell_status(self->peers[request->peer].outbox,
-                     transform_proposals_name(request->kind, request->argument), &refused, moment);
+    igtl_tell_status(self->peers[request->peer].outbox, transform_proposals_name(&request->command),
+                     &refused, moment);
 }
 
 bool transform_dialect_answer(transform_dialect_t *self, const answer_t *answer,
@@ -233,8 +235,8 @@ static void tell_overdue(transform_dialect_t *self, const igtl_moment_t *moment)
     while (overdue != NULL) {
         if (overdue->peer != IGTL_NOBODY) {
             igtl_tell_refusal(self->peers[overdue->peer].outbox,
-                              transform_proposals_name(overdue->kind, overdue->argument),
-                              STATUS_NO_ANSWER, moment);
+                              transform_proposals_name(&overdue->command), STATUS_NO_ANSWER,
+                              moment);
         }
         overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
     }

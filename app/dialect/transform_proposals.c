@@ -24,9 +24,10 @@ command_kind_t transform_proposals_kind(const char *name)
 }
 
 /* Place of what the command is of, TRANSFORM_SUBJECTS for another command. */
-static uint32_t subject_of(uint32_t kind, uint32_t argument)
+static uint32_t subject_of(const command_t *command)
 {
-    const uint32_t proposal = (kind == (uint32_t)COMMAND_WITHDRAW) ? argument : kind;
+    const bool is_withdrawal = command->kind == (uint32_t)COMMAND_WITHDRAW;
+    const uint32_t proposal = is_withdrawal ? command->as.withdrawal.of : command->kind;
     uint32_t i = 0U;
 
     while ((i < TRANSFORM_SUBJECTS) && ((uint32_t)subjects[i].kind != proposal)) {
@@ -35,9 +36,9 @@ static uint32_t subject_of(uint32_t kind, uint32_t argument)
     return i;
 }
 
-const char *transform_proposals_name(uint32_t kind, uint32_t argument)
+const char *transform_proposals_name(const command_t *command)
 {
-    const uint32_t subject = subject_of(kind, argument);
+    const uint32_t subject = subject_of(command);
 
     return (subject < TRANSFORM_SUBJECTS) ? subjects[subject].name : "";
 }
@@ -45,7 +46,7 @@ const char *transform_proposals_name(uint32_t kind, uint32_t argument)
 void transform_proposals_put(transform_proposals_t *self, const command_t *command,
                              const igtl_moment_t *moment)
 {
-    const uint32_t subject = subject_of(command->kind, command->argument);
+    const uint32_t subject = subject_of(command);
     transform_waiting_t *waiting;
 
     if (subject >= TRANSFORM_SUBJECTS) {
@@ -80,9 +81,9 @@ static transform_waiting_t *next_of(transform_proposals_t *self)
 static void mark_unlogged(command_t *command)
 {
     if (command->kind == (uint32_t)COMMAND_WITHDRAW) {
-        command->value = 1;
+        command->as.withdrawal.is_one_of_many = 1U;
     } else {
-        command->argument = 1U;
+        command->as.seen_pose.is_one_of_many = 1U;
     }
 }
 

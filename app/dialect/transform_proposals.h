@@ -39,7 +39,7 @@ typedef struct {
 command_kind_t transform_proposals_kind(const char *name);
 
 /** The name of what the command is of, "" for another command. Lives for ever. */
-const char *transform_proposals_name(uint32_t kind, uint32_t argument);
+const char *transform_proposals_name(const command_t *command);
 
 /**
  * Takes a proposal, or COMMAND_WITHDRAW of one, in place of what still waits of the same subject.

@@ -7,6 +7,7 @@
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_watch.h"
 #include "interface/app/names.h"
+#include "procedure/command_kinds.h"
 
 #include <stddef.h>
 #include <stdio.h>
@@ -15,9 +16,9 @@
 /* Under which name the peer is told of a request. */
 static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t *request)
 {
-    const workphase_list_t *list = workphase_lists_of(request->kind);
+    const workphase_list_t *list = workphase_lists_of(request->command.kind);
 
-    if (workphase_peer_is_motion(request->kind)) {
+    if (workphase_peer_is_motion(request->command.kind)) {
         return peer->motion;
     }
     if (peer->draping == request->id) {
@@ -26,7 +27,7 @@ static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t
     if (list != NULL) {
         return list->word;
     }
-    switch (request->kind) {
+    switch (request->command.kind) {
     case COMMAND_REGISTRATION:
         return "CALIBRATION";
     case COMMAND_TARGET:
@@ -42,7 +43,7 @@ static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t
     case COMMAND_PROBE:
         return "PROBE";
     default:
-        return workphase_name((int32_t)request->argument);
+        return workphase_name((int32_t)command_kinds_workphase(&request->command));
     }
 }
 
@@ -66,16 +67,16 @@ static void tell_armed(workphase_peer_t *peer, const igtl_packet_t *entered, uin
 static void tell_entered(workphase_peer_t *peer, const answer_t *answer,
                          const igtl_moment_t *moment)
 {
-    const char *phase = workphase_name((int32_t)answer->argument);
+    const char *phase = workphase_name((int32_t)answer->asked);
     const igtl_status_t entered = {IGTL_STATUS_OK, phase, ""};
     const bool is_late =
-        (peer->language != IGTL_LANGUAGE_BRP_2021) && is_entered_silently(answer->argument);
+        (peer->language != IGTL_LANGUAGE_BRP_2021) && is_entered_silently(answer->asked);
     igtl_packet_t packet;
 
-    workphase_peer_tell_phase(peer, IGTL_STATUS_OK, answer->argument, "", moment);
+    workphase_peer_tell_phase(peer, IGTL_STATUS_OK, answer->asked, "", moment);
     igtl_encode_status(&packet, phase, &entered, moment->timestamp);
     if (answer->is_final == 0U) {
-        tell_armed(peer, &packet, answer->argument, moment);
+        tell_armed(peer, &packet, answer->asked, moment);
     } else if (!is_late) {
         igtl_outbox_add(peer->outbox, &packet);
     } else if (peer->pending == 0U) {
@@ -103,8 +104,8 @@ static void tell_outcome(const workphase_dialect_t *self, workphase_peer_t *peer
 static void tell_refused(const workphase_dialect_t *self, workphase_peer_t *peer,
                          const answer_t *answer, const igtl_moment_t *moment)
 {
-    workphase_peer_tell_phase(peer, IGTL_STATUS_OK, answer->argument, "", moment);
-    tell_outcome(self, peer, workphase_name((int32_t)answer->argument), answer, moment);
+    workphase_peer_tell_phase(peer, IGTL_STATUS_OK, answer->asked, "", moment);
+    tell_outcome(self, peer, workphase_name((int32_t)answer->asked), answer, moment);
 }
 
 static void write_end(const workphase_dialect_t *self, const igtl_request_t *request,
@@ -130,8 +131,7 @@ static void write_end(const workphase_dialect_t *self, const igtl_request_t *req
 
 static bool is_move(const igtl_request_t *request)
 {
-    return (request->kind == (uint32_t)COMMAND_WORKPHASE) &&
-           (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET);
+    return command_kinds_workphase(&request->command) == WORKPHASE_MOVE_TO_TARGET;
 }
 
 /* Since 2021 STATUS(MOVE_TO_TARGET, 1) means entered; that it has arrived is asked for. */
@@ -285,7 +285,7 @@ static void answer_list(const workphase_dialect_t *self, workphase_peer_t *peer,
         tell_outcome(self, peer, list->word, answer, moment);
         return;
     }
-    (void)snprintf(text, sizeof text, "Checksum %u.", (unsigned)answer->argument);
+    (void)snprintf(text, sizeof text, "Checksum %u.", (unsigned)answer->checksum);
     igtl_tell_status(peer->outbox, list->word, &held, moment);
 }
 
@@ -299,11 +299,11 @@ static void refuse_array(workphase_dialect_t *self, const igtl_request_t *reques
                                   workphase_name((int32_t)answer->workphase), text};
 
     igtl_reason_text(self->robot, answer, moment, text);
-    if (request->kind == (uint32_t)list->add) {
+    if (request->command.kind == (uint32_t)list->add) {
         const size_t used = strlen(text);
 
         (void)snprintf(&text[used], sizeof text - used, " %s %u.", list->title,
-                       (unsigned)request->argument);
+                       (unsigned)list->index(&request->command));
     }
     igtl_encode_status(&self->array.refusal, list->word, &status, moment->timestamp);
     self->array.is_owed = true;
@@ -320,7 +320,7 @@ static void answer_array(workphase_dialect_t *self, const igtl_request_t *reques
         if (workphase_array_fail(&self->array)) {
             refuse_array(self, request, answer, moment);
         }
-    } else if (request->kind == (uint32_t)list->end) {
+    } else if (request->command.kind == (uint32_t)list->end) {
         peer->sums[list->number] = self->array.crc;
         workphase_array_end(&self->array, request->peer);
         answer_list(self, peer, list, answer, moment);
@@ -333,9 +333,9 @@ static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *requ
                            const answer_t *answer, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[request->peer];
-    const workphase_list_t *list = workphase_lists_of(request->kind);
+    const workphase_list_t *list = workphase_lists_of(request->command.kind);
 
-    if (workphase_peer_is_motion(request->kind)) {
+    if (workphase_peer_is_motion(request->command.kind)) {
         answer_motion(self, request, answer, moment);
         return;
     }
@@ -347,7 +347,7 @@ static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *requ
         answer_list(self, peer, list, answer, moment);
         return;
     }
-    switch (request->kind) {
+    switch (request->command.kind) {
     case COMMAND_WORKPHASE:
         answer_phase(self, request, answer, moment);
         break;
@@ -373,8 +373,8 @@ static bool has_ended_it(const workphase_peer_t *peer, const igtl_request_t *req
                          const answer_t *answer)
 {
     return peer->end.is_discarded && (answer->kind == (uint32_t)ANSWER_ACCEPTED) &&
-           ((request->kind == (uint32_t)COMMAND_WORKPHASE) ||
-            workphase_peer_is_motion(request->kind));
+           ((request->command.kind == (uint32_t)COMMAND_WORKPHASE) ||
+            workphase_peer_is_motion(request->command.kind));
 }
 
 /* The command for which an order's end waited has been answered, and has not ended it. */

@@ -39,7 +39,7 @@ bool workphase_array_is_awaited(const igtl_requests_t *requests, uint32_t peer)
         const igtl_request_t *request = &requests->requests[i];
 
         is_awaited = is_awaited || ((request->id != 0U) && (request->peer == peer) &&
-                                    (workphase_lists_of(request->kind) != NULL));
+                                    (workphase_lists_of(request->command.kind) != NULL));
     }
     return is_awaited;
 }
@@ -47,7 +47,7 @@ bool workphase_array_is_awaited(const igtl_requests_t *requests, uint32_t peer)
 bool workphase_array_has(const workphase_array_t *self, const igtl_request_t *request)
 {
     return self->is_busy && (request->id != 0U) && (request->peer == self->peer) &&
-           (workphase_lists_of(request->kind) != NULL);
+           (workphase_lists_of(request->command.kind) != NULL);
 }
 
 static uint32_t on_their_way(const workphase_array_t *self, const igtl_requests_t *requests)
@@ -63,10 +63,11 @@ static uint32_t on_their_way(const workphase_array_t *self, const igtl_requests_
 static command_t command_of(const workphase_array_t *self, uint32_t number)
 {
     const workphase_list_t *list = self->list;
-    command_t command = {.kind = (uint32_t)list->end, .argument = self->crc};
+    command_t command = {.kind = (uint32_t)list->end, .as.list = {.checksum = self->crc}};
 
     if (self->next == 0U) {
-        command = (command_t){.kind = (uint32_t)list->begin, .argument = self->count};
+        command =
+            (command_t){.kind = (uint32_t)list->begin, .as.list_begin = {.count = self->count}};
     } else if (self->next <= self->count) {
         command = list->command(self->robot, self->next - 1U, &self->items[self->next - 1U]);
     } else {

@@ -8,6 +8,7 @@
 #include "dialect/workphase_program.h"
 #include "dialect/workphase_receive.h"
 #include "dialect/workphase_watch.h"
+#include "procedure/command_kinds.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -35,10 +36,10 @@ void workphase_dialect_connected(void *dialect, uint32_t peer,
 
 static bool is_long(const igtl_request_t *request)
 {
-    return workphase_peer_is_motion(request->kind) ||
-           ((request->kind == (uint32_t)COMMAND_WORKPHASE) &&
-            ((request->argument == (uint32_t)WORKPHASE_START_UP) ||
-             (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET)));
+    const workphase_t asked = command_kinds_workphase(&request->command);
+
+    return workphase_peer_is_motion(request->command.kind) || (asked == WORKPHASE_START_UP) ||
+           (asked == WORKPHASE_MOVE_TO_TARGET);
 }
 
 void workphase_dialect_disconnected(void *dialect, uint32_t peer)
@@ -152,7 +153,7 @@ bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
             workphase_peer_forget(&self->peers[request->peer], request->id);
         }
         workphase_answer_tell(self, request, answer, moment);
-    } else if (request->kind == (uint32_t)COMMAND_RELEASE) {
+    } else if (request->command.kind == (uint32_t)COMMAND_RELEASE) {
         self->is_new = self->is_new && (answer->status != (uint32_t)STATUS_OK);
     } else {
         /* Nobody waits for it. */
@@ -169,7 +170,7 @@ static bool is_releasing(const workphase_dialect_t *self)
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         const igtl_request_t *request = &self->requests.requests[i];
 
-        if ((request->id != 0U) && (request->kind == (uint32_t)COMMAND_RELEASE)) {
+        if ((request->id != 0U) && (request->command.kind == (uint32_t)COMMAND_RELEASE)) {
             return true;
         }
     }
@@ -192,7 +193,7 @@ static void release_lost(workphase_dialect_t *self, const igtl_moment_t *moment)
 static bool is_streamed(const workphase_dialect_t *self, const igtl_request_t *request)
 {
     return (request->id != 0U) && request->is_accepted && (request->peer != IGTL_NOBODY) &&
-           (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
+           (command_kinds_workphase(&request->command) == WORKPHASE_MOVE_TO_TARGET) &&
            (self->peers[request->peer].pending == 0U) &&
            (self->peers[request->peer].language != IGTL_LANGUAGE_BRP_2021);
 }
@@ -218,7 +219,7 @@ static void follow_program(workphase_dialect_t *self, const igtl_moment_t *momen
         const igtl_request_t *request = &self->requests.requests[i];
 
         if ((request->id != 0U) && request->is_accepted && (request->peer != IGTL_NOBODY) &&
-            (request->kind == (uint32_t)COMMAND_RUN_PROGRAM) &&
+            (request->command.kind == (uint32_t)COMMAND_RUN_PROGRAM) &&
             (self->peers[request->peer].pending == 0U)) {
             workphase_program_follow(&self->peers[request->peer], moment);
         }

@@ -54,7 +54,7 @@ const workphase_list_t *workphase_lists_of(uint32_t kind)
 static status_t read_begin(char **text, uint32_t *sum, command_t *command)
 {
     *sum = 0U;
-    return workphase_text_natural(workphase_text_next(text), &command->argument)
+    return workphase_text_natural(workphase_text_next(text), &command->as.list_begin.count)
                ? STATUS_OK
                : STATUS_OUT_OF_RANGE;
 }
@@ -83,8 +83,8 @@ static status_t read_name(char **text, uint32_t sum, command_t *command)
 {
     const char *said = workphase_text_next(text);
 
-    command->argument = sum;
-    return ((said == NULL) || workphase_text_natural(said, &command->argument))
+    command->as.list.checksum = sum;
+    return ((said == NULL) || workphase_text_natural(said, &command->as.list.checksum))
                ? STATUS_OK
                : STATUS_OUT_OF_RANGE;
 }

@@ -48,8 +48,9 @@ typedef struct {
     /** The item that row `index` of an array is. */
     status_t (*read_row)(const robot_t *robot, const igtl_message_t *message, uint32_t index,
                          workphase_item_t *item);
-    /** The command that hands it in. */
+    /** The command that hands it in, and from it the index that it has. */
     command_t (*command)(const robot_t *robot, uint32_t index, const workphase_item_t *item);
+    uint32_t (*index)(const command_t *command);
     /** Checksum of a list that was `sum` with it. */
     uint32_t (*sum)(uint32_t sum, const workphase_item_t *item);
 } workphase_list_t;

@@ -90,6 +90,11 @@ static command_t command_of(const robot_t *robot, uint32_t index, const workphas
     return list_terms_step_command(robot, index, &item->step);
 }
 
+static uint32_t index_of(const command_t *command)
+{
+    return command_as_step(command)->index;
+}
+
 static uint32_t sum_with(uint32_t sum, const workphase_item_t *item)
 {
     return program_list_crc(sum, &item->step);
@@ -109,6 +114,7 @@ const workphase_list_t workphase_program = {.number = 1U,
                                             .columns = columns,
                                             .read_row = read_row,
                                             .command = command_of,
+                                            .index = index_of,
                                             .sum = sum_with};
 
 void workphase_program_tell(workphase_peer_t *peer, const igtl_moment_t *moment)

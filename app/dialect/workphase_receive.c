@@ -100,8 +100,9 @@ static void request_phase(workphase_dialect_t *self, uint32_t index, workphase_t
                           workphase_id_t *id, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[index];
-    command_t command = {
-        .peer = peer->number, .kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)phase};
+    command_t command = {.peer = peer->number,
+                         .kind = (uint32_t)COMMAND_WORKPHASE,
+                         .as.workphase = {.workphase = (uint32_t)phase}};
     const uint32_t number = request(self, index, &command, moment);
 
     if (id != NULL) {
@@ -334,11 +335,17 @@ static status_t pass_pose(workphase_dialect_t *self, uint32_t index, const pose_
                           const igtl_message_t *message, const igtl_moment_t *moment)
 {
     command_t command = {.peer = self->peers[index].number, .kind = (uint32_t)what->kind};
-    status_t status = igtl_border_read_pose(message->numbers, &command.pose);
+    rigid_t pose;
+    status_t status = igtl_border_read_pose(message->numbers, &pose);
 
     if (status == STATUS_OK) {
+        if (what->kind == COMMAND_REGISTRATION) {
+            command.as.registration.pose = pose;
+        } else {
+            command.as.pose.pose = pose;
+        }
         if (what->kind == COMMAND_NEEDLE) {
-            receive_tip(&self->peers[index], &command.pose);
+            receive_tip(&self->peers[index], &pose);
         } else if (igtl_requests_add(&self->requests, index, &command, moment->patience_us) ==
                    NULL) {
             status = STATUS_BUSY;
@@ -410,20 +417,20 @@ static bool are_tips_enough(const workphase_dialect_t *self)
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         const igtl_request_t *request = &self->requests.requests[i];
 
-        count += ((request->id != 0U) && (request->kind == (uint32_t)COMMAND_NEEDLE)) ? 1U : 0U;
+        count +=
+            ((request->id != 0U) && (request->command.kind == (uint32_t)COMMAND_NEEDLE)) ? 1U : 0U;
     }
     return count >= LIMIT_IGTL_TIPS_AT_A_TIME;
 }
 
-/* One that is not for the log says so by its argument. */
 static void pass_tip(workphase_dialect_t *self, uint32_t index, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[index];
     const bool is_noted = moment->now_us >= peer->tip.next_note_us;
-    command_t command = {.peer = peer->number,
-                         .kind = (uint32_t)COMMAND_NEEDLE,
-                         .argument = is_noted ? 0U : 1U,
-                         .pose = peer->tip.pose};
+    command_t command = {
+        .peer = peer->number,
+        .kind = (uint32_t)COMMAND_NEEDLE,
+        .as.seen_pose = {.pose = peer->tip.pose, .is_one_of_many = is_noted ? 0U : 1U}};
 
     if (igtl_requests_add(&self->requests, index, &command, moment->patience_us) == NULL) {
         return;

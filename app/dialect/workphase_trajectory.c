@@ -85,6 +85,11 @@ static command_t command_of(const robot_t *robot, uint32_t index, const workphas
     return list_terms_row_command(index, &item->row);
 }
 
+static uint32_t index_of(const command_t *command)
+{
+    return command_as_row(command)->index;
+}
+
 static uint32_t sum_with(uint32_t sum, const workphase_item_t *item)
 {
     return trajectory_list_crc(sum, &item->row);
@@ -104,4 +109,5 @@ const workphase_list_t workphase_trajectory = {.number = 0U,
                                                .columns = columns,
                                                .read_row = read_row,
                                                .command = command_of,
+                                               .index = index_of,
                                                .sum = sum_with};

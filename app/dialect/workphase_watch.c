@@ -11,6 +11,7 @@
 #include "dialect/workphase_peer.h"
 #include "interface/app/names.h"
 #include "robot/robot_cards.h"
+#include "procedure/command_kinds.h"
 
 #include <stdarg.h>
 #include <stddef.h>
@@ -270,8 +271,8 @@ void workphase_watch_note(workphase_dialect_t *self, const igtl_request_t *reque
         return;
     }
     if ((answer->kind == (uint32_t)ANSWER_ACCEPTED) &&
-        (request->kind == (uint32_t)COMMAND_WORKPHASE)) {
-        self->watch.facts.workphase = request->argument;
+        (request->command.kind == (uint32_t)COMMAND_WORKPHASE)) {
+        self->watch.facts.workphase = (uint32_t)command_kinds_workphase(&request->command);
     } else if ((answer->kind == (uint32_t)ANSWER_ABORTED) &&
                (answer->status == (uint32_t)STATUS_FAULT_PRESENT)) {
         const uint32_t workphase = self->watch.facts.workphase;

@@ -21,7 +21,7 @@ static status_t read_pose(const robot_t *robot, char *text, command_t *command)
     (void)robot;
     for (uint32_t i = 0U; i < POSE_NAME_COUNT; i++) {
         if (strcmp(pose_name_name((int32_t)i), text) == 0) {
-            command->argument = i;
+            command->as.pose_name.pose = i;
             return STATUS_OK;
         }
     }
@@ -33,7 +33,8 @@ static const char *unit_of(const axis_config_t *axis, const char *of_mm, const c
     return (axis->unit == (uint8_t)AXIS_UNIT_MM) ? of_mm : of_deg;
 }
 
-static status_t read_speed(const robot_t *robot, const char *name, char **text, command_t *command)
+static status_t read_speed(const robot_t *robot, const char *name, char **text,
+                           command_velocity_t *velocity)
 {
     const char *speed = workphase_text_next(text);
     const char *unit = workphase_text_next(text);
@@ -43,11 +44,11 @@ static status_t read_speed(const robot_t *robot, const char *name, char **text, 
     if (axis == robot->axis_count) {
         return STATUS_UNKNOWN_COMMAND;
     }
-    if (((command->argument & mask) != 0U) ||
-        !workphase_text_ticks(speed, &robot->axes[axis], &command->ticks[axis])) {
+    if (((velocity->axes & mask) != 0U) ||
+        !workphase_text_ticks(speed, &robot->axes[axis], &velocity->speeds_ticks_per_s[axis])) {
         return STATUS_OUT_OF_RANGE;
     }
-    command->argument |= mask;
+    velocity->axes |= mask;
     return workphase_text_is(unit, unit_of(&robot->axes[axis], "mm/s", "deg/s"))
                ? STATUS_OK
                : STATUS_WRONG_UNIT;
@@ -59,21 +60,25 @@ static status_t read_jog(const robot_t *robot, char *text, command_t *command)
     const char *name = workphase_text_next(&text);
     const char *way = workphase_text_next(&text);
     const char *unit = workphase_text_next(&text);
+    int32_t ticks = 0;
     const uint32_t axis = (name == NULL) ? robot->axis_count : axis_terms_find(robot, name);
 
     if ((axis == robot->axis_count) || (workphase_text_next(&text) != NULL)) {
         return STATUS_UNKNOWN_COMMAND;
     }
-    if (!workphase_text_ticks(way, &robot->axes[axis], &command->value)) {
+    if (!workphase_text_ticks(way, &robot->axes[axis], &ticks)) {
         return STATUS_OUT_OF_RANGE;
     }
-    command->argument = axis;
+    if (command->kind == (uint32_t)COMMAND_JOG_BY) {
+        command->as.jog_by = (command_jog_by_t){.axis = axis, .by_ticks = ticks};
+    } else {
+        command->as.jog = (command_jog_t){.axis = axis, .to_ticks = ticks};
+    }
     return workphase_text_is(unit, unit_of(&robot->axes[axis], "mm", "deg")) ? STATUS_OK
                                                                              : STATUS_WRONG_UNIT;
 }
 
-/* Below 0 it would be a way. */
-static status_t read_time(const char *word, char **text, command_t *command)
+static status_t read_time(const char *word, char **text, command_velocity_t *velocity)
 {
     const char *unit = workphase_text_next(text);
     double time_s;
@@ -81,10 +86,11 @@ static status_t read_time(const char *word, char **text, command_t *command)
     if (!workphase_text_number(word, MOST_S, &time_s)) {
         return STATUS_OUT_OF_RANGE;
     }
-    command->value = (int32_t)lround(time_s * MS_PER_S);
-    if (command->value <= 0) {
+    const long time_ms = lround(time_s * MS_PER_S);
+    if (time_ms <= 0L) {
         return STATUS_OUT_OF_RANGE;
     }
+    velocity->time_ms = (uint32_t)time_ms;
     return (workphase_text_is(unit, "s") && (workphase_text_next(text) == NULL))
                ? STATUS_OK
                : STATUS_WRONG_UNIT;
@@ -97,7 +103,7 @@ static status_t read_velocity(const robot_t *robot, char *text, command_t *comma
     bool is_axis = (word != NULL) && (axis_terms_find(robot, word) < robot->axis_count);
 
     while (is_axis) {
-        const status_t status = read_speed(robot, word, &text, command);
+        const status_t status = read_speed(robot, word, &text, &command->as.velocity);
 
         if (status != STATUS_OK) {
             return status;
@@ -105,10 +111,10 @@ static status_t read_velocity(const robot_t *robot, char *text, command_t *comma
         word = workphase_text_next(&text);
         is_axis = (word != NULL) && (axis_terms_find(robot, word) < robot->axis_count);
     }
-    if ((word == NULL) || (command->argument == 0U)) {
+    if ((word == NULL) || (command->as.velocity.axes == 0U)) {
         return STATUS_UNKNOWN_COMMAND;
     }
-    return read_time(word, &text, command);
+    return read_time(word, &text, &command->as.velocity);
 }
 
 /* An axis, and that it is free. */
@@ -123,8 +129,7 @@ static status_t read_sweep(const robot_t *robot, char *text, command_t *command)
         (workphase_text_next(&text) != NULL)) {
         return STATUS_UNKNOWN_COMMAND;
     }
-    command->argument = axis;
-    command->value = is_free ? 1 : 0;
+    command->as.sweep = (command_sweep_t){.axis = axis, .is_free = is_free ? 1U : 0U};
     return STATUS_OK;
 }
 
@@ -145,8 +150,8 @@ static status_t read_length(const robot_t *robot, const char *name, const char *
         return STATUS_OUT_OF_RANGE;
     }
     *taken |= (uint32_t)1U << place;
-    command->ticks[place] = (int32_t)lround(length_mm * NM_PER_MM);
-    command->argument++;
+    command->as.probe.lengths_nm[place] = (int32_t)lround(length_mm * NM_PER_MM);
+    command->as.probe.count++;
     return STATUS_OK;
 }
 
@@ -164,23 +169,36 @@ static status_t read_probe(const robot_t *robot, char *text, command_t *command)
             return status;
         }
     }
-    return (command->argument == robot->probe_length_count) ? STATUS_OK : STATUS_PROBE_LENGTH;
+    return (command->as.probe.count == robot->probe_length_count) ? STATUS_OK : STATUS_PROBE_LENGTH;
 }
 
 static const workphase_word_t words[] = {
-    {"RETRACT_NEEDLE", COMMAND_RETRACT, 0U, NULL, NULL},
-    {"RETRACT_PROBE", COMMAND_RETRACT, 0U, NULL, NULL},
-    {"ALIGN", COMMAND_ALIGN, 0U, NULL, NULL},
-    {"INSERT", COMMAND_INSERT, 0U, NULL, NULL},
-    {"POSE", COMMAND_POSE, 0U, read_pose, NULL},
-    {WORKPHASE_WORD_DRAPING, COMMAND_POSE, (uint32_t)POSE_DRAPING, NULL, NULL},
-    {"JOG", COMMAND_JOG, 0U, read_jog, "JOG AXIS 5 mm, or JOG AXIS 5 deg"},
-    {"JOG_BY", COMMAND_JOG_BY, 0U, read_jog, "JOG_BY AXIS 5 mm, or JOG_BY AXIS 5 deg"},
-    {"VELOCITY", COMMAND_VELOCITY, 0U, read_velocity, "VELOCITY AXIS 5 mm/s AXIS 5 deg/s 1.5 s"},
-    {"SWEEP", COMMAND_SWEEP, 0U, read_sweep, NULL},
-    {"ACCEPT_ENTRY", COMMAND_ACCEPT_ENTRY, 0U, NULL, NULL},
-    {"WITHDRAW_ENTRY", COMMAND_WITHDRAW, (uint32_t)COMMAND_ENTRY, NULL, NULL},
-    {"PROBE", COMMAND_PROBE, 0U, read_probe, NULL},
+    {.word = "RETRACT_NEEDLE", .kind = COMMAND_RETRACT},
+    {.word = "RETRACT_PROBE", .kind = COMMAND_RETRACT},
+    {.word = "ALIGN", .kind = COMMAND_ALIGN},
+    {.word = "INSERT", .kind = COMMAND_INSERT},
+    {.word = "POSE", .kind = COMMAND_POSE, .reader = read_pose},
+    {.word = WORKPHASE_WORD_DRAPING,
+     .kind = COMMAND_POSE,
+     .as.pose_name = {.pose = (uint32_t)POSE_DRAPING}},
+    {.word = "JOG",
+     .kind = COMMAND_JOG,
+     .reader = read_jog,
+     .form = "JOG AXIS 5 mm, or JOG AXIS 5 deg"},
+    {.word = "JOG_BY",
+     .kind = COMMAND_JOG_BY,
+     .reader = read_jog,
+     .form = "JOG_BY AXIS 5 mm, or JOG_BY AXIS 5 deg"},
+    {.word = "VELOCITY",
+     .kind = COMMAND_VELOCITY,
+     .reader = read_velocity,
+     .form = "VELOCITY AXIS 5 mm/s AXIS 5 deg/s 1.5 s"},
+    {.word = "SWEEP", .kind = COMMAND_SWEEP, .reader = read_sweep},
+    {.word = "ACCEPT_ENTRY", .kind = COMMAND_ACCEPT_ENTRY},
+    {.word = "WITHDRAW_ENTRY",
+     .kind = COMMAND_WITHDRAW,
+     .as.withdrawal = {.of = (uint32_t)COMMAND_ENTRY}},
+    {.word = "PROBE", .kind = COMMAND_PROBE, .reader = read_probe},
 };
 
 static bool is_named(const workphase_word_t *word, const igtl_message_t *message)
@@ -237,7 +255,7 @@ status_t workphase_words_read(const workphase_word_t *word, const robot_t *robot
     const size_t length = (size_t)message->text_bytes - begin;
 
     command->kind = (uint32_t)word->kind;
-    command->argument = word->argument;
+    command->as = word->as;
     if (word->reader == NULL) {
         return STATUS_OK;
     }

@@ -30,7 +30,7 @@ typedef status_t (*workphase_reader_t)(const robot_t *robot, char *text, command
 typedef struct {
     const char *word; /**< Lives for ever. */
     command_kind_t kind;
-    uint32_t argument;
+    command_payload_t as;      /**< What it says, but for what its reader adds. */
     workphase_reader_t reader; /**< NULL: nothing follows it. */
     const char *form; /**< What is taken, of a word whose numbers have units; otherwise NULL. */
 } workphase_word_t;

@@ -3,6 +3,7 @@
 
 #include "exchange/exchange_lock.h"
 #include "exchange/exchange_segment.h"
+#include "procedure/command_kinds.h"
 
 #include <string.h>
 
@@ -93,17 +94,11 @@ bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures)
     return false;
 }
 
-static bool is_stop(const command_t *command)
-{
-    return (command->kind == (uint32_t)COMMAND_WORKPHASE) &&
-           ((command->argument == (uint32_t)WORKPHASE_STOP) ||
-            (command->argument == (uint32_t)WORKPHASE_EMERGENCY));
-}
-
 /* STOP and EMERGENCY of the console have a latch instead. */
 static bool has_lane(const command_t *command)
 {
-    const bool is_latched = (command->source == (uint32_t)COMMAND_SOURCE_HTTP) && is_stop(command);
+    const bool is_latched =
+        (command->source == (uint32_t)COMMAND_SOURCE_HTTP) && command_kinds_is_stop(command);
 
     return (command->source < COMMAND_SOURCE_COUNT) && !is_latched;
 }
@@ -117,7 +112,7 @@ status_t exchange_send_command(exchange_t *self, const command_t *command)
     const uint32_t put = __atomic_load_n(&lane->head, __ATOMIC_RELAXED);
     const uint32_t taken =
         __atomic_load_n(&self->segment->control.taken[command->source].tail, __ATOMIC_ACQUIRE);
-    const uint32_t places = is_stop(command) ? SEGMENT_COMMANDS : EXCHANGE_COMMANDS;
+    const uint32_t places = command_kinds_is_stop(command) ? SEGMENT_COMMANDS : EXCHANGE_COMMANDS;
 
     if ((put - taken) >= places) {
         return STATUS_BUSY;
@@ -168,8 +163,9 @@ static bool take_stop(exchange_t *self, command_t *command)
     command->id = number_of(requested);
     command->source = (uint32_t)COMMAND_SOURCE_HTTP;
     command->kind = (uint32_t)COMMAND_WORKPHASE;
-    command->argument = ((uint32_t)requested != (uint32_t)before) ? (uint32_t)WORKPHASE_EMERGENCY
-                                                                  : (uint32_t)WORKPHASE_STOP;
+    command->as.workphase.workphase = ((uint32_t)requested != (uint32_t)before)
+                                          ? (uint32_t)WORKPHASE_EMERGENCY
+                                          : (uint32_t)WORKPHASE_STOP;
     __atomic_store_n(taken, requested, __ATOMIC_RELEASE);
     return true;
 }
@@ -198,6 +194,7 @@ static bool take_command(exchange_t *self, uint32_t source, command_t *command)
     const bool is_good = read_command(self, source, taken, command);
 
     command->source = source; /* Nobody speaks for another. */
+    command_clear_unused(command);
     __atomic_store_n(tail, taken + 1U, __ATOMIC_RELEASE);
     if (!is_good) {
         count_one(&self->segment->control.taken[source].damaged);
@@ -207,8 +204,7 @@ static bool take_command(exchange_t *self, uint32_t source, command_t *command)
 
 static bool is_costly(const command_t *command)
 {
-    const bool is_move = (command->kind == (uint32_t)COMMAND_WORKPHASE) &&
-                         (command->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET);
+    const bool is_move = command_kinds_workphase(command) == WORKPHASE_MOVE_TO_TARGET;
     return is_move || ((command->kind < COMMAND_KIND_COUNT) &&
                        (((COMMAND_KINDS_COSTLY >> command->kind) & 1U) != 0U));
 }
@@ -244,10 +240,10 @@ static bool find_stop(exchange_t *self, uint32_t source, uint32_t *stop_for)
     }
     for (uint32_t i = refused->until - taken; i < waiting; i++) {
         command_t command;
-        if (read_command(self, source, taken + i, &command) && is_stop(&command)) {
+        if (read_command(self, source, taken + i, &command) && command_kinds_is_stop(&command)) {
             refused->until = taken + i + 1U;
-            refused->stop_for = command.argument;
-            *stop_for = command.argument;
+            refused->stop_for = (uint32_t)command_kinds_workphase(&command);
+            *stop_for = refused->stop_for;
             is_found = true;
         }
     }
@@ -279,7 +275,7 @@ static void find_refused(exchange_t *self, const command_t *requested)
         }
     }
     for (uint32_t i = 0U; (i < COMMAND_SOURCE_COUNT) && (requested != NULL); i++) {
-        refuse_waiting(self, i, requested->argument);
+        refuse_waiting(self, i, (uint32_t)command_kinds_workphase(requested));
     }
 }
 
@@ -288,7 +284,7 @@ static void refuse(exchange_t *self, const command_t *command, uint32_t workphas
     const answer_t refusal = {.id = command->id,
                               .source = command->source,
                               .command = command->kind,
-                              .argument = command->argument,
+                              .asked = (uint32_t)command_kinds_workphase(command),
                               .kind = (uint32_t)ANSWER_REFUSED,
                               .status = (uint32_t)STATUS_DISCARDED,
                               .is_final = 1U,
@@ -310,7 +306,7 @@ static bool take_lane(exchange_t *self, uint32_t source, command_t *commands, ui
     for (uint32_t i = 0U; (i < waiting) && (*count < most) && !is_enough; i++) {
         command_t *command = &commands[*count];
         const bool is_good = take_command(self, source, command);
-        if (is_good && (i < left) && !is_stop(command)) {
+        if (is_good && (i < left) && !command_kinds_is_stop(command)) {
             refuse(self, command, refused->stop_for);
         } else if (is_good) {
             is_enough = is_costly(command);
@@ -367,9 +363,8 @@ static bool push_into_lane(exchange_t *self, const answer_t *answer)
 static bool is_of_latch(const answer_t *answer)
 {
     return (answer->source == (uint32_t)COMMAND_SOURCE_HTTP) &&
-           (answer->command == (uint32_t)COMMAND_WORKPHASE) &&
-           ((answer->argument == (uint32_t)WORKPHASE_STOP) ||
-            (answer->argument == (uint32_t)WORKPHASE_EMERGENCY));
+           ((answer->asked == (uint32_t)WORKPHASE_STOP) ||
+            (answer->asked == (uint32_t)WORKPHASE_EMERGENCY));
 }
 
 bool exchange_push_answer(exchange_t *self, const answer_t *answer)

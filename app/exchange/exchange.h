@@ -226,6 +226,7 @@ uint32_t exchange_stop_port(const exchange_t *self);
  *
  * @satisfies SWR-CTRL-021
  * @satisfies SWR-EXCH-015
+ * @satisfies SWR-CMD-007
  * @satisfies SWR-TRAJ-018
  */
 uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t most);

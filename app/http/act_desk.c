@@ -57,6 +57,7 @@ static bool send_as(act_desk_t *self, uint32_t page, const command_t *command, c
     sent->source = (uint32_t)COMMAND_SOURCE_HTTP;
     sent->peer = page;
     sent->id = self->commands + 1U;
+    command_clear_unused(sent);
     if (exchange_send_command(self->exchange, sent) != STATUS_OK) {
         return false;
     }
@@ -141,13 +142,12 @@ page_verdict_t act_desk_greet(act_desk_t *self, uint32_t number, const session_t
     return verdict;
 }
 
-static bool is_same(const command_t *one, const command_t *other)
+/* `sent` has no byte that its kind does not use. */
+static bool is_same(const command_t *sent, const command_t *asked)
 {
-    return (one->kind == other->kind) && (one->argument == other->argument) &&
-           (one->value == other->value) &&
-           (memcmp(&one->pose, &other->pose, sizeof one->pose) == 0) &&
-           (memcmp(one->ticks, other->ticks, sizeof one->ticks) == 0) &&
-           (memcmp(one->speeds, other->speeds, sizeof one->speeds) == 0);
+    command_t other = *asked;
+    command_clear_unused(&other);
+    return (sent->kind == other.kind) && (memcmp(&sent->as, &other.as, sizeof other.as) == 0);
 }
 
 /* With the lock. Sends a new act. */

@@ -39,30 +39,39 @@ static int32_t next_ticks(const axis_config_t *config, const axis_t *axis, bool 
 command_t axis_outlook_command(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind,
                                uint32_t axis, bool is_upwards)
 {
-    command_t command = {.kind = mode_rows[kind].command, .argument = axis};
+    command_t command = {.kind = mode_rows[kind].command};
     axis_t axes[ROBOT_AXIS_MAX];
     shown_axes(snapshot, axes);
-    rigid_set_identity(&command.pose);
     if (kind == MODE_JOG) {
-        command.value = next_ticks(&robot->axes[axis], &axes[axis], is_upwards);
+        command.as.jog.axis = axis;
+        command.as.jog.to_ticks = next_ticks(&robot->axes[axis], &axes[axis], is_upwards);
     } else if (kind == MODE_VELOCITY) {
-        command.argument = (uint32_t)1U << axis;
-        command.value = 1;
-        command.ticks[axis] = is_upwards ? 1 : -1;
+        command.as.velocity.axes = (uint32_t)1U << axis;
+        command.as.velocity.time_ms = 1U;
+        command.as.velocity.speeds_ticks_per_s[axis] = is_upwards ? 1 : -1;
     } else if (kind == MODE_SWEEP) {
-        command.value = 1;
+        command.as.sweep = (command_sweep_t){.axis = axis, .is_free = 1U};
     } else {
-        /* The axis says all. */
+        command.as.axis.axis = axis;
     }
     return command;
 }
 
 static mode_request_t request_of(const command_t *command, uint32_t axis)
 {
-    mode_request_t request = {.axes = (uint32_t)1U << axis,
-                              .way = {.axis = axis, .end_ticks = command->value},
-                              .velocity = {.axes = command->argument, .bound = command->value}};
-    (void)memcpy(request.velocity.speeds_ticks_per_s, command->ticks, sizeof command->ticks);
+    mode_request_t request = {.axes = (uint32_t)1U << axis, .way = {.axis = axis}};
+    if (command->kind == (uint32_t)COMMAND_JOG) {
+        request.way.end_ticks = command->as.jog.to_ticks;
+    } else if (command->kind == (uint32_t)COMMAND_SWEEP) {
+        request.sweep.is_free = command->as.sweep.is_free;
+    } else if (command->kind == (uint32_t)COMMAND_VELOCITY) {
+        const command_velocity_t *const sent = &command->as.velocity;
+        request.velocity = (velocity_mode_t){.axes = sent->axes, .time_ms = sent->time_ms};
+        (void)memcpy(request.velocity.speeds_ticks_per_s, sent->speeds_ticks_per_s,
+                     sizeof sent->speeds_ticks_per_s);
+    } else {
+        /* The axis says all. */
+    }
     return request;
 }
 
@@ -79,7 +88,8 @@ static outlook_t look(const robot_t *robot, const snapshot_t *snapshot, mode_kin
     const mode_request_t request = request_of(&command, axis);
     axis_t axes[ROBOT_AXIS_MAX];
     shown_axes(snapshot, axes);
-    const status_t barred = guards_bar(snapshot->guards, command.kind, command.argument);
+    const status_t barred =
+        guards_bar(snapshot->guards, command.kind, (uint32_t)WORKPHASE_UNDEFINED);
     outlook_t view = {.status = mode_judge(kind, &request, robot, axes).status,
                       .rank = RANK_JUDGED};
     if (barred != STATUS_OK) {

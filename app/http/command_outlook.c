@@ -10,7 +10,7 @@
 
 static bool is_here(const snapshot_t *snapshot, command_kind_t kind)
 {
-    return ((command_workphases[kind] >> (uint32_t)snapshot->workphase) & 1U) != 0U;
+    return ((command_traits[kind].workphases >> (uint32_t)snapshot->workphase) & 1U) != 0U;
 }
 
 static bool is_armed(const snapshot_t *snapshot)

@@ -60,6 +60,6 @@ int http_authority_request(http_server_t *server, const http_call_t *call)
 {
     const request_ask_button_t *body = &call->body.request;
     const command_t command = {
-        .id = body->id, .kind = (uint32_t)COMMAND_REQUEST, .argument = body->what};
+        .id = body->id, .kind = (uint32_t)COMMAND_REQUEST, .as.request = {.request = body->what}};
     return http_act_command(server, call, &command);
 }

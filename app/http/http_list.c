@@ -99,11 +99,11 @@ static int show_held(http_server_t *server, const http_call_t *call, const http_
 int http_list_send(http_server_t *server, const http_call_t *call, const http_list_t *list,
                    const void *items, uint32_t count)
 {
-    const command_t begin = {.kind = (uint32_t)list->begin, .argument = count};
+    const command_t begin = {.kind = (uint32_t)list->begin, .as.list_begin = {.count = count}};
     command_t end = {.kind = (uint32_t)list->end};
     int status = commands(server, call, list, &begin, 1U, NO_ITEM);
     if (status == 0) {
-        status = send_items(server, call, list, items, count, &end.argument);
+        status = send_items(server, call, list, items, count, &end.as.list.checksum);
     }
     if (status == 0) {
         status = commands(server, call, list, &end, 1U, NO_ITEM);

@@ -36,11 +36,12 @@ static uint32_t find_earlier(http_server_t *server, const http_call_t *call)
     const request_log_note_t *body = &call->body.log_note;
     command_t command;
     exchange_note_t note;
-    const bool is_same = act_desk_recall(&server->acts, call->page, body->id, &command) &&
-                         (command.kind == (uint32_t)COMMAND_NOTE) &&
-                         exchange_read_note(server->exchange, (uint32_t)command.value, &note) &&
-                         (strcmp(note.text, body->text) == 0);
-    return is_same ? (uint32_t)command.value : 0U;
+    const bool is_same =
+        act_desk_recall(&server->acts, call->page, body->id, &command) &&
+        (command.kind == (uint32_t)COMMAND_NOTE) &&
+        exchange_read_note(server->exchange, (uint32_t)command.as.note.number, &note) &&
+        (strcmp(note.text, body->text) == 0);
+    return is_same ? (uint32_t)command.as.note.number : 0U;
 }
 
 static int refuse_for_now(const http_call_t *call)
@@ -65,9 +66,9 @@ int http_log_note_write(http_server_t *server, const http_call_t *call)
         number =
             http_notes_keep(&server->notes, session.account.name, body->text, telemetry_now_ms());
     }
-    const command_t command = {.id = body->id,
-                               .kind = (uint32_t)COMMAND_NOTE,
-                               .argument = (uint32_t)NOTE_OPERATOR,
-                               .value = (int32_t)number};
+    const command_t command = {
+        .id = body->id,
+        .kind = (uint32_t)COMMAND_NOTE,
+        .as.note = {.note = (uint32_t)NOTE_OPERATOR, .number = (int32_t)number}};
     return (number != 0U) ? http_act_command(server, call, &command) : refuse_for_now(call);
 }

@@ -19,8 +19,9 @@ static bool is_unit_of(const axis_config_t *axis, uint32_t unit)
 int http_motion_workphase(http_server_t *server, const http_call_t *call)
 {
     const request_next_workphase_t *body = &call->body.workphase;
-    const command_t command = {
-        .id = body->id, .kind = (uint32_t)COMMAND_WORKPHASE, .argument = body->workphase};
+    const command_t command = {.id = body->id,
+                               .kind = (uint32_t)COMMAND_WORKPHASE,
+                               .as.workphase = {.workphase = body->workphase}};
     return http_act_command(server, call, &command);
 }
 
@@ -28,16 +29,21 @@ int http_motion_jog(http_server_t *server, const http_call_t *call)
 {
     const request_jog_t *body = &call->body.jog;
     const axis_config_t *axis = &exchange_robot(server->exchange)->axes[call->path.axis];
-    const command_kind_t kind = body->has_distance ? COMMAND_JOG_BY : COMMAND_JOG;
-    const double way = body->has_distance ? body->distance : body->position;
-    command_t command = {.id = body->id, .kind = (uint32_t)kind, .argument = call->path.axis};
+    const uint32_t index = call->path.axis;
+    command_t command = {.id = body->id, .kind = (uint32_t)COMMAND_JOG, .as.jog = {.axis = index}};
+    int32_t *ticks = &command.as.jog.to_ticks;
+    if (body->has_distance) {
+        command.kind = (uint32_t)COMMAND_JOG_BY;
+        command.as.jog_by = (command_jog_by_t){.axis = index};
+        ticks = &command.as.jog_by.by_ticks;
+    }
     if (body->has_distance == body->has_position) {
         return http_act_refuse_choice(call, body->has_distance, "/position");
     }
     if (!is_unit_of(axis, body->unit)) {
         return http_act_refuse_unit(call, axis, "/unit");
     }
-    return axis_terms_ticks(axis, way, &command.value)
+    return axis_terms_ticks(axis, body->has_distance ? body->distance : body->position, ticks)
                ? http_act_command(server, call, &command)
                : http_act_refuse_member(call, body->has_distance ? "/distance" : "/position");
 }
@@ -45,7 +51,8 @@ int http_motion_jog(http_server_t *server, const http_call_t *call)
 int http_motion_axis(http_server_t *server, const http_call_t *call, command_kind_t kind,
                      uint32_t id)
 {
-    const command_t command = {.id = id, .kind = (uint32_t)kind, .argument = call->path.axis};
+    const command_t command = {
+        .id = id, .kind = (uint32_t)kind, .as.axis = {.axis = call->path.axis}};
     return http_act_command(server, call, &command);
 }
 
@@ -60,30 +67,31 @@ int http_motion_pose(http_server_t *server, const http_call_t *call)
 {
     const request_pose_act_t *body = &call->body.pose;
     const command_t command = {
-        .id = body->id, .kind = (uint32_t)COMMAND_POSE, .argument = body->pose};
+        .id = body->id, .kind = (uint32_t)COMMAND_POSE, .as.pose_name = {.pose = body->pose}};
     return http_act_command(server, call, &command);
 }
 
 /* One axis and its speed; false when the robot has none of this name, it comes twice, or no speed
  * is so far from 0. */
-static bool read_speed(const robot_t *robot, const request_axis_speed_t *asked, command_t *command)
+static bool read_speed(const robot_t *robot, const request_axis_speed_t *asked,
+                       command_velocity_t *velocity)
 {
     const uint32_t axis = axis_terms_find(robot, asked->axis);
     const uint32_t mask = (uint32_t)1U << axis;
-    const bool is_new = (axis < robot->axis_count) && ((command->argument & mask) == 0U);
-    command->argument |= mask;
-    return is_new &&
-           axis_terms_ticks(&robot->axes[axis], asked->speed_per_s, &command->ticks[axis]);
+    const bool is_new = (axis < robot->axis_count) && ((velocity->axes & mask) == 0U);
+    velocity->axes |= mask;
+    return is_new && axis_terms_ticks(&robot->axes[axis], asked->speed_per_s,
+                                      &velocity->speeds_ticks_per_s[axis]);
 }
 
 /* 0, or the status of the refusal that was sent. */
-static int read_speeds(const http_call_t *call, const robot_t *robot, command_t *command)
+static int read_speeds(const http_call_t *call, const robot_t *robot, command_velocity_t *velocity)
 {
     const request_velocity_t *body = &call->body.velocity;
     char pointer[POINTER_SIZE];
     for (uint32_t i = 0U; i < body->speeds_count; i++) {
         const request_axis_speed_t *asked = &body->speeds[i];
-        if (!read_speed(robot, asked, command)) {
+        if (!read_speed(robot, asked, velocity)) {
             (void)snprintf(pointer, sizeof pointer, "/speeds/%u", (unsigned)i);
             return http_act_refuse_member(call, pointer);
         }
@@ -97,22 +105,23 @@ static int read_speeds(const http_call_t *call, const robot_t *robot, command_t 
 }
 
 /* As COMMAND_VELOCITY says. 0, or the status of the refusal that was sent. */
-static int read_bound(const http_call_t *call, const robot_t *robot, command_t *command)
+static int read_bound(const http_call_t *call, const robot_t *robot, command_velocity_t *velocity)
 {
     const request_velocity_t *body = &call->body.velocity;
     uint32_t axis = 0U;
+    int32_t way_ticks = 0;
     if (body->has_time_s) {
-        command->value = (int32_t)round(body->time_s * MS_PER_S);
+        velocity->time_ms = (uint32_t)round(body->time_s * MS_PER_S);
         return 0;
     }
-    while ((command->argument >> (axis + 1U)) != 0U) {
+    while ((velocity->axes >> (axis + 1U)) != 0U) {
         axis++;
     }
     if (!body->has_unit || !is_unit_of(&robot->axes[axis], body->unit)) {
         return http_act_refuse_unit(call, &robot->axes[axis], "/unit");
     }
-    const bool is_one = axis_terms_ticks(&robot->axes[axis], body->way, &command->value);
-    command->value = -command->value;
+    const bool is_one = axis_terms_ticks(&robot->axes[axis], body->way, &way_ticks);
+    velocity->way_ticks = (uint32_t)way_ticks;
     return is_one ? 0 : http_act_refuse_member(call, "/way");
 }
 
@@ -127,7 +136,7 @@ int http_motion_velocity(http_server_t *server, const http_call_t *call)
     if (body->has_time_s && body->has_unit) {
         return http_act_refuse_choice(call, true, "/unit");
     }
-    int status = read_speeds(call, robot, &command);
-    status = (status == 0) ? read_bound(call, robot, &command) : status;
+    int status = read_speeds(call, robot, &command.as.velocity);
+    status = (status == 0) ? read_bound(call, robot, &command.as.velocity) : status;
     return (status == 0) ? http_act_command(server, call, &command) : status;
 }

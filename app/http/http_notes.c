@@ -140,8 +140,8 @@ static void look_into_log(http_notes_t *self)
 
 static void ask(http_notes_t *self, const exchange_note_t *note)
 {
-    const command_t command = {
-        .kind = (uint32_t)COMMAND_NOTE, .argument = note->kind, .value = (int32_t)note->number};
+    const command_t command = {.kind = (uint32_t)COMMAND_NOTE,
+                               .as.note = {.note = note->kind, .number = (int32_t)note->number}};
     (void)act_desk_send(self->desk, 0U, &command);
     self->asked = note->number;
     self->patience = PATIENCE;

@@ -242,7 +242,7 @@ static bool judge(http_server_t *server, const saved_view_t *view, command_t *co
     }
     saved_plan_make(&now, &view->saved, &snapshot, robot);
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        command->ticks[i] = now.rows[i].next_ticks;
+        command->as.positions.ticks[i] = now.rows[i].next_ticks;
     }
     return saved_plan_holds(&view->plan, &now, robot);
 }
@@ -258,13 +258,13 @@ int http_positions_restore(http_server_t *server, const http_call_t *call)
     }
     command_t command = {.id = body->id,
                          .kind = (uint32_t)COMMAND_RESTORE,
-                         .argument = view.plan.axes,
-                         .value = (int32_t)view.token};
+                         .as.positions = {.axes = view.plan.axes, .preview = view.token}};
     /* What was asked for before is answered, whatever has become of the view: the token says which
      * positions, and they are those that were sent. */
     const bool is_new = !act_desk_recall(&server->acts, call->page, body->id, &asked);
     if (!is_new) {
-        (void)memcpy(command.ticks, asked.ticks, sizeof command.ticks);
+        (void)memcpy(command.as.positions.ticks, asked.as.positions.ticks,
+                     sizeof command.as.positions.ticks);
     }
     return (!is_new || judge(server, &view, &command, &problem))
                ? http_act_command(server, call, &command)

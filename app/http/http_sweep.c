@@ -7,6 +7,7 @@
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
 #include "sweep/sweep_curve.h"
+#include "common/axis_terms.h"
 #include "sweep/sweep_expected.h"
 
 #include <string.h>
@@ -15,15 +16,13 @@ int http_sweep_run(http_server_t *server, const http_call_t *call)
 {
     const request_sweep_act_t *body = &call->body.run_sweep;
     const robot_t *robot = exchange_robot(server->exchange);
-    command_t command = {.id = body->id,
-                         .kind = (uint32_t)COMMAND_SWEEP,
-                         .value = (body->has_is_free && body->is_free) ? 1 : 0};
-    while ((command.argument < robot->axis_count) &&
-           (strcmp(robot->axes[command.argument].name, body->axis) != 0)) {
-        command.argument++;
-    }
-    return (command.argument < robot->axis_count) ? http_act_command(server, call, &command)
-                                                  : http_act_refuse_member(call, "/axis");
+    const command_t command = {
+        .id = body->id,
+        .kind = (uint32_t)COMMAND_SWEEP,
+        .as.sweep = {.axis = axis_terms_find(robot, body->axis),
+                     .is_free = (body->has_is_free && body->is_free) ? 1U : 0U}};
+    return (command.as.sweep.axis < robot->axis_count) ? http_act_command(server, call, &command)
+                                                       : http_act_refuse_member(call, "/axis");
 }
 
 static cJSON *new_points(const sweep_curve_t *curve, const robot_t *robot)

@@ -37,11 +37,11 @@ int http_targeting_register(http_server_t *server, const http_call_t *call)
 {
     const request_registration_t *body = &call->body.registration;
     const bool is_ignored = body->has_ignore_rotation && (body->ignore_rotation != 0U);
-    command_t command = {
-        .id = body->id,
-        .kind = (uint32_t)COMMAND_REGISTRATION,
-        .argument = (uint32_t)(is_ignored ? REGISTRATION_TRANSLATION : REGISTRATION_WHOLE)};
-    const int refusal = read_pose(call, body->matrix, &command.pose);
+    command_t command = {.id = body->id,
+                         .kind = (uint32_t)COMMAND_REGISTRATION,
+                         .as.registration = {.use = (uint32_t)(is_ignored ? REGISTRATION_TRANSLATION
+                                                                          : REGISTRATION_WHOLE)}};
+    const int refusal = read_pose(call, body->matrix, &command.as.registration.pose);
     return (refusal != 0) ? refusal : http_act_command(server, call, &command);
 }
 
@@ -65,7 +65,7 @@ static const char *take_length(const robot_t *robot, const request_named_length_
         return "name";
     }
     *taken |= (uint32_t)1U << place;
-    command->ticks[place] = length_nm;
+    command->as.probe.lengths_nm[place] = length_nm;
     return ((length_nm < robot->probe_minimum.length_nm[place]) ||
             (length_nm > robot->probe_maximum.length_nm[place]))
                ? "length_mm"
@@ -79,8 +79,9 @@ int http_targeting_set_probe(http_server_t *server, const http_call_t *call)
     const request_probe_t *body = &call->body.probe;
     char pointer[POINTER_SIZE];
     uint32_t taken = 0U;
-    command_t command = {
-        .id = body->id, .kind = (uint32_t)COMMAND_PROBE, .argument = body->lengths_count};
+    command_t command = {.id = body->id,
+                         .kind = (uint32_t)COMMAND_PROBE,
+                         .as.probe = {.count = body->lengths_count}};
     for (uint32_t i = 0U; i < body->lengths_count; i++) {
         const char *member = take_length(robot, &body->lengths[i], &taken, &command);
         if (member != NULL) {
@@ -95,8 +96,8 @@ int http_targeting_enter(http_server_t *server, const http_call_t *call)
 {
     const request_entry_t *body = &call->body.entry;
     command_t command = {.id = body->id, .kind = (uint32_t)COMMAND_ENTRY};
-    rigid_set_identity(&command.pose);
-    telemetry_units_read_point(body->point_mm, &command.pose.translation);
+    rigid_set_identity(&command.as.pose.pose);
+    telemetry_units_read_point(body->point_mm, &command.as.pose.pose.translation);
     return http_act_command(server, call, &command);
 }
 
@@ -154,7 +155,7 @@ int http_targeting_aim(http_server_t *server, const http_call_t *call)
     if (!exchange_read_snapshot(server->exchange, &snapshot)) {
         return http_reply_refuse(call->connection, PROBLEM_NO_DATA);
     }
-    const int refusal = read_target(server, call, &aim, &snapshot, &command.pose);
+    const int refusal = read_target(server, call, &aim, &snapshot, &command.as.pose.pose);
     return (refusal != 0) ? refusal : http_act_command(server, call, &command);
 }
 
@@ -165,7 +166,7 @@ int http_targeting_withdraw(http_server_t *server, const http_call_t *call)
     const request_withdraw_t *body = &call->body.withdraw;
     const command_t command = {.id = body->id,
                                .kind = (uint32_t)COMMAND_WITHDRAW,
-                               .argument = (uint32_t)kinds[body->what]};
+                               .as.withdrawal = {.of = (uint32_t)kinds[body->what]}};
     return http_act_command(server, call, &command);
 }
 

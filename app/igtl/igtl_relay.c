@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "igtl/igtl_relay.h"
 
+#include "procedure/command_kinds.h"
+
 /* A command that was not passed on comes back as refused. */
 static void refuse_command(const command_t *command, status_t status, uint32_t workphase,
                            igtl_relay_hand_in_t hand_in)
@@ -8,7 +10,7 @@ static void refuse_command(const command_t *command, status_t status, uint32_t w
     const answer_t refusal = {.id = command->id,
                               .source = command->source,
                               .command = command->kind,
-                              .argument = command->argument,
+                              .asked = (uint32_t)command_kinds_workphase(command),
                               .kind = (uint32_t)ANSWER_REFUSED,
                               .status = (uint32_t)status,
                               .is_final = 1U,
@@ -28,7 +30,7 @@ void igtl_relay_requests(exchange_t *exchange, igtl_requests_t *requests, uint32
         const status_t status =
             is_waiting ? STATUS_BUSY : exchange_send_command(exchange, &command);
 
-        if ((status == STATUS_BUSY) && igtl_requests_is_urgent(&command)) {
+        if ((status == STATUS_BUSY) && command_kinds_is_stop(&command)) {
             igtl_requests_keep(requests, &command);
             is_waiting = true;
         } else if (status != STATUS_OK) {

@@ -96,7 +96,7 @@ typedef struct {
     uint32_t id;
     uint32_t source;
     uint32_t kind;
-    uint32_t argument;
+    uint32_t asked;      /**< workphase_t of COMMAND_WORKPHASE. */
     uint32_t is_waiting; /**< 0 or 1. */
 } pending_command_t;
 

@@ -43,12 +43,14 @@ solution_t controller_aim(controller_t *self, const cycle_t *cycle, const comman
         result = judge_target(self, cycle);
         (void)memcpy(request->move.target_ticks, target_ticks, sizeof request->move.target_ticks);
         if ((kind == MODE_PROGRAM) && (result.status == STATUS_OK)) {
-            result = controller_judge_program(self, cycle, command->argument, &request->move);
+            result = controller_judge_program(self, cycle, command_as_list(command)->checksum,
+                                              &request->move);
         }
     } else if (kind == MODE_POSE) {
-        result.status = pose_mode_find(command->argument, cycle->robot, self->axes, &request->move);
+        result.status = pose_mode_find(command_as_pose_name(command)->pose, cycle->robot,
+                                       self->axes, &request->move);
     } else if (kind == MODE_TRAJECTORY) {
-        result = controller_judge_trajectory(self, cycle, command->argument);
+        result = controller_judge_trajectory(self, cycle, command_as_list(command)->checksum);
     } else {
         /* Its command says where to. */
     }

@@ -2,6 +2,7 @@
 #include "controller/controller_authority.h"
 
 #include "controller/controller_order.h"
+#include "procedure/command_kinds.h"
 
 static authority_time_t now_of(const controller_t *self)
 {
@@ -95,15 +96,14 @@ static bool is_everyones(const command_t *command)
     bool is_free = true;
     switch (command->kind) {
     case (uint32_t)COMMAND_WORKPHASE:
-        is_free = (command->argument == (uint32_t)WORKPHASE_STOP) ||
-                  (command->argument == (uint32_t)WORKPHASE_EMERGENCY);
+        is_free = command_kinds_is_stop(command);
         break;
     case (uint32_t)COMMAND_WITHDRAW:
         is_free = (command->source == (uint32_t)COMMAND_SOURCE_IGTL) &&
-                  (command->argument != (uint32_t)COMMAND_ENTRY);
+                  (command_as_withdrawal(command)->of != (uint32_t)COMMAND_ENTRY);
         break;
     case (uint32_t)COMMAND_REQUEST:
-        is_free = command->argument != (uint32_t)AUTHORITY_REQUEST_CONFIRM;
+        is_free = command_as_request(command)->request != (uint32_t)AUTHORITY_REQUEST_CONFIRM;
         break;
     case (uint32_t)COMMAND_PROPOSE_REGISTRATION:
     case (uint32_t)COMMAND_PROPOSE_ENTRY:
@@ -207,29 +207,31 @@ status_t controller_ask_button(controller_t *self, const cycle_t *cycle, const c
 
 static status_t obey_request(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
-    if ((command->argument != (uint32_t)AUTHORITY_REQUEST_CONFIRM) &&
-        (command->argument != (uint32_t)AUTHORITY_REQUEST_TAKE)) {
+    const uint32_t request = command_as_request(command)->request;
+    if ((request != (uint32_t)AUTHORITY_REQUEST_CONFIRM) &&
+        (request != (uint32_t)AUTHORITY_REQUEST_TAKE)) {
         return STATUS_UNKNOWN_COMMAND;
     }
     const authority_party_t party = party_of(command);
     if (party.peer == 0U) {
         return STATUS_NO_AUTHORITY;
     }
-    if ((command->argument == (uint32_t)AUTHORITY_REQUEST_TAKE) &&
+    if ((request == (uint32_t)AUTHORITY_REQUEST_TAKE) &&
         authority_is_of(&self->authority, &party)) {
         return STATUS_OK;
     }
     const status_t status =
-        controller_ask_button(self, cycle, command, (authority_request_t)command->argument, 0U);
+        controller_ask_button(self, cycle, command, (authority_request_t)request, 0U);
     if (status == STATUS_OK) {
-        controller_note(self, cycle, EVENT_AUTHORITY_ASKED, command->argument, 0);
+        controller_note(self, cycle, EVENT_AUTHORITY_ASKED, request, 0);
     }
     return status;
 }
 
 status_t controller_obey_authority(controller_t *self, const cycle_t *cycle,
-                                   const command_t *command)
+                                   const command_t *command, answer_t *answer)
 {
+    (void)answer;
     status_t status = STATUS_OK;
     switch (command->kind) {
     case (uint32_t)COMMAND_TAKE:

@@ -40,7 +40,7 @@ void controller_credit(controller_t *self, const cycle_t *cycle, const command_t
  * @satisfies SWR-AUTH-013
  */
 status_t controller_obey_authority(controller_t *self, const cycle_t *cycle,
-                                   const command_t *command);
+                                   const command_t *command, answer_t *answer);
 
 /**
  * The next press of the button means `request`, for who sent `command`, which has a peer; `axis` as

@@ -30,7 +30,7 @@ static status_t obey_clear(controller_t *self, const cycle_t *cycle, uint32_t in
 
 static status_t obey_confirm(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
-    const uint32_t index = command->argument;
+    const uint32_t index = command_as_axis(command)->axis;
     const axis_t *const axis = &self->axes[index];
     if (!axis_is_confirmable(axis, &cycle->robot->axes[index])) {
         return STATUS_NOTHING_TO_CONFIRM;
@@ -112,7 +112,7 @@ static status_t obey_disable(controller_t *self, const cycle_t *cycle, uint32_t 
 /* Where it may be obeyed, of an axis that there is. */
 static status_t obey_act(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
-    const uint32_t index = command->argument;
+    const uint32_t index = command_as_axis(command)->axis;
     status_t status = STATUS_OK;
     switch (command->kind) {
     case (uint32_t)COMMAND_CLEAR_AXIS:
@@ -134,9 +134,11 @@ static status_t obey_act(controller_t *self, const cycle_t *cycle, const command
     return status;
 }
 
-status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const command_t *command)
+status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const command_t *command,
+                              answer_t *answer)
 {
-    const uint32_t index = command->argument;
+    (void)answer;
+    const uint32_t index = command_as_axis(command)->axis;
     status_t status = STATUS_UNKNOWN_COMMAND;
     if (!controller_is_of_workphase(self, command)) {
         status = STATUS_WRONG_WORKPHASE;

@@ -28,6 +28,7 @@ void controller_forget_reference(controller_t *self, const cycle_t *cycle, uint3
  * @satisfies SWR-MODE-008
  * @satisfies SWR-MODE-060
  */
-status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const command_t *command);
+status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const command_t *command,
+                              answer_t *answer);
 
 #endif

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_events.h"
 
+#include "interface/note_kind.h"
+
 void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject,
                      int32_t value)
 {
@@ -27,4 +29,18 @@ void controller_because(controller_t *self, event_cause_t cause, uint32_t peer)
 {
     self->cause = (uint32_t)cause;
     self->peer = peer;
+}
+
+status_t controller_obey_note(controller_t *self, const cycle_t *cycle, const command_t *command,
+                              answer_t *answer)
+{
+    (void)answer;
+    const command_note_t *const sent = command_as_note(command);
+    if (sent->note >= NOTE_KIND_COUNT) {
+        return STATUS_UNKNOWN_COMMAND;
+    }
+    const bool is_refusal = sent->note == (uint32_t)NOTE_LOGIN_REFUSED;
+    controller_note(self, cycle, is_refusal ? EVENT_LOGIN_REFUSED : EVENT_NOTE, sent->note,
+                    sent->number);
+    return STATUS_OK;
 }

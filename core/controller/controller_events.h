@@ -31,4 +31,12 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
  */
 void controller_because(controller_t *self, event_cause_t cause, uint32_t peer);
 
+/**
+ * A note of the exchange, which is in the log of events.
+ *
+ * @return STATUS_OK; STATUS_UNKNOWN_COMMAND for a note_kind_t that there is not
+ */
+status_t controller_obey_note(controller_t *self, const cycle_t *cycle, const command_t *command,
+                              answer_t *answer);
+
 #endif

@@ -25,7 +25,7 @@ static inline const link_t *controller_link(const controller_t *self, uint32_t i
 static inline bool controller_is_of_workphase(const controller_t *self, const command_t *command)
 {
     const uint32_t workphase = (uint32_t)procedure_workphase(&self->procedure);
-    return ((command_workphases[command->kind] >> workphase) & 1U) != 0U;
+    return ((command_traits[command->kind].workphases >> workphase) & 1U) != 0U;
 }
 
 /** Vain START_UPs have moved an axis too far.

@@ -9,15 +9,36 @@
 
 #include <string.h>
 
-/* Where a jog shall end: the value, or so far from where the axis stands. */
-static int32_t jog_end_ticks(const controller_t *self, const command_t *command)
+/* An axis and where it shall go, which is 0 for a mode that does not ask. */
+static mode_way_t way_of(const controller_t *self, const command_t *command, mode_kind_t kind)
 {
-    int32_t end_ticks = command->value;
-    if ((command->kind == (uint32_t)COMMAND_JOG_BY) && (command->argument < self->axis_count)) {
-        const axis_t *const axis = &self->axes[command->argument];
-        end_ticks = fixed_saturate((int64_t)axis->encoder.position_ticks + (int64_t)command->value);
+    mode_way_t way = {.axis = 0U, .end_ticks = 0};
+    if (kind == MODE_SWEEP) {
+        way.axis = command_as_sweep(command)->axis;
+    } else if (kind == MODE_HOME_AXIS) {
+        way.axis = command_as_axis(command)->axis;
+    } else if (command->kind == (uint32_t)COMMAND_JOG) {
+        way.axis = command_as_jog(command)->axis;
+        way.end_ticks = command_as_jog(command)->to_ticks;
+    } else {
+        const command_jog_by_t *const sent = command_as_jog_by(command);
+        way.axis = sent->axis;
+        if (sent->axis < self->axis_count) {
+            const int32_t from_ticks = self->axes[sent->axis].encoder.position_ticks;
+            way.end_ticks = fixed_saturate((int64_t)from_ticks + (int64_t)sent->by_ticks);
+        }
     }
-    return end_ticks;
+    return way;
+}
+
+static void ask_velocity(const command_velocity_t *sent, mode_request_t *request)
+{
+    request->axes = sent->axes;
+    request->velocity.axes = sent->axes;
+    request->velocity.time_ms = sent->time_ms;
+    request->velocity.way_ticks = sent->way_ticks;
+    (void)memcpy(request->velocity.speeds_ticks_per_s, sent->speeds_ticks_per_s,
+                 sizeof sent->speeds_ticks_per_s);
 }
 
 /* What the command, and where the robot stands, say to its mode. */
@@ -29,10 +50,9 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
     case MODE_JOG:
     case MODE_HOME_AXIS:
     case MODE_SWEEP:
-        request.way.axis = command->argument;
-        request.way.end_ticks = jog_end_ticks(self, command);
-        request.axes =
-            (command->argument < ROBOT_AXIS_MAX) ? ((uint32_t)1U << command->argument) : 0U;
+        request.way = way_of(self, command, kind);
+        request.axes = (request.way.axis < ROBOT_AXIS_MAX) ? LEG_AXIS(request.way.axis) : 0U;
+        request.sweep.is_free = (kind == MODE_SWEEP) ? command_as_sweep(command)->is_free : 0U;
         break;
     case MODE_TRAJECTORY:
         request.start_ms = self->rows[0].time_ms;
@@ -43,10 +63,7 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
         request.way.end_ticks = retract_mode_end_ticks(cycle->robot, self->axes);
         break;
     case MODE_VELOCITY:
-        request.axes = command->argument;
-        request.velocity.axes = command->argument;
-        request.velocity.bound = command->value;
-        (void)memcpy(request.velocity.speeds_ticks_per_s, command->ticks, sizeof command->ticks);
+        ask_velocity(command_as_velocity(command), &request);
         break;
     case MODE_NONE:
     case MODE_HOMING:

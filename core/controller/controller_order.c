@@ -2,6 +2,7 @@
 #include "controller/controller_order.h"
 
 #include "controller/controller_facts.h"
+#include "procedure/command_kinds.h"
 
 answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle)
 {
@@ -34,7 +35,7 @@ void controller_arm(controller_t *self, const cycle_t *cycle, const command_t *c
     self->pending.id = command->id;
     self->pending.source = command->source;
     self->pending.kind = command->kind;
-    self->pending.argument = command->argument;
+    self->pending.asked = (uint32_t)command_kinds_workphase(command);
     self->pending.is_waiting = 1U;
 }
 
@@ -50,7 +51,7 @@ static void answer_pending(controller_t *self, const cycle_t *cycle, answer_kind
     answer->id = self->pending.id;
     answer->source = self->pending.source;
     answer->command = self->pending.kind;
-    answer->argument = self->pending.argument;
+    answer->asked = self->pending.asked;
     answer->kind = (uint32_t)kind;
     answer->status = (uint32_t)status;
     answer->is_final = 1U;

@@ -27,15 +27,16 @@ static status_t tell_registration(controller_t *self, const cycle_t *cycle,
     if (!controller_is_of_workphase(self, command)) {
         return STATUS_WRONG_WORKPHASE;
     }
-    if (command->argument >= REGISTRATION_USE_COUNT) {
+    const command_registration_t *const sent = command_as_registration(command);
+    if (sent->use >= REGISTRATION_USE_COUNT) {
         return STATUS_UNKNOWN_COMMAND;
     }
     const plan_origin_t origin = {.source = command->source,
                                   .peer = command->peer,
                                   .cycle = self->cycle,
                                   .ignores_rotation =
-                                      command->argument == (uint32_t)REGISTRATION_TRANSLATION};
-    const status_t status = plan_register(&self->plan, cycle->robot, &command->pose, &origin);
+                                      sent->use == (uint32_t)REGISTRATION_TRANSLATION};
+    const status_t status = plan_register(&self->plan, cycle->robot, &sent->pose, &origin);
     if (status == STATUS_OK) {
         controller_note(self, cycle, EVENT_REGISTERED, 0U, 0);
     }
@@ -50,7 +51,7 @@ static status_t judge_probe(const controller_t *self, const cycle_t *cycle,
                             const command_t *command, const probe_t *probe)
 {
     status_t status = STATUS_PROBE_LENGTH;
-    if (command->argument != cycle->robot->probe_length_count) {
+    if (command_as_probe(command)->count != cycle->robot->probe_length_count) {
         status = STATUS_PROBE_LENGTH;
     } else if (!controller_is_of_workphase(self, command)) {
         status = STATUS_WRONG_WORKPHASE;
@@ -67,12 +68,13 @@ static status_t judge_probe(const controller_t *self, const cycle_t *cycle,
 static status_t tell_probe(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
     probe_t probe;
-    (void)memcpy(probe.length_nm, command->ticks, sizeof probe.length_nm);
+    const command_probe_t *const sent = command_as_probe(command);
+    (void)memcpy(probe.length_nm, sent->lengths_nm, sizeof probe.length_nm);
     const status_t status = judge_probe(self, cycle, command, &probe);
     if (status == STATUS_OK) {
         plan_set_probe(&self->plan, &probe);
         controller_note(self, cycle, EVENT_PROBE_TAKEN, 0U, 0);
-        for (uint32_t i = 0U; i < command->argument; i++) {
+        for (uint32_t i = 0U; i < sent->count; i++) {
             controller_note(self, cycle, EVENT_PROBE_LENGTH, i, probe.length_nm[i]);
         }
     }
@@ -88,7 +90,8 @@ static status_t tell_target(controller_t *self, const cycle_t *cycle, const comm
     }
     int32_t ticks[ROBOT_AXIS_MAX];
     controller_positions(self, ticks);
-    const solution_t result = plan_set_target(&self->plan, cycle->robot, ticks, &command->pose);
+    const solution_t result =
+        plan_set_target(&self->plan, cycle->robot, ticks, &command_as_pose(command)->pose);
     answer->axis = (uint32_t)result.axis;
     answer->is_maximum = (uint32_t)result.is_maximum;
     if (result.status == STATUS_OK) {
@@ -107,7 +110,7 @@ static status_t tell_entry(controller_t *self, const cycle_t *cycle, const comma
         return judged;
     }
     const status_t status = (command->kind == (uint32_t)COMMAND_ENTRY)
-                                ? plan_set_entry(&self->plan, &command->pose)
+                                ? plan_set_entry(&self->plan, &command_as_pose(command)->pose)
                                 : plan_accept_entry(&self->plan);
     if (status == STATUS_OK) {
         answer->pose.translation = self->plan.entry;
@@ -121,11 +124,14 @@ static status_t tell_proposal(controller_t *self, const cycle_t *cycle, const co
     const plan_proposer_t proposer = {.peer = command->peer, .cycle = self->cycle};
     status_t status = STATUS_OK;
     if (command->kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) {
-        status = plan_propose_registration(&self->plan, cycle->robot, &command->pose, &proposer);
+        status = plan_propose_registration(&self->plan, cycle->robot,
+                                           &command_as_seen_pose(command)->pose, &proposer);
     } else if (command->kind == (uint32_t)COMMAND_PROPOSE_ENTRY) {
-        status = plan_propose_entry(&self->plan, cycle->robot, &command->pose, &proposer);
+        status = plan_propose_entry(&self->plan, cycle->robot, &command_as_seen_pose(command)->pose,
+                                    &proposer);
     } else {
-        status = plan_propose_target(&self->plan, cycle->robot, &command->pose, &proposer);
+        status = plan_propose_target(&self->plan, cycle->robot,
+                                     &command_as_seen_pose(command)->pose, &proposer);
     }
     if ((status == STATUS_OK) && !controller_is_unlogged(command)) {
         controller_note(self, cycle, EVENT_PROPOSAL, command->kind, 0);
@@ -135,9 +141,10 @@ static status_t tell_proposal(controller_t *self, const cycle_t *cycle, const co
 
 static status_t withdraw(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
+    const uint32_t withdrawn = command_as_withdrawal(command)->of;
     plan_part_t part = PLAN_ENTRY;
     bool is_known = true;
-    switch (command->argument) {
+    switch (withdrawn) {
     case (uint32_t)COMMAND_ENTRY:
         break;
     case (uint32_t)COMMAND_PROPOSE_REGISTRATION:
@@ -159,15 +166,16 @@ static status_t withdraw(controller_t *self, const cycle_t *cycle, const command
     const status_t status =
         is_known ? plan_withdraw(&self->plan, cycle->robot, part) : STATUS_UNKNOWN_COMMAND;
     if ((status == STATUS_OK) && !controller_is_unlogged(command)) {
-        controller_note(self, cycle, EVENT_WITHDRAWN, command->argument, 0);
+        controller_note(self, cycle, EVENT_WITHDRAWN, withdrawn, 0);
     }
     return status;
 }
 
 static status_t tell_needle(controller_t *self, const command_t *command)
 {
-    return controller_is_of_workphase(self, command) ? plan_see_needle(&self->plan, &command->pose)
-                                                     : STATUS_WRONG_WORKPHASE;
+    return controller_is_of_workphase(self, command)
+               ? plan_see_needle(&self->plan, &command_as_seen_pose(command)->pose)
+               : STATUS_WRONG_WORKPHASE;
 }
 
 bool controller_is_unlogged(const command_t *command)
@@ -178,10 +186,10 @@ bool controller_is_unlogged(const command_t *command)
     case (uint32_t)COMMAND_PROPOSE_ENTRY:
     case (uint32_t)COMMAND_PROPOSE_TARGET:
     case (uint32_t)COMMAND_NEEDLE:
-        is_unlogged = command->argument != 0U;
+        is_unlogged = command_as_seen_pose(command)->is_one_of_many != 0U;
         break;
     case (uint32_t)COMMAND_WITHDRAW:
-        is_unlogged = command->value != 0;
+        is_unlogged = command_as_withdrawal(command)->is_one_of_many != 0U;
         break;
     case (uint32_t)COMMAND_RENEW:
         is_unlogged = true;
@@ -192,7 +200,7 @@ bool controller_is_unlogged(const command_t *command)
     return is_unlogged;
 }
 
-status_t controller_tell_plan(controller_t *self, const cycle_t *cycle, const command_t *command,
+status_t controller_obey_plan(controller_t *self, const cycle_t *cycle, const command_t *command,
                               answer_t *answer)
 {
     status_t status = STATUS_UNKNOWN_COMMAND;

@@ -27,7 +27,7 @@ bool controller_is_unlogged(const command_t *command);
  * @satisfies SWR-PROBE-004
  * @satisfies SWR-PLAN-023
  */
-status_t controller_tell_plan(controller_t *self, const cycle_t *cycle, const command_t *command,
+status_t controller_obey_plan(controller_t *self, const cycle_t *cycle, const command_t *command,
                               answer_t *answer);
 
 #endif

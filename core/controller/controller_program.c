@@ -3,17 +3,15 @@
 
 #include "controller/controller_facts.h"
 
-/* Below 0 a dwell has a gate. */
 static status_t add_step(controller_t *self, const cycle_t *cycle, const command_t *command,
                          answer_t *answer)
 {
     const robot_t *const robot = cycle->robot;
-    const bool is_gated = command->value < 0;
-    const int64_t dwell_ms = is_gated ? -(int64_t)command->value : (int64_t)command->value;
-    program_step_t step = {.dwell_ms = (uint32_t)dwell_ms, .is_gated = is_gated ? 1U : 0U};
-    program_step_place(robot, command->ticks, &step);
+    const command_step_t *const sent = command_as_step(command);
+    program_step_t step = {.dwell_ms = sent->dwell_ms, .is_gated = sent->is_gated};
+    program_step_place(robot, sent->ticks, &step);
     const solution_t judged =
-        program_list_add(&self->program, robot, self->plan.target_ticks, command->argument, &step);
+        program_list_add(&self->program, robot, self->plan.target_ticks, sent->index, &step);
     answer->axis = (uint32_t)judged.axis;
     answer->is_maximum = (uint32_t)judged.is_maximum;
     return judged.status;
@@ -24,12 +22,13 @@ static status_t change(controller_t *self, const cycle_t *cycle, const command_t
 {
     status_t status = STATUS_OK;
     if (command->kind == (uint32_t)COMMAND_PROGRAM_BEGIN) {
-        status = program_list_begin(&self->program, command->argument, command->source,
-                                    self->plan.target_ticks);
+        status = program_list_begin(&self->program, command_as_list_begin(command)->count,
+                                    command->source, self->plan.target_ticks);
     } else if (command->kind == (uint32_t)COMMAND_PROGRAM_STEP) {
         status = add_step(self, cycle, command, answer);
     } else {
-        status = program_list_end(&self->program, command->argument);
+        answer->checksum = command_as_list(command)->checksum;
+        status = program_list_end(&self->program, answer->checksum);
         if (status == STATUS_OK) {
             controller_note(self, cycle, EVENT_PROGRAM_HELD, 0U, (int32_t)self->program.count);
         }

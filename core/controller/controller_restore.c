@@ -96,22 +96,22 @@ static bool can_stand_at(const axis_config_t *config, int32_t ticks)
            ((int64_t)ticks <= ((int64_t)config->maximum_ticks + beyond));
 }
 
-static bool is_named(const command_t *command, uint32_t index)
+static bool is_named(const command_positions_t *sent, uint32_t index)
 {
-    return ((command->argument >> index) & 1U) != 0U;
+    return ((sent->axes >> index) & 1U) != 0U;
 }
 
-static status_t judge_axes(const controller_t *self, const cycle_t *cycle, const command_t *command,
-                           answer_t *answer)
+static status_t judge_axes(const controller_t *self, const cycle_t *cycle,
+                           const command_positions_t *sent, answer_t *answer)
 {
     status_t status = STATUS_OK;
     for (uint32_t i = 0U; (i < self->axis_count) && (status == STATUS_OK); i++) {
         answer->axis = i;
-        if (!is_named(command, i)) {
+        if (!is_named(sent, i)) {
             status = STATUS_OK;
         } else if (!link_is_healthy_now(controller_link(self, i))) {
             status = STATUS_HARDWARE_NOT_READY;
-        } else if (!can_stand_at(&cycle->robot->axes[i], command->ticks[i])) {
+        } else if (!can_stand_at(&cycle->robot->axes[i], sent->ticks[i])) {
             status = STATUS_OUT_OF_RANGE;
         } else {
             /* It can be. */
@@ -123,15 +123,16 @@ static status_t judge_axes(const controller_t *self, const cycle_t *cycle, const
 static status_t judge_restore(const controller_t *self, const cycle_t *cycle,
                               const command_t *command, answer_t *answer)
 {
+    const command_positions_t *const sent = command_as_positions(command);
     status_t status = STATUS_UNKNOWN_COMMAND;
-    if ((command->argument == 0U) || ((command->argument >> self->axis_count) != 0U)) {
+    if ((sent->axes == 0U) || ((sent->axes >> self->axis_count) != 0U)) {
         status = STATUS_UNKNOWN_COMMAND;
     } else if (!controller_is_of_workphase(self, command)) {
         status = STATUS_WRONG_WORKPHASE;
     } else if (!is_at_rest(self)) {
         status = STATUS_NOT_AT_REST;
     } else {
-        status = judge_axes(self, cycle, command, answer);
+        status = judge_axes(self, cycle, sent, answer);
     }
     return status;
 }
@@ -143,10 +144,11 @@ status_t controller_obey_restore(controller_t *self, const cycle_t *cycle, const
     if (status != STATUS_OK) {
         return status;
     }
+    const command_positions_t *const sent = command_as_positions(command);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        if (is_named(command, i)) {
-            axis_place(&self->axes[i], &cycle->robot->axes[i], command->ticks[i]);
-            controller_note(self, cycle, EVENT_AXIS_PLACED, i, command->ticks[i]);
+        if (is_named(sent, i)) {
+            axis_place(&self->axes[i], &cycle->robot->axes[i], sent->ticks[i]);
+            controller_note(self, cycle, EVENT_AXIS_PLACED, i, sent->ticks[i]);
         }
     }
     controller_renew_account(self);

@@ -11,7 +11,7 @@ static const char contract_module[] = "controller";
 static status_t begin_list(controller_t *self, const command_t *command)
 {
     trajectory_list_t *const list = &self->mode.list;
-    const status_t status = trajectory_list_begin(list, command->argument);
+    const status_t status = trajectory_list_begin(list, command_as_list_begin(command)->count);
     if (status == STATUS_OK) {
         list->source = (command->source == (uint32_t)COMMAND_SOURCE_HTTP)
                            ? (uint32_t)TRAJECTORY_SOURCE_HTTP
@@ -24,11 +24,12 @@ static status_t begin_list(controller_t *self, const command_t *command)
 static status_t add_row(controller_t *self, const cycle_t *cycle, const command_t *command,
                         answer_t *answer)
 {
-    trajectory_row_t row = {.time_ms = (uint32_t)command->value};
-    (void)memcpy(row.ticks, command->ticks, sizeof row.ticks);
-    (void)memcpy(row.speeds_ticks_per_s, command->speeds, sizeof row.speeds_ticks_per_s);
+    const command_row_t *const sent = command_as_row(command);
+    trajectory_row_t row = {.time_ms = sent->time_ms};
+    (void)memcpy(row.ticks, sent->ticks, sizeof row.ticks);
+    (void)memcpy(row.speeds_ticks_per_s, sent->speeds_ticks_per_s, sizeof row.speeds_ticks_per_s);
     const solution_t judged =
-        trajectory_list_add(&self->mode.list, self->rows, cycle->robot, command->argument, &row);
+        trajectory_list_add(&self->mode.list, self->rows, cycle->robot, sent->index, &row);
     answer->axis = (uint32_t)judged.axis;
     answer->is_maximum = (uint32_t)judged.is_maximum;
     return judged.status;
@@ -47,7 +48,8 @@ status_t controller_obey_trajectory(controller_t *self, const cycle_t *cycle,
     } else if (command->kind == (uint32_t)COMMAND_LIST_ROW) {
         status = add_row(self, cycle, command, answer);
     } else {
-        status = trajectory_list_end(&self->mode.list, command->argument);
+        answer->checksum = command_as_list(command)->checksum;
+        status = trajectory_list_end(&self->mode.list, answer->checksum);
         if (status == STATUS_OK) {
             controller_note(self, cycle, EVENT_TRAJECTORY_HELD, 0U, (int32_t)self->mode.list.count);
         }

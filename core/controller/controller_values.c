@@ -34,8 +34,9 @@ static void note_rotation(controller_t *self, const cycle_t *cycle, uint32_t fir
 /* Those of an accepted probe are told with it. */
 static void note_lengths(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
-    for (uint32_t i = 0U; (i < command->argument) && (i < ROBOT_PROBE_LENGTHS); i++) {
-        controller_note(self, cycle, EVENT_REFUSED_LENGTH, i, command->ticks[i]);
+    const command_probe_t *const sent = command_as_probe(command);
+    for (uint32_t i = 0U; (i < sent->count) && (i < ROBOT_PROBE_LENGTHS); i++) {
+        controller_note(self, cycle, EVENT_REFUSED_LENGTH, i, sent->lengths_nm[i]);
     }
 }
 
@@ -45,15 +46,17 @@ static void note_told(controller_t *self, const cycle_t *cycle, const command_t 
     const bool is_refused = answer->kind == (uint32_t)ANSWER_REFUSED;
     switch (command->kind) {
     case (uint32_t)COMMAND_REGISTRATION:
-        note_place(self, cycle, PLAN_PLACE_REGISTRATION_X, &command->pose.translation);
-        note_rotation(self, cycle, ROTATION_OF_REGISTRATION, &command->pose);
+        note_place(self, cycle, PLAN_PLACE_REGISTRATION_X,
+                   &command_as_registration(command)->pose.translation);
+        note_rotation(self, cycle, ROTATION_OF_REGISTRATION,
+                      &command_as_registration(command)->pose);
         break;
     case (uint32_t)COMMAND_TARGET:
-        note_place(self, cycle, PLAN_PLACE_TARGET_X, &command->pose.translation);
-        note_rotation(self, cycle, ROTATION_OF_TARGET, &command->pose);
+        note_place(self, cycle, PLAN_PLACE_TARGET_X, &command_as_pose(command)->pose.translation);
+        note_rotation(self, cycle, ROTATION_OF_TARGET, &command_as_pose(command)->pose);
         break;
     case (uint32_t)COMMAND_ENTRY:
-        note_place(self, cycle, PLAN_PLACE_ENTRY_X, &command->pose.translation);
+        note_place(self, cycle, PLAN_PLACE_ENTRY_X, &command_as_pose(command)->pose.translation);
         break;
     case (uint32_t)COMMAND_ACCEPT_ENTRY:
         if (self->plan.has_proposed_entry != 0U) {

@@ -83,7 +83,7 @@ solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const rob
         result = pose_mode_judge(&request->move, robot, axes);
         break;
     case MODE_SWEEP:
-        result = sweep_mode_judge(request->way.axis, request->way.end_ticks == 1, robot, axes);
+        result = sweep_mode_judge(&request->sweep, request->way.axis, robot, axes);
         break;
     case MODE_NONE:
     case MODE_HOMING:

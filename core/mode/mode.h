@@ -31,14 +31,14 @@
 
 /** What a mode is asked for; each reads what it needs. */
 typedef struct {
-    uint32_t axes;  /**< Bit n: axis n is commanded. mode_axes() makes of it those that it needs. */
-    mode_way_t way; /**< Of MODE_JOG and MODE_RETRACT; MODE_HOME_AXIS reads its axis;
-                       of MODE_SWEEP 1 instead of the end says that it is free. */
+    uint32_t axes; /**< Bit n: axis n is commanded. mode_axes() makes of it those that it needs. */
+    mode_way_t
+        way; /**< Of MODE_JOG and MODE_RETRACT; MODE_HOME_AXIS and MODE_SWEEP read its axis. */
     move_mode_t move;
     uint32_t start_ms;        /**< Time of the first row of a trajectory, */
     uint32_t end_ms;          /**< and of its last one. */
     velocity_mode_t velocity; /**< From here on: what one mode alone reads. */
-    sweep_mode_t sweep;       /**< Nothing is asked for. */
+    sweep_mode_t sweep;
 } mode_request_t;
 
 /** At first all zero. */

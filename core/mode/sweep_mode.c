@@ -45,7 +45,7 @@ static bool has_room(const axis_config_t *config, const axis_t *axis)
            ((at - longest) >= (int64_t)config->minimum_ticks);
 }
 
-solution_t sweep_mode_judge(uint32_t index, bool is_free, const robot_t *robot,
+solution_t sweep_mode_judge(const sweep_mode_t *asked, uint32_t index, const robot_t *robot,
                             const axis_t axes[ROBOT_AXIS_MAX])
 {
     solution_t result = {.status = STATUS_OK, .axis = 0U, .is_maximum = 0U};
@@ -56,7 +56,7 @@ solution_t sweep_mode_judge(uint32_t index, bool is_free, const robot_t *robot,
     result.axis = (uint8_t)index;
     if (!is_sweepable(robot, index)) {
         result.status = STATUS_NO_SWEEP;
-    } else if (!is_free) {
+    } else if (asked->is_free != 1U) {
         result.status = STATUS_NOT_FREE;
     } else if (!needle_is_out(robot, axes)) {
         result.status = STATUS_NEEDLE_IN;

@@ -18,8 +18,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** At first all zero. */
+/** What is asked for, and how far it has come; at first all zero but what is asked for. */
 typedef struct {
+    uint32_t is_free;    /**< Asked for, 0 or 1: the operator has said that nothing hinders the axis
+                            and nobody is at it. */
     uint32_t stage;      /**< Of this file; 0: it has not begun. */
     uint32_t word;       /**< Of the present step. */
     uint32_t point;      /**< 0..LIMIT_SWEEP_POINTS - 1, once its run is no search any more. */
@@ -29,8 +31,7 @@ typedef struct {
 } sweep_mode_t;
 
 /**
- * May axis `index` be swept? `is_free`: the operator has said that nothing hinders it and nobody
- * is at it.
+ * May axis `index` be swept?
  *
  * @return status STATUS_OK; STATUS_UNKNOWN_COMMAND for no axis; STATUS_NO_SWEEP for one without
  * waves, that does not turn or shares a limit; STATUS_NOT_FREE; STATUS_NEEDLE_IN; STATUS_AXIS_LIMIT
@@ -39,7 +40,7 @@ typedef struct {
  * @satisfies SWR-SWEEP-001
  * @satisfies SWR-SWEEP-002
  */
-solution_t sweep_mode_judge(uint32_t index, bool is_free, const robot_t *robot,
+solution_t sweep_mode_judge(const sweep_mode_t *asked, uint32_t index, const robot_t *robot,
                             const axis_t axes[ROBOT_AXIS_MAX]);
 
 /**

@@ -46,8 +46,8 @@ velocity_bound_t velocity_bound_of(const velocity_mode_t *self, const mode_frame
             joints_ticks_within(config, LIMIT_UNHOMED_JOG_NM, LIMIT_UNHOMED_JOG_BAM);
         bind(&bound, is_up, start + (is_up ? way : -way), VELOCITY_END_SHORT_WAY);
     }
-    if (self->bound < 0) {
-        const int64_t way = -(int64_t)self->bound;
+    if (self->way_ticks > 0U) {
+        const int64_t way = (int64_t)self->way_ticks;
         bind(&bound, is_up, start + (is_up ? way : -way), VELOCITY_END_WAY);
     }
     if (velocity_bound_is_switch(self, frame, index)) {

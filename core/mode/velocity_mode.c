@@ -63,9 +63,9 @@ static status_t judge_axis(const velocity_mode_t *asked, const robot_t *robot,
 static bool is_bound_known(const velocity_mode_t *asked)
 {
     const bool is_one = (asked->axes & (asked->axes - 1U)) == 0U;
-    const bool is_time = (asked->bound > 0) && (asked->bound <= (int32_t)LIMIT_VELOCITY_TIME_MS);
-    const bool is_way = (asked->bound < 0) && is_one;
-    return is_time || is_way;
+    const bool is_time = (asked->time_ms != 0U) && (asked->time_ms <= LIMIT_VELOCITY_TIME_MS);
+    const bool is_way = (asked->way_ticks != 0U) && is_one;
+    return ((asked->way_ticks == 0U) && is_time) || ((asked->time_ms == 0U) && is_way);
 }
 
 solution_t velocity_mode_judge(const velocity_mode_t *asked, const robot_t *robot,
@@ -95,7 +95,7 @@ bool velocity_mode_runs(const velocity_mode_t *self)
 
 static void begin(velocity_mode_t *self, const mode_frame_t *frame)
 {
-    const uint32_t time_ms = (self->bound > 0) ? (uint32_t)self->bound : LIMIT_VELOCITY_TIME_MS;
+    const uint32_t time_ms = (self->time_ms > 0U) ? self->time_ms : LIMIT_VELOCITY_TIME_MS;
     self->stage = STAGE_RUNS;
     self->left_cycles = (time_ms * 1000U) / LIMIT_CYCLE_US;
     leg_positions(frame, self->start_ticks);

@@ -22,8 +22,9 @@
 
 /** What is asked for, and how far it has come; at first all zero but what is asked for. */
 typedef struct {
-    uint32_t axes; /**< Asked for, bit n: axis n. */
-    int32_t bound; /**< Asked for: a time in ms, or, below 0, a way of that many ticks. */
+    uint32_t axes;                              /**< Asked for, bit n: axis n. */
+    uint32_t time_ms;                           /**< Asked for; 0: a way. */
+    uint32_t way_ticks;                         /**< Asked for, of one axis; 0: a time. */
     int32_t speeds_ticks_per_s[ROBOT_AXIS_MAX]; /**< Asked for, signed. */
     uint32_t stage;                             /**< Of this file; 0: it has not begun. */
     uint32_t left_cycles;                       /**< Of its time. */
@@ -38,8 +39,8 @@ typedef struct {
  * May it be armed?
  *
  * @return status STATUS_OK; STATUS_UNKNOWN_COMMAND for no axis, or one that the robot does not
- * have; STATUS_OUT_OF_RANGE for no time, one beyond LIMIT_VELOCITY_TIME_MS, a way of several axes,
- * or a speed of 0; STATUS_TOO_FAST beyond the axis' speed; STATUS_NEEDLE_IN
+ * have; STATUS_OUT_OF_RANGE for neither time nor way or both, a time beyond LIMIT_VELOCITY_TIME_MS,
+ * a way of several axes, or a speed of 0; STATUS_TOO_FAST beyond the axis' speed; STATUS_NEEDLE_IN
  *
  * @satisfies SWR-VEL-001
  * @satisfies SWR-VEL-002

@@ -28,7 +28,7 @@ static uint32_t way_ms(const velocity_mode_t *mode, int64_t way_ticks)
 
 uint32_t velocity_share_span_ms(const velocity_mode_t *mode)
 {
-    return (mode->bound < 0) ? way_ms(mode, -(int64_t)mode->bound) : (uint32_t)mode->bound;
+    return (mode->way_ticks > 0U) ? way_ms(mode, (int64_t)mode->way_ticks) : mode->time_ms;
 }
 
 /* While it runs. */
@@ -36,10 +36,10 @@ static uint32_t running_ms(const velocity_mode_t *mode, const axis_t axes[ROBOT_
 {
     const uint32_t index = only_axis(mode);
     uint32_t left_ms = (mode->left_cycles * LIMIT_CYCLE_US) / 1000U;
-    if (mode->bound < 0) {
+    if (mode->way_ticks > 0U) {
         const int64_t gone =
             magnitude((int64_t)axes[index].setpoint_ticks - (int64_t)mode->start_ticks[index]);
-        left_ms = way_ms(mode, -(int64_t)mode->bound - gone);
+        left_ms = way_ms(mode, (int64_t)mode->way_ticks - gone);
     }
     return left_ms;
 }

@@ -7,41 +7,41 @@
 #error "The axes have the lower half of the word."
 #endif
 
-static bool is_start_up(uint32_t kind, uint32_t argument)
+static bool is_start_up(uint32_t kind, uint32_t asked)
 {
-    return (kind == (uint32_t)COMMAND_WORKPHASE) && (argument == (uint32_t)WORKPHASE_START_UP);
+    return (kind == (uint32_t)COMMAND_WORKPHASE) && (asked == (uint32_t)WORKPHASE_START_UP);
 }
 
 /* Changes of the workphase that drive nothing do without the robot's table, and what is of
  * authority. */
-static bool needs_table(uint32_t kind, uint32_t argument)
+static bool needs_table(uint32_t kind, uint32_t asked)
 {
     const bool is_of_authority =
         (kind >= (uint32_t)COMMAND_TAKE) && (kind <= (uint32_t)COMMAND_REQUEST);
-    return (kind == (uint32_t)COMMAND_WORKPHASE) ? is_start_up(kind, argument) : !is_of_authority;
+    return (kind == (uint32_t)COMMAND_WORKPHASE) ? is_start_up(kind, asked) : !is_of_authority;
 }
 
 /* What lets drives be driven: the loop must be able to stop them in time. */
-static bool enables(uint32_t kind, uint32_t argument)
+static bool enables(uint32_t kind, uint32_t asked)
 {
-    return is_start_up(kind, argument) || (kind == (uint32_t)COMMAND_ENABLE_AXIS);
+    return is_start_up(kind, asked) || (kind == (uint32_t)COMMAND_ENABLE_AXIS);
 }
 
-static bool homes(uint32_t kind, uint32_t argument)
+static bool homes(uint32_t kind, uint32_t asked)
 {
-    return is_start_up(kind, argument) || (kind == (uint32_t)COMMAND_HOME_AXIS);
+    return is_start_up(kind, asked) || (kind == (uint32_t)COMMAND_HOME_AXIS);
 }
 
-status_t guards_bar(uint32_t facts, uint32_t kind, uint32_t argument)
+status_t guards_bar(uint32_t facts, uint32_t kind, uint32_t asked)
 {
     status_t status = STATUS_OK;
-    if (guards_have(facts, GUARD_BLIND) && needs_table(kind, argument)) {
+    if (guards_have(facts, GUARD_BLIND) && needs_table(kind, asked)) {
         status = STATUS_MEMORY_DAMAGED;
-    } else if (guards_have(facts, GUARD_UNFIT) && enables(kind, argument)) {
+    } else if (guards_have(facts, GUARD_UNFIT) && enables(kind, asked)) {
         status = STATUS_COMPUTER_UNFIT;
-    } else if (guards_have(facts, GUARD_NO_BOX) && is_start_up(kind, argument)) {
+    } else if (guards_have(facts, GUARD_NO_BOX) && is_start_up(kind, asked)) {
         status = STATUS_NO_BLACK_BOX;
-    } else if (guards_have(facts, GUARD_SPENT) && homes(kind, argument)) {
+    } else if (guards_have(facts, GUARD_SPENT) && homes(kind, asked)) {
         status = STATUS_MOVED_IN_VAIN;
     } else {
         /* The mode and the workphase decide. */

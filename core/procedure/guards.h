@@ -37,7 +37,8 @@
 #define GUARD_NO_BOX 0x08000000U /**< Nothing is recorded, and nobody has accepted that. */
 
 /**
- * What bars a command of `kind` with `argument` (command_t) whatever it says.
+ * What bars a command of `kind`, whatever else it says; `asked`: the workphase that
+ * COMMAND_WORKPHASE asks for.
  *
  * @return STATUS_OK; STATUS_MEMORY_DAMAGED while the robot's table is, unless the command changes
  * the workphase alone or is of authority; STATUS_COMPUTER_UNFIT for what enables axes;
@@ -49,7 +50,7 @@
  * @satisfies SWR-NEXT-024
  * @satisfies SWR-NEXT-027
  */
-status_t guards_bar(uint32_t facts, uint32_t kind, uint32_t argument);
+status_t guards_bar(uint32_t facts, uint32_t kind, uint32_t asked);
 
 /** `fact` is among them; of several any. */
 static inline bool guards_have(uint32_t facts, uint32_t fact)

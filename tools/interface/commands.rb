@@ -3,28 +3,44 @@
 
 require_relative 'c'
 require_relative 'node'
+require_relative 'payloads'
 
 module Interface
-  # In which workphases commands are obeyed: what core/interface/commands.yml says, and modes.yml of those that arm a mode.
+  # What a command is: what it says, who may send it, and in which workphases it is obeyed, as core/interface/commands.yml
+  # says, and modes.yml of those that arm a mode.
   #
   # @satisfies SWR-TOOL-011
   class Commands
-    KEYS = %w[workphases].freeze
+    KEYS = %w[workphases payload from obeyed_by].freeze
     # Up to so many are named; of more those that are left.
     NAMED_MOST = 4
+    FROM = 'core/interface/commands.yml'
 
     # What the header has besides.
     DECLARATION = <<~CODE
-      /** By command_kind_t, where it may be obeyed; bit n: workphase_t n. All bits: no workphase stands against it, or
-       * the chart of workphases decides. */
-      extern const uint32_t command_workphases[COMMAND_KIND_COUNT];
+      /** What is special about a command. */
+      typedef struct {
+          /** Where it may be obeyed; bit n: workphase_t n. All bits: no workphase stands against it, or the chart of
+           * workphases decides. */
+          uint32_t workphases;
+          uint32_t sources; /**< Who may send it; bit n: command_source_t n. */
+          uint32_t form;    /**< command_form_t. */
+          uint32_t bytes;   /**< Of what it says. */
+      } command_traits_t;
+
+      /** By command_kind_t. */
+      extern const command_traits_t command_traits[COMMAND_KIND_COUNT];
     CODE
+
+    attr_reader :payloads
 
     def initialize(model)
       @kinds = model.enumeration('command_kind')
       @all = model.enumeration('workphase').values.map(&:name)
       @prefix = model.enumeration('workphase').prefix
       @modes = model.modes&.modes.to_a.reject { |mode| mode.command == Modes::BY_WORKPHASE }
+      @payloads = Payloads.new(model, @kinds)
+      @sources = model.enumeration('command_source')
       @workphases = @kinds.values.to_h { |value| [value.name, workphases_of(value)] }
     end
 
@@ -34,7 +50,11 @@ module Interface
     end
 
     def files
-      { 'command.c' => source }
+      { 'command.c' => source, 'command_access.c' => access, 'command_dispatch.c' => dispatch }
+    end
+
+    def prototypes
+      [DECLARATION, payloads.prototypes].join("\n")
     end
 
     # `says` and where it may be obeyed.
@@ -71,19 +91,97 @@ module Interface
     end
 
     def source
-      rows = @kinds.values.map { |value| "    [#{@kinds.constant(value)}] = #{bits(@workphases[value.name])},\n" }
+      rows = @kinds.values.map { |value| "    [#{@kinds.constant(value)}] = #{row(value)},
+" }
       <<~CODE
-        #{C.file('Where commands may be obeyed.', 'core/interface/commands.yml').chomp}
+        #{C.file('What is special about each command.', FROM).chomp}
         #include "command.h"
 
         #include "workphase_list.h"
 
+        #include <stdbool.h>
+        #include <stdint.h>
+
         #define IN(workphase) ((uint32_t)1U << (uint32_t)(workphase))
         #define IN_ALL UINT32_MAX
+        #define BY(source) ((uint32_t)1U << (uint32_t)(source))
 
-        const uint32_t command_workphases[COMMAND_KIND_COUNT] = {
+        const command_traits_t command_traits[COMMAND_KIND_COUNT] = {
         #{rows.join}};
+
+        #{Payloads::CLEAR.chomp}
       CODE
+    end
+
+    # Apart: a program that takes none of them need not say what becomes of a broken contract.
+    def access
+      <<~CODE
+        #{C.file('What a command says, by its kind.', FROM).chomp}
+        #include "command.h"
+
+        #include "base/contract.h"
+
+        #include <stdbool.h>
+
+        static const char contract_module[] = "#{Payloads::MODULE}";
+
+        #{payloads.functions.chomp}
+      CODE
+    end
+
+    def row(value)
+      "{.workphases = #{bits(@workphases[value.name])},
+     .sources = #{senders(value)},
+" \
+        "     .form = (uint32_t)#{payloads.form(value)}, .bytes = #{size(value)}}"
+    end
+
+    def size(value)
+      payloads.of(value) ? "(uint32_t)#{payloads.size(value)}" : payloads.size(value)
+    end
+
+    def senders(value)
+      names = value.more['from']&.sequence&.map { |node| node.choice(@sources.values.map(&:name)) }
+      value.node.refuse('has no from') unless names
+      names.empty? ? '0U' : names.map { |name| "BY(#{@sources.prefix}_#{name})" }.join(' | ')
+    end
+
+    # Each command with the function that carries it out.
+    def dispatch
+      by = @kinds.values.drop(1).group_by { |value| function(value) }
+      cases = by.map do |name, values|
+        "#{values.map { |value| "    case (uint32_t)#{@kinds.constant(value)}:
+" }.join}" \
+          "        status = #{name}(self, cycle, command, answer);
+        break;
+"
+      end
+      <<~CODE
+        #{C.file('Which function carries out each command.', FROM).chomp}
+        #include "controller/controller_dispatch.h"
+
+        status_t controller_dispatch(controller_t *self, const cycle_t *cycle, const command_t *command,
+                                     answer_t *answer)
+        {
+            status_t status = STATUS_UNKNOWN_COMMAND;
+            switch (command->kind) {
+        #{cases.join.chomp}
+            default:
+                status = STATUS_UNKNOWN_COMMAND;
+                break;
+            }
+            return status;
+        }
+      CODE
+    end
+
+    # `obeyed_by`, or what arms modes.
+    def function(value)
+      own = value.more['obeyed_by']
+      is_mode = @modes.any? { |mode| mode.command == value.name } || value.name == 'JOG_BY'
+      value.node.refuse('has no obeyed_by and arms no mode') unless own || is_mode
+      own&.refuse('stands with a command that arms a mode') if own && is_mode
+      "controller_obey_#{own ? own.identifier : 'motion'}"
     end
 
     def bits(here)

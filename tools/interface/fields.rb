@@ -13,8 +13,14 @@ module Interface
     PLAIN = { 'uint32' => 'UNSIGNED', 'int32' => 'SIGNED', 'uint64' => 'WIDE', 'flag' => 'FLAG', 'point' => 'POINT',
               'rigid' => 'RIGID' }.freeze
 
+    OF_KIND = <<~CODE
+      /** The fields of what a command of this command_kind says; NULL: nothing. */
+      const field_t *fields_of_command(uint32_t kind);
+    CODE
+
     def initialize(model)
       @structures = model.structures.sort_by(&:name)
+      @commands = model.commands
     end
 
     def files
@@ -56,8 +62,9 @@ module Interface
             const char *says;
         } field_t;
 
-        /** The fields of each structure. */
+        /** The fields of each structure; of a command without what it says. */
         #{tables.chomp}
+        #{"\n#{OF_KIND.chomp}" if @commands}
       CODE
     end
 
@@ -71,7 +78,7 @@ module Interface
         #{@structures.map { |one| "#include \"interface/#{one.header}.h\"\n" }.uniq.sort.join}
         #define SIZE(structure, name) sizeof(((structure *)0)->name)
 
-        #{(words + @structures.map { |one| table(one) }).join("\n").chomp}
+        #{(words + @structures.map { |one| table(one) } + of_kind).join("\n").chomp}
       CODE
     end
 
@@ -88,9 +95,19 @@ module Interface
       end
     end
 
+    def of_kind
+      return [] unless @commands
+
+      cases = @commands.payloads.all.map do |payload|
+        "#{payload.values.map { |value| "    case #{value.code}:\n" }.join}        return fields_#{payload.structure.name};\n"
+      end
+      ["const field_t *fields_of_command(uint32_t kind)\n{\n    switch (kind) {\n#{cases.join}    default:\n" \
+       "        return NULL;\n    }\n}\n"]
+    end
+
     def table(structure)
       type = "#{structure.name}_t"
-      rows = structure.fields.map do |field|
+      rows = structure.fields.reject { |field| field.type.payload? }.map do |field|
         inside = field.type.structure ? "fields_#{field.type.structure.name}" : 'NULL'
         "    {\"#{field.name}\", offsetof(#{type}, #{field.name}), SIZE(#{type}, #{field.name}),\n" \
           "     SIZE(#{type}, #{field.name}#{'[0]' if field.count}), #{inside},\n" \

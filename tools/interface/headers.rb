@@ -67,7 +67,8 @@ module Interface
         "#{C.comment(about, '    ') unless about.empty?}    #{field.type.c} #{field.name}" \
           "#{"[#{field.count}]" if field.count};\n"
       end
-      "#{C.comment(structure.says) if structure.says}typedef struct {\n#{fields.join}} #{structure.name}_t;\n"
+      union = "#{@model.commands.payloads.union}\n" if structure.fields.any? { |field| field.type.payload? }
+      "#{union}#{C.comment(structure.says) if structure.says}typedef struct {\n#{fields.join}} #{structure.name}_t;\n"
     end
 
     def modes?(header)
@@ -80,7 +81,7 @@ module Interface
 
     def prototypes(header)
       return Modes::DECLARATION if modes?(header)
-      return Commands::DECLARATION if commands?(header)
+      return @model.commands.prototypes if commands?(header)
       return unless header.enumerations.any? { |one| one.name == 'event_id' }
 
       <<~CODE

@@ -58,7 +58,7 @@ module Interface
 
     # What two programs must agree on.
     def layout
-      "enum #{name} #{values.map { |value| "#{constant(value)}=#{value.code}" }.join(' ')}"
+      "enum #{name} #{values.map { |value| "#{constant(value)}=#{value.code}#{value.more['payload']&.identifier}" }.join(' ')}"
     end
 
     private
@@ -160,6 +160,11 @@ module Interface
     # None without workphases that they could be obeyed in.
     def commands
       @commands ||= Commands.new(self) if enumeration('command_kind')&.counted? && enumeration('workphase')
+    end
+
+    # What the values of an enumeration say beside their kind; nil: nothing.
+    def payloads(name)
+      commands&.payloads if name == 'command_kind'
     end
 
     # The structures whose fields are shown in `message`, each with these fields and how.

@@ -12,7 +12,7 @@ module Interface
       'uint64' => ['uint64_t', nil, 8, 'number'], 'flag' => ['uint32_t', nil, 4, 'flag'],
       'point' => ['point_t', 'base/rigid', 12, 'point'], 'rigid' => ['rigid_t', 'base/rigid', 48, 'matrix']
     }.freeze
-    KINDS = %w[chart bits].freeze
+    KINDS = %w[chart bits payload].freeze
 
     attr_reader :enumeration, :structure, :leaves
 
@@ -29,6 +29,8 @@ module Interface
       when 'chart' then chart(model)
       when 'bits'
         @enumeration = model.enumeration(@of) || @node.refuse("is bits of #{@of}, which is no enumeration")
+      when 'payload'
+        @payloads = model.payloads(@of) || @node.refuse("is the payload of #{@of}, whose values have none")
       else
         return if PLAIN.key?(@kind)
 
@@ -41,6 +43,7 @@ module Interface
 
     def c
       return PLAIN[@kind].first if PLAIN.key?(@kind)
+      return 'command_payload_t' if payload?
 
       @structure ? "#{@structure.name}_t" : 'uint32_t'
     end
@@ -51,6 +54,7 @@ module Interface
 
     def bytes
       return PLAIN[@kind][2] if PLAIN.key?(@kind)
+      return @payloads.bytes if payload?
 
       @structure ? @structure.bytes : 4
     end
@@ -63,7 +67,7 @@ module Interface
 
     def form
       return PLAIN[@kind].last if PLAIN.key?(@kind)
-      return { 'chart' => 'state', 'bits' => 'set' }.fetch(@kind, nil) if KINDS.include?(@kind)
+      return { 'chart' => 'state', 'bits' => 'set' }[@kind] if KINDS.include?(@kind)
 
       'named' if @enumeration
     end
@@ -89,6 +93,11 @@ module Interface
 
     def bits?
       @kind == 'bits'
+    end
+
+    # One of several structures, as the kind beside it says.
+    def payload?
+      @kind == 'payload'
     end
 
     def flag?

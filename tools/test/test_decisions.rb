@@ -33,10 +33,14 @@ class TestDecisions < Minitest::Test
     'docs/architecture.md' => "Jogs are in `core/mode/jog.c`.\n",
     'core/mode/jog.c' => "int deadband_ticks;\n",
     'core/interface/modes.yml' => "values:\n  - {name: JOG, workphases: [MANUAL, STOP]}\n",
-    'core/controller/controller_obey.c' => <<~C
-      [COMMAND_SOURCE_IGTL] = {[COMMAND_JOG] = true, [COMMAND_RETRACT] = true, [COMMAND_TARGET] = true},
-      [COMMAND_SOURCE_HTTP] = {[COMMAND_JOG] = true, [COMMAND_RETRACT] = true, [COMMAND_TARGET] = false}};
-    C
+    'core/interface/commands.yml' => <<~YAML
+      enumerations:
+        - name: command_kind
+          values:
+            - {name: JOG, from: [IGTL, HTTP]}
+            - {name: RETRACT, from: [IGTL, HTTP]}
+            - {name: TARGET, from: [IGTL]}
+    YAML
   }.freeze
 
   def test_SWR_TOOL_026_the_records_are_true
@@ -53,9 +57,9 @@ class TestDecisions < Minitest::Test
   end
 
   def test_SWR_TOOL_026_a_changed_right_is_named_where_it_is_and_where_it_was
-    rights = FILES['core/controller/controller_obey.c'].sub('[COMMAND_TARGET] = false', '[COMMAND_TARGET] = true')
+    rights = FILES['core/interface/commands.yml'].sub('TARGET, from: [IGTL]', 'TARGET, from: [IGTL, HTTP]')
     assert_equal ['the rights of IGTL alone differ by TARGET', 'the rights of both differ by TARGET'],
-                 reasons('core/controller/controller_obey.c' => rights)
+                 reasons('core/interface/commands.yml' => rights)
   end
 
   def test_SWR_TOOL_026_a_changed_row_is_named

@@ -534,22 +534,86 @@ class TestInterfaceCompiler < Minitest::Test
   end
 
   COMMANDS = MODES.sub('prefix: COMMAND', "prefix: COMMAND\n    count: true")
-                  .sub('says: "Go."}', 'says: "Go."}, {code: 3, name: TURN, workphases: [THERE], says: "Turn."}')
+                  .sub(/^    values: \[\{code: 0, name: NONE, says: "No.*$/, <<~YAML.gsub(/^/, '    ').rstrip)
+                    values:
+                      - {code: 0, name: NONE, from: [], says: "No."}
+                      - {code: 1, name: WORKPHASE, from: [PAGE], obeyed_by: workphase, payload: workphase, says: "W."}
+                      - {code: 2, name: GO, from: [PAGE, NETWORK], says: "Go."}
+                      - {code: 3, name: TURN, from: [PAGE], obeyed_by: turn, payload: turn, workphases: [THERE], says: "Turn."}
+                      - {code: 4, name: TURN_BACK, from: [], obeyed_by: turn, payload: turn, says: "Turn back."}
+                  YAML
+                  .sub('  - name: mode_kind', <<~YAML.gsub(/^/, '  ').rstrip).concat(<<~YAML)
+                    - {name: command_source, says: Who., values: [{code: 0, name: NETWORK, says: "N."}, {code: 1, name: PAGE, says: "P."}]}
+                    - name: mode_kind
+                  YAML
+                    structures:
+                      - {name: command_workphase, fields: [{name: workphase, type: workphase}]}
+                      - {name: command_turn, fields: [{name: axis, type: uint32}, {name: by_ticks, type: int32}]}
+                      - {name: command, fields: [{name: kind, type: command_kind}, {name: as, type: payload command_kind}]}
+                  YAML
 
   def test_SWR_TOOL_011_the_table_of_commands_says_where_each_is_obeyed
     with_output('commands.yml' => COMMANDS) do |folder|
       source = File.read(File.join(folder, 'command.c'))
-      assert_includes source, '[COMMAND_WORKPHASE] = IN_ALL,'
-      assert_includes source, "[COMMAND_GO] = IN(WORKPHASE_HERE) |\n        IN(WORKPHASE_THERE),"
-      assert_includes source, '[COMMAND_TURN] = IN(WORKPHASE_THERE),'
+      assert_includes source, '[COMMAND_WORKPHASE] = {.workphases = IN_ALL,'
+      assert_includes source, "[COMMAND_GO] = {.workphases = IN(WORKPHASE_HERE) |\n        IN(WORKPHASE_THERE),"
+      assert_includes source, '[COMMAND_TURN] = {.workphases = IN(WORKPHASE_THERE),'
       assert_includes File.read(File.join(folder, 'mode_list.h')), '/** Turn. Only in THERE. */'
       assert_includes File.read(File.join(folder, 'app', 'names.c')), 'return "Only in HERE or THERE.";'
     end
   end
 
+  def test_SWR_TOOL_080_what_a_command_says_is_a_member_of_one_union_with_an_accessor
+    with_output('commands.yml' => COMMANDS) do |folder|
+      assert_includes File.read(File.join(folder, 'mode_list.h')), <<~CODE
+        typedef union {
+            command_workphase_t workphase; /**< WORKPHASE. */
+            command_turn_t turn; /**< TURN, TURN_BACK. */
+        } command_payload_t;
+      CODE
+      assert_includes File.read(File.join(folder, 'command_access.c')), <<~CODE
+        const command_turn_t *command_as_turn(const command_t *command)
+        {
+            REQUIRE(2U, has_form(command, COMMAND_FORM_TURN));
+            return &command->as.turn;
+        }
+      CODE
+      assert_match(/case 3:\n    case 4:\n        return fields_command_turn;/, File.read(File.join(folder, 'app', 'fields.c')))
+    end
+  end
+
+  def test_SWR_TOOL_080_who_may_send_a_command_and_what_carries_it_out_are_of_its_row
+    with_output('commands.yml' => COMMANDS) do |folder|
+      assert_includes File.read(File.join(folder, 'command.c')), '.sources = BY(COMMAND_SOURCE_PAGE) | BY(COMMAND_SOURCE_NETWORK),'
+      assert_includes File.read(File.join(folder, 'command_dispatch.c')), <<~CODE
+        case (uint32_t)COMMAND_TURN:
+            case (uint32_t)COMMAND_TURN_BACK:
+                status = controller_obey_turn(self, cycle, command, answer);
+      CODE
+    end
+  end
+
+  COMMAND_REFUSALS = {
+    'a command without senders' => ['from: [PAGE, NETWORK], says', 'says', 14, 'has no from'],
+    'a sender that there is not' => ['from: [PAGE, NETWORK]', 'from: [NOBODY]', 14, 'is NOBODY; expected NETWORK or PAGE'],
+    'a command that nothing carries out' => ['from: [], obeyed_by: turn,', 'from: [],', 16, 'has no obeyed_by and arms no mode'],
+    'a function for a command that arms a mode' => ['name: GO, from: [PAGE, NETWORK],', 'name: GO, from: [PAGE, NETWORK], obeyed_by: go,',
+                                                    14, 'stands with a command that arms a mode'],
+    'a payload without its structure' => ['payload: workphase', 'payload: phase', 13, 'is phase; expected a structure command_NAME']
+  }.freeze
+
+  COMMAND_REFUSALS.each do |what, (old, new, line, reason)|
+    define_method("test_SWR_TOOL_080_refuses_#{what.tr(' ', '_')}") { assert_refused('commands.yml', COMMANDS, old, new, line, reason) }
+  end
+
+  def test_SWR_TOOL_080_refuses_a_structure_that_is_of_no_command
+    changed = COMMANDS.sub('name: command_turn', 'name: command_bend').gsub('payload: turn, ', '')
+    assert_includes refusal('commands.yml' => changed), 'command_bend: is the payload of no command'
+  end
+
   def test_SWR_TOOL_012_refuses_workphases_of_a_command_that_arms_a_mode
-    old = 'name: GO, says: "Go."'
-    assert_refused('commands.yml', COMMANDS, old, old.sub('says', 'workphases: [HERE], says'), 11, 'stand in modes.yml, with GO')
+    old = 'name: GO, from: [PAGE, NETWORK], says: "Go."'
+    assert_refused('commands.yml', COMMANDS, old, old.sub('says', 'workphases: [HERE], says'), 14, 'stand in modes.yml, with GO')
   end
 
   MODE_REFUSALS = {

@@ -22,6 +22,7 @@
 #include "robot/kinematics.h"
 
 #include "unity.h"
+#include "unit/support/commands.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -69,7 +70,8 @@ static void print_label(void)
         const bool names_workphase = command->kind == (uint32_t)COMMAND_WORKPHASE;
         (void)printf("%s%s%s", (i > 0U) ? ", " : "", command_kind_name((int32_t)command->kind),
                      names_workphase ? " " : "");
-        (void)printf("%s", names_workphase ? workphase_name((int32_t)command->argument) : "");
+        (void)printf(
+            "%s", names_workphase ? workphase_name((int32_t)command->as.workphase.workphase) : "");
     }
     if (sample.inputs.command_count == 0U) {
         for (uint32_t i = 0U; i < sample.outputs.event_count; i++) {
@@ -122,13 +124,14 @@ static void say(command_t command)
 
 static void say_phase(workphase_t workphase)
 {
-    say((command_t){.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)workphase});
+    say((command_t){.kind = (uint32_t)COMMAND_WORKPHASE,
+                    .as.workphase = {.workphase = (uint32_t)workphase}});
     cycles(1U);
 }
 
 static void say_pose(command_kind_t kind, const rigid_t *pose)
 {
-    say((command_t){.kind = (uint32_t)kind, .pose = *pose});
+    say(commands_of_pose(kind, *pose));
     cycles(1U);
 }
 
@@ -197,7 +200,7 @@ static void target(void)
     pose = rig_pose(5000000, 190000000, 60000000);
     say_point(COMMAND_ENTRY, (point_t){5000000, 255000000, 60000000});
     for (uint32_t i = 1U; i < CONTROLLER_COMMANDS; i++) {
-        say((command_t){.kind = (uint32_t)COMMAND_JOG, .argument = i});
+        say((command_t){.kind = (uint32_t)COMMAND_JOG, .as.jog = {.axis = i}});
     }
     say_pose(COMMAND_TARGET, &pose);
     if (rig.controller.plan.has_target == 0U) {
@@ -295,7 +298,8 @@ static void sweep(void)
     say_phase(WORKPHASE_MANUAL);
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         if (robot->axes[i].card_type == (uint8_t)CARD_TYPE_HIGH_FREQUENCY) {
-            say((command_t){.kind = (uint32_t)COMMAND_SWEEP, .argument = i, .value = 1});
+            say((command_t){.kind = (uint32_t)COMMAND_SWEEP,
+                            .as.sweep = {.axis = i, .is_free = 1}});
             cycles(1U);
             order("pedal press");
             cycles(8000U);

@@ -107,7 +107,7 @@ static double belief(uint32_t axis)
 static void cruise(uint32_t axis)
 {
     static const int32_t ends[ROBOT_AXIS_MAX] = {-5000, 4000, -2000, 60000, 5000, -300, -1100};
-    const command_t jog = {.kind = COMMAND_JOG, .argument = axis, .value = ends[axis]};
+    const command_t jog = {.kind = COMMAND_JOG, .as.jog = {.axis = axis, .to_ticks = ends[axis]}};
     const int32_t almost_percent = (int32_t)LIMIT_PROFILE_SPEED_PERCENT - 1;
     const int32_t speed_q8 = config_of(axis)->speed_ticks_per_s * 256 / 100 * almost_percent;
     const snapshot_axis_t *const shown = &rig.outputs.snapshot.axes[axis];

@@ -6,6 +6,7 @@
 #include "interface/authority_list.h"
 #include "witness/commanding.h"
 #include "witness/replies.h"
+#include "procedure/command_kinds.h"
 
 #include <stddef.h>
 
@@ -50,7 +51,8 @@ static party_t sender(const command_t *command)
 static bool is_proper(const answer_t *answer, const command_t *command)
 {
     return (answer != NULL) && (answer->id == command->id) && (answer->source == command->source) &&
-           (answer->command == command->kind) && (answer->argument == command->argument) &&
+           (answer->command == command->kind) &&
+           (answer->asked == (uint32_t)command_kinds_workphase(command)) &&
            ((answer->kind == (uint32_t)ANSWER_REFUSED) == (answer->status != (uint32_t)STATUS_OK));
 }
 
@@ -95,7 +97,7 @@ static void look_at_command(witness_t *self, uint32_t cycle, const controller_in
 /* Who asks again for the same waits no longer. */
 static bool is_asked_already(const witness_t *self, const command_t *command)
 {
-    return (command->argument == (uint32_t)AUTHORITY_REQUEST_TAKE) &&
+    return (command->as.request.request == (uint32_t)AUTHORITY_REQUEST_TAKE) &&
            is_same(self->asker, sender(command));
 }
 
@@ -115,8 +117,9 @@ static void look_at_button(witness_t *self, const controller_inputs_t *inputs,
         if ((command->kind == (uint32_t)COMMAND_REQUEST) && replies_accept(outputs, i) &&
             !is_same(self->holder, sender(command)) && !is_asked_already(self, command)) {
             self->asker = sender(command);
-            self->asker.peer =
-                (command->argument == (uint32_t)AUTHORITY_REQUEST_TAKE) ? command->peer : 0U;
+            self->asker.peer = (command->as.request.request == (uint32_t)AUTHORITY_REQUEST_TAKE)
+                                   ? command->peer
+                                   : 0U;
             self->asked_us = self->time_us;
             self->was_released = false;
             self->is_pressed = false;

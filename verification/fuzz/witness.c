@@ -7,6 +7,8 @@
 #include "fuzz/sentence.h"
 #include "limits/requirement_limits.h"
 #include "message/igtl_crc64.h"
+#include "procedure/command_kinds.h"
+#include "unit/support/commands.h"
 
 #include <math.h>
 #include <string.h>
@@ -295,8 +297,7 @@ static bool is_queued(const world_t *world, workphase_t phase)
     const igtl_requests_t *requests = &world->workphase.requests;
 
     for (uint32_t i = 0U; i < requests->queued; i++) {
-        if ((requests->queue[i].kind == (uint32_t)COMMAND_WORKPHASE) &&
-            (requests->queue[i].argument == (uint32_t)phase)) {
+        if (command_kinds_workphase(&requests->queue[i]) == phase) {
             return true;
         }
     }
@@ -387,9 +388,7 @@ static const igtl_request_t *request_of(const igtl_requests_t *requests, uint32_
 
 static bool is_urgent(const igtl_request_t *request)
 {
-    const command_t command = {.kind = request->kind, .argument = request->argument};
-
-    return igtl_requests_is_urgent(&command);
+    return command_kinds_is_stop(&request->command);
 }
 
 /* One answer serves several stops of one peer. */
@@ -399,7 +398,8 @@ static bool has_newer(const world_t *world, const igtl_request_t *request)
         const igtl_request_t *other = &world->workphase.requests.requests[i];
 
         if ((other->id != 0U) && (other->id != request->id) && (other->peer == request->peer) &&
-            (other->kind == request->kind) && (other->argument == request->argument)) {
+            (memcmp(&other->command.as, &request->command.as, sizeof other->command.as) == 0) &&
+            (other->command.kind == request->command.kind)) {
             return true;
         }
     }
@@ -412,7 +412,8 @@ static bool is_draping(const world_t *world, const igtl_request_t *pose)
     const char *motion = (pose == NULL) ? NULL : world->workphase.peers[pose->peer].motion;
 
     return (motion != NULL) && (strcmp(motion, WORKPHASE_WORD_DRAPING) == 0) &&
-           (pose->kind == (uint32_t)COMMAND_POSE) && (pose->argument == (uint32_t)POSE_DRAPING);
+           (pose->command.kind == (uint32_t)COMMAND_POSE) &&
+           (pose->command.as.pose_name.pose == (uint32_t)POSE_DRAPING);
 }
 
 /* MANUAL was entered for DRAPING, of which the answer to its pose is told alone. */
@@ -420,8 +421,7 @@ static bool goes_on_draping(const world_t *world, const igtl_request_t *was)
 {
     const workphase_peer_t *peer = &world->workphase.peers[was->peer];
 
-    return (was->kind == (uint32_t)COMMAND_WORKPHASE) &&
-           (was->argument == (uint32_t)WORKPHASE_MANUAL) &&
+    return (command_kinds_workphase(&was->command) == WORKPHASE_MANUAL) &&
            is_draping(world, request_of(&world->workphase.requests, peer->pending));
 }
 
@@ -439,7 +439,7 @@ static void judge_requests(const world_t *world)
         const bool waits = (is != NULL) && !is->is_accepted && !is->is_overdue;
 
         SENTENCE(waits || (witness.peers[was->peer].statuses > 0U) ||
-                     (was->kind == (uint32_t)COMMAND_NEEDLE) ||
+                     (was->command.kind == (uint32_t)COMMAND_NEEDLE) ||
                      workphase_array_has(&world->workphase.array, was) ||
                      (is_urgent(was) && has_newer(world, was)) || goes_on_draping(world, was),
                  "whoever waits for an answer is told");
@@ -498,21 +498,20 @@ static bool may_pass(const world_t *world, uint32_t place, const command_t *comm
 {
     const uint32_t commander = commander_of(world);
 
-    return igtl_requests_is_urgent(command) || (commander == NOWHERE) || (commander == place);
+    return command_kinds_is_stop(command) || (commander == NOWHERE) || (commander == place);
 }
 
 /* A proposal that has waited goes on while its sender says something else. */
 static bool is_said_now(const command_t *command)
 {
     return !is_of_planner(command) ||
-           (strcmp(transform_proposals_name(command->kind, command->argument),
-                   witness.said->name) == 0);
+           (strcmp(transform_proposals_name(command), witness.said->name) == 0);
 }
 
 /* A row of an array goes on when the one before was taken. */
 static bool is_of_array(const world_t *world, uint32_t place, const command_t *command)
 {
-    const igtl_request_t request = {.id = command->id, .peer = place, .kind = command->kind};
+    const igtl_request_t request = {.id = command->id, .peer = place, .command = *command};
 
     return workphase_array_has(&world->workphase.array, &request);
 }
@@ -537,7 +536,7 @@ static void judge_command(const world_t *world, const command_t *command)
     SENTENCE(is_of_planner(command) || may_pass(world, place, command),
              "while another one commands a stop passes at most");
     if ((place == witness.speaker) && is_said_now(command)) {
-        judge_pose(witness.said, &command->pose);
+        judge_pose(witness.said, commands_pose(command));
     }
 }
 
@@ -627,20 +626,17 @@ static void judge_rate(const world_t *world, const command_t *command)
 
 void witness_passed(const world_t *world, const command_t *command)
 {
-    SENTENCE(is_in_range(&command->pose), "a number out of its range is not passed on");
+    SENTENCE(is_in_range(commands_pose(command)), "a number out of its range is not passed on");
     SENTENCE(command->source == (uint32_t)COMMAND_SOURCE_IGTL, "a command says where it is from");
     if (is_of_planner(command)) {
         SENTENCE(is_proposal(command->kind) || ((command->kind == (uint32_t)COMMAND_WITHDRAW) &&
-                                                is_proposal(command->argument)),
+                                                is_proposal(command->as.withdrawal.of)),
                  "a planner proposes and does nothing else");
         judge_rate(world, command);
     }
-    if (command->kind == (uint32_t)COMMAND_WORKPHASE) {
-        witness.is_stop_owed =
-            witness.is_stop_owed && (command->argument != (uint32_t)WORKPHASE_STOP);
-        witness.is_emergency_owed =
-            witness.is_emergency_owed && (command->argument != (uint32_t)WORKPHASE_EMERGENCY);
-    }
+    const workphase_t asked = command_kinds_workphase(command);
+    witness.is_stop_owed = witness.is_stop_owed && (asked != WORKPHASE_STOP);
+    witness.is_emergency_owed = witness.is_emergency_owed && (asked != WORKPHASE_EMERGENCY);
 }
 
 /* A connection has authority that is not there any more. */
@@ -662,7 +658,7 @@ static bool is_releasing(const world_t *world)
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         const igtl_request_t *request = &world->workphase.requests.requests[i];
 
-        if ((request->id != 0U) && (request->kind == (uint32_t)COMMAND_RELEASE)) {
+        if ((request->id != 0U) && (request->command.kind == (uint32_t)COMMAND_RELEASE)) {
             return true;
         }
     }

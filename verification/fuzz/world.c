@@ -6,6 +6,7 @@
 #include "fuzz/witness.h"
 #include "fuzz/words.h"
 #include "robot/robot_neuro.h"
+#include "procedure/command_kinds.h"
 
 #include <string.h>
 
@@ -179,7 +180,7 @@ static void refuse(world_t *self, const command_t *command)
     const answer_t refusal = {.id = command->id,
                               .source = command->source,
                               .command = command->kind,
-                              .argument = command->argument,
+                              .asked = (uint32_t)command_kinds_workphase(command),
                               .kind = (uint32_t)ANSWER_REFUSED,
                               .status = (uint32_t)STATUS_BUSY,
                               .is_final = 1U,

@@ -102,7 +102,8 @@ void test_SWR_NI_006_cards_that_protect_themselves_need_nobodys_word(void)
 /* Homed, in MANUAL, with a jog armed. */
 static void start_jog(void)
 {
-    const command_t jog = {.kind = COMMAND_JOG, .argument = NEURO_AXIS_LATERAL, .value = -2000};
+    const command_t jog = {.kind = COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_LATERAL, .to_ticks = -2000}};
     setUp();
     rig.is_dialect_accepted = 1U;
     rig_home(&rig);

@@ -5,6 +5,7 @@
  * sends the needle alone in once the base is there; meanwhile nobody changes where to. On the
  * simulated box, whose true positions are looked at.
  */
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 
 #include "unity.h"
@@ -35,10 +36,7 @@ static uint32_t status_of(command_t command)
 /* The entry point of a needle straight down to (5, 190, 60) mm, `depth_nm` + 36 mm above. */
 static command_t entry(command_kind_t kind, int32_t depth_nm)
 {
-    command_t command = {.kind = (uint32_t)kind};
-    rigid_set_identity(&command.pose);
-    command.pose.translation = (point_t){5000000, 190000000 + 36000000 + depth_nm, 60000000};
-    return command;
+    return commands_of_pose(kind, rig_pose(5000000, 190000000 + 36000000 + depth_nm, 60000000));
 }
 
 static uint32_t send_target(void)
@@ -128,7 +126,7 @@ void test_SWR_ALIGN_001_an_alignment_takes_out_a_needle_that_is_in(void)
     (void)rig_workphase(&rig, WORKPHASE_TARGETING);
     const rigid_t other = rig_pose(6000000, 190000000, 60000000);
     command_t above = entry(COMMAND_ENTRY, 20000000);
-    above.pose.translation.x_nm = 6000000;
+    above.as.pose.pose.translation.x_nm = 6000000;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(above));
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &other).status);
     TEST_ASSERT_FALSE(needle_is_out(&robot_neuro, rig.controller.axes));
@@ -187,15 +185,17 @@ void test_SWR_ALIGN_006_a_target_or_an_entry_point_is_not_taken_on_the_way(void)
         TEST_ASSERT_EQUAL_UINT32(STATUS_MOTION_ARMED, status_of(entry(COMMAND_ENTRY, 20000000)));
         TEST_ASSERT_EQUAL_UINT32(STATUS_MOTION_ARMED,
                                  status_of((command_t){.kind = (uint32_t)COMMAND_ACCEPT_ENTRY}));
-        TEST_ASSERT_EQUAL_UINT32(STATUS_MOTION_ARMED,
-                                 status_of((command_t){.kind = (uint32_t)COMMAND_WITHDRAW,
-                                                       .argument = (uint32_t)COMMAND_ENTRY}));
+        TEST_ASSERT_EQUAL_UINT32(
+            STATUS_MOTION_ARMED,
+            status_of((command_t){.kind = (uint32_t)COMMAND_WITHDRAW,
+                                  .as.withdrawal = {.of = (uint32_t)COMMAND_ENTRY}}));
         rig_press(&rig);
         rig_cycles(&rig, 100U);
     }
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK,
-                             status_of((command_t){.kind = (uint32_t)COMMAND_WITHDRAW,
-                                                   .argument = (uint32_t)COMMAND_PROPOSE_ENTRY}));
+    TEST_ASSERT_EQUAL_UINT32(
+        STATUS_OK,
+        status_of((command_t){.kind = (uint32_t)COMMAND_WITHDRAW,
+                              .as.withdrawal = {.of = (uint32_t)COMMAND_PROPOSE_ENTRY}}));
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_MOVING, rig.outputs.snapshot.order);
     expect_done(COMMAND_ALIGN);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, send_target());

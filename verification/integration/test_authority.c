@@ -4,6 +4,7 @@
  * Rule under test: at most one page or connection commands, what it has armed ends with its
  * authority, and stopping is everyone's. On the simulated box.
  */
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 
 #include "unity.h"
@@ -35,9 +36,9 @@ void tearDown(void)
 
 static status_t send(command_source_t source, uint32_t peer, command_kind_t kind, uint32_t argument)
 {
-    command_t command = {
-        .source = (uint32_t)source, .peer = peer, .kind = (uint32_t)kind, .argument = argument};
-    rigid_set_identity(&command.pose);
+    command_t command = commands_of_number(kind, argument);
+    command.source = (uint32_t)source;
+    command.peer = peer;
     return (status_t)rig_command(&rig, command).status;
 }
 
@@ -495,8 +496,7 @@ static void expect_note(note_kind_t kind, event_id_t id)
     rig.commands[0] = (command_t){.source = COMMAND_SOURCE_HTTP,
                                   .peer = RIG_PAGE,
                                   .kind = COMMAND_NOTE,
-                                  .argument = (uint32_t)kind,
-                                  .value = 17};
+                                  .as.note = {.note = (uint32_t)kind, .number = 17}};
     rig.command_count = 1U;
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL(STATUS_OK, rig.outputs.answers[0].status);

@@ -75,7 +75,7 @@ void test_SWR_AXIS_012_a_stall_loses_reference_and_target(void)
 
 static void begin_jog(uint32_t axis, int32_t ticks)
 {
-    const command_t jog = {.kind = COMMAND_JOG, .argument = axis, .value = ticks};
+    const command_t jog = {.kind = COMMAND_JOG, .as.jog = {.axis = axis, .to_ticks = ticks}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_release(&rig);
     rig_press(&rig);
@@ -205,7 +205,7 @@ void test_SWR_AXIS_017_a_lost_card_gets_no_guard(void)
 static void cruise(uint32_t axis)
 {
     static const int32_t ends[ROBOT_AXIS_MAX] = {-5000, 4000, -2000, 60000, 5000, -300, -1100};
-    const command_t jog = {.kind = COMMAND_JOG, .argument = axis, .value = ends[axis]};
+    const command_t jog = {.kind = COMMAND_JOG, .as.jog = {.axis = axis, .to_ticks = ends[axis]}};
     const int32_t almost_percent = (int32_t)LIMIT_PROFILE_SPEED_PERCENT - 1;
     const int32_t speed_q8 = robot_neuro.axes[axis].speed_ticks_per_s * 256 / 100 * almost_percent;
     rig_start_homed(&rig);

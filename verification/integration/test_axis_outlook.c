@@ -4,6 +4,7 @@
  * Rule under test: what is said of each axis and way before a mode for single axes is commanded for
  * it is what the controller then says: in many states, reached by chance.
  */
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 
 #include "unity.h"
@@ -46,7 +47,7 @@ static uint32_t below(uint32_t bound)
 
 static command_t of_axis(command_kind_t kind)
 {
-    return (command_t){.kind = (uint32_t)kind, .argument = below(rig.robot.axis_count)};
+    return commands_of_number(kind, below(rig.robot.axis_count));
 }
 
 /* An end of the way of an axis, its home, or anywhere. */
@@ -66,7 +67,7 @@ static void change_state(void)
     static const workphase_t phases[] = {WORKPHASE_MANUAL, WORKPHASE_MANUAL, WORKPHASE_PLANNING,
                                          WORKPHASE_STOP, WORKPHASE_START_UP};
     command_t jog = of_axis(COMMAND_JOG);
-    jog.value = some_place(&rig.robot.axes[jog.argument]);
+    jog.as.jog.to_ticks = some_place(&rig.robot.axes[jog.as.jog.axis]);
     rig_forget(&rig);
     switch (below(8U)) {
     case 0:
@@ -162,8 +163,8 @@ void test_SWR_MODE_013_the_zone_of_a_switch_is_named_the_way_to_it_alone(void)
 {
     const robot_t *const robot = robots_find("neuro");
     const uint32_t head = 0U;
-    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = head};
-    jog.value = robot->axes[head].target_maximum_ticks;
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .as.jog = {.axis = head}};
+    jog.as.jog.to_ticks = robot->axes[head].target_maximum_ticks;
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     rig_forget(&rig);
@@ -171,7 +172,7 @@ void test_SWR_MODE_013_the_zone_of_a_switch_is_named_the_way_to_it_alone(void)
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
     rig_release(&rig);
-    TEST_ASSERT_EQUAL_INT32(jog.value, rig_position(&rig, head));
+    TEST_ASSERT_EQUAL_INT32(jog.as.jog.to_ticks, rig_position(&rig, head));
     expect_axis(robot, MODE_JOG, head, true);
     TEST_ASSERT_TRUE(was_seen[STATUS_SWITCH_ZONE]);
     was_seen[STATUS_OK] = false;

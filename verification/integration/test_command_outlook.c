@@ -6,6 +6,7 @@
 #include "http/command_outlook.h"
 #include "http/shown.h"
 #include "interface/app/names.h"
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 #include "robot/robot_neuro.h"
 #include "supervise/chance.h"
@@ -53,20 +54,22 @@ static uint32_t below(uint32_t bound)
 /* One whose numbers are as they should be. */
 static command_t command_of(command_kind_t kind)
 {
-    command_t command = {.kind = (uint32_t)kind, .pose = rig_pose(5000000, 190000000, 60000000)};
+    command_t command = commands_of_number(kind, NEURO_AXIS_FEET);
     if (kind == COMMAND_REGISTRATION) {
-        rigid_set_identity(&command.pose);
+        rigid_set_identity(&command.as.registration.pose);
+    } else if ((kind == COMMAND_TARGET) || (kind == COMMAND_ENTRY)) {
+        command.as.pose.pose = rig_pose(5000000, 190000000, 60000000);
     } else if (kind == COMMAND_PROBE) {
-        command.argument = rig.robot.probe_length_count;
-        (void)memcpy(command.ticks, rig.outputs.snapshot.probe_nm,
+        command.as.probe.count = rig.robot.probe_length_count;
+        (void)memcpy(command.as.probe.lengths_nm, rig.outputs.snapshot.probe_nm,
                      sizeof rig.outputs.snapshot.probe_nm);
     } else if (kind == COMMAND_RESTORE) {
-        command.argument = 1U << NEURO_AXIS_FEET;
-        command.ticks[NEURO_AXIS_FEET] = rig_position(&rig, NEURO_AXIS_FEET);
+        command.as.positions.axes = 1U << NEURO_AXIS_FEET;
+        command.as.positions.ticks[NEURO_AXIS_FEET] = rig_position(&rig, NEURO_AXIS_FEET);
     } else if (kind == COMMAND_PROGRAM_BEGIN) {
-        command.argument = 1U;
+        command.as.list_begin.count = 1U;
     } else {
-        command.argument = NEURO_AXIS_FEET;
+        /* Its axis says it, or nothing. */
     }
     return command;
 }
@@ -115,8 +118,8 @@ static void go_on(void)
     static const workphase_t ways[] = {
         WORKPHASE_START_UP,       WORKPHASE_PLANNING, WORKPHASE_TARGETING, WORKPHASE_CALIBRATION,
         WORKPHASE_MOVE_TO_TARGET, WORKPHASE_MANUAL,   WORKPHASE_STOP};
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_INSERTION, .value = 9000};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_INSERTION, .to_ticks = 9000}};
     rig.lacks_black_box = 0U;
     switch (below(12U)) {
     case 0:

@@ -3,6 +3,7 @@
  * @file
  * Commands, answers, events and the plan, on the simulated box.
  */
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 
 #include "unity.h"
@@ -27,8 +28,7 @@ void tearDown(void)
 
 static command_t proposal(command_kind_t kind, int32_t x_nm, int32_t y_nm, int32_t z_nm)
 {
-    const command_t command = {.kind = (uint32_t)kind, .pose = rig_pose(x_nm, y_nm, z_nm)};
-    return command;
+    return commands_of_pose(kind, rig_pose(x_nm, y_nm, z_nm));
 }
 
 void test_SWR_CMD_001_each_command_is_answered_once_with_its_id_and_source(void)
@@ -39,7 +39,7 @@ void test_SWR_CMD_001_each_command_is_answered_once_with_its_id_and_source(void)
         rig.commands[i].source = i % COMMAND_SOURCE_COUNT;
         rig.commands[i].peer = RIG_PAGE;
         rig.commands[i].kind = (uint32_t)COMMAND_WORKPHASE;
-        rig.commands[i].argument = (uint32_t)WORKPHASE_PLANNING;
+        rig.commands[i].as.workphase.workphase = (uint32_t)WORKPHASE_PLANNING;
     }
     rig.command_count = CONTROLLER_COMMANDS;
     rig_cycle(&rig);
@@ -68,7 +68,8 @@ void test_SWR_CMD_004_unknown_commands_workphases_and_axes_are_refused(void)
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     const command_t nothing = {.kind = (uint32_t)COMMAND_NONE};
     const command_t unknown = {.kind = 99U};
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = robot_neuro.axis_count};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = robot_neuro.axis_count}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_command(&rig, nothing).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_command(&rig, unknown).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_command(&rig, jog).status);
@@ -120,8 +121,9 @@ void test_SWR_REG_001_a_registration_that_is_not_rigid_is_refused_and_the_old_on
     rig_start_homed(&rig);
     rig_register(&rig, &identity);
     (void)rig_workphase(&rig, WORKPHASE_CALIBRATION);
-    command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION, .pose = identity};
-    command.pose.rotation_q30[0][0] = FIXED_ONE_Q30 / 2;
+    command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION,
+                         .as.registration = {.pose = identity}};
+    command.as.registration.pose.rotation_q30[0][0] = FIXED_ONE_Q30 / 2;
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_RIGID, rig_command(&rig, command).status);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_registered);
     TEST_ASSERT_EQUAL_MEMORY(&identity, &rig.outputs.snapshot.scanner_zframe, sizeof identity);
@@ -131,7 +133,8 @@ void test_SWR_REG_002_a_registration_is_taken_in_calibration_only_and_clears_the
 {
     rigid_t identity;
     rigid_set_identity(&identity);
-    const command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION, .pose = identity};
+    const command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION,
+                               .as.registration = {.pose = identity}};
     rig_start_targeted(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, rig_command(&rig, command).status);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
@@ -192,8 +195,8 @@ void test_SWR_PHASE_006_nothing_is_armed_after_late_cycles_or_a_pedal_fault(void
 
 void test_SWR_AXIS_010_a_jog_is_refused_while_the_axes_are_disabled(void)
 {
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_PITCH, .value = -200};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_PITCH, .to_ticks = -200}};
     rig_start_homed(&rig);
     rig_box(&rig, "card yaw silent");
     rig_cycles(&rig, 10U);
@@ -228,15 +231,15 @@ void test_SWR_IGTL_009_proposals_are_shown_and_never_armed(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_proposed_registration);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_proposal_reachable);
-    command.pose.rotation_q30[1][1] = FIXED_ONE_Q30;
+    command.as.seen_pose.pose.rotation_q30[1][1] = FIXED_ONE_Q30;
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_RIGID, rig_command(&rig, command).status);
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
 }
 
 void test_SWR_AXIS_010_a_jog_goes_to_its_position_in_manual_only(void)
 {
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = -200};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_YAW, .to_ticks = -200}};
     rig_start_homed(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, rig_command(&rig, jog).status);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
@@ -250,13 +253,14 @@ void test_SWR_AXIS_010_a_jog_goes_to_its_position_in_manual_only(void)
 
 void test_SWR_AXIS_004_a_jog_outside_the_soft_limits_is_refused(void)
 {
-    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = 9};
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                     .as.jog = {.axis = NEURO_AXIS_YAW, .to_ticks = 9}};
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     answer_t answer = rig_command(&rig, jog);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
     TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
-    jog.value = -1223;
+    jog.as.jog.to_ticks = -1223;
     answer = rig_command(&rig, jog);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
     TEST_ASSERT_EQUAL_UINT32(0U, answer.is_maximum);
@@ -265,10 +269,10 @@ void test_SWR_AXIS_004_a_jog_outside_the_soft_limits_is_refused(void)
 
 void test_SWR_PERMIT_005_an_axis_not_homed_jogs_at_reduced_speed(void)
 {
-    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW};
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .as.jog = {.axis = NEURO_AXIS_YAW}};
     rig_start_needle_homed(&rig);
     const int32_t start = rig.outputs.snapshot.axes[NEURO_AXIS_YAW].position_ticks;
-    jog.value = start - 27;
+    jog.as.jog.to_ticks = start - 27;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
     const int32_t most_q8 = (robot_neuro.axes[NEURO_AXIS_YAW].speed_ticks_per_s * 256 *
@@ -289,10 +293,10 @@ void test_SWR_PERMIT_005_an_axis_not_homed_jogs_at_reduced_speed(void)
 void test_SWR_PERMIT_005_an_axis_that_has_lagged_catches_up_within_the_cap(void)
 {
     const int32_t speed_ticks_per_s = robot_neuro.axes[NEURO_AXIS_LATERAL].speed_ticks_per_s;
-    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_LATERAL};
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .as.jog = {.axis = NEURO_AXIS_LATERAL}};
     const uint32_t most = LIMIT_UNHOMED_SPEED_PERCENT + LIMIT_SPEED_CAP_TOLERANCE_PERCENT;
     rig_start_needle_homed(&rig);
-    jog.value = rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].position_ticks - 94;
+    jog.as.jog.to_ticks = rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].position_ticks - 94;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
     rig_cycles(&rig, 500U);
@@ -332,15 +336,16 @@ void test_SWR_AXIS_020_a_jog_to_where_the_switch_may_be_active_is_refused_by_nam
         const bool has_switch = config->limit_switch != (uint8_t)LIMIT_SWITCH_NONE;
         const bool is_lower = config->limit_switch == (uint8_t)LIMIT_SWITCH_LOWER;
         const int32_t out = is_lower ? 1 : -1;
-        command_t jog = {
-            .kind = (uint32_t)COMMAND_JOG, .argument = i, .value = config->home_ticks + out};
+        command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                         .as.jog = {.axis = i, .to_ticks = config->home_ticks + out}};
         if (has_switch) {
-            jog.value = is_lower ? config->target_minimum_ticks : config->target_maximum_ticks;
-            jog.value -= out;
+            jog.as.jog.to_ticks =
+                is_lower ? config->target_minimum_ticks : config->target_maximum_ticks;
+            jog.as.jog.to_ticks -= out;
             const answer_t answer = rig_command(&rig, jog);
             TEST_ASSERT_EQUAL_UINT32(STATUS_SWITCH_ZONE, answer.status);
             TEST_ASSERT_EQUAL_UINT32(i, answer.axis);
-            jog.value += out;
+            jog.as.jog.to_ticks += out;
         }
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     }
@@ -426,9 +431,9 @@ static void expect_cause(event_id_t id, event_cause_t cause, uint32_t peer)
 static void command_by(command_source_t source, uint32_t peer, command_kind_t kind,
                        uint32_t argument)
 {
-    command_t command = {
-        .source = (uint32_t)source, .peer = peer, .kind = (uint32_t)kind, .argument = argument};
-    rigid_set_identity(&command.pose);
+    command_t command = commands_of_number(kind, argument);
+    command.source = (uint32_t)source;
+    command.peer = peer;
     rig_forget(&rig);
     (void)rig_command(&rig, command);
 }
@@ -469,7 +474,7 @@ void test_SWR_EVENT_009_a_workphase_that_stands_is_told_once(void)
 void test_SWR_EVENT_005_a_cleared_e_stop_and_an_accepted_target_name_who_asked(void)
 {
     const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
-    const command_t target = {.peer = 3U, .kind = COMMAND_TARGET, .pose = pose};
+    const command_t target = {.peer = 3U, .kind = COMMAND_TARGET, .as.pose = {.pose = pose}};
     rig_start_targeted(&rig);
     rig_leave(&rig);
     (void)rig_command(&rig, target);
@@ -672,7 +677,7 @@ void test_SWR_EVENT_002_events_beyond_the_most_of_a_cycle_are_counted(void)
     rig_press(&rig);
     for (uint32_t i = 0U; i < CONTROLLER_COMMANDS; i++) {
         rig.commands[i].kind = (uint32_t)COMMAND_WORKPHASE;
-        rig.commands[i].argument = (uint32_t)WORKPHASE_MOVE_TO_TARGET;
+        rig.commands[i].as.workphase.workphase = (uint32_t)WORKPHASE_MOVE_TO_TARGET;
     }
     damage_everything();
     rig_box(&rig, "scanner on");

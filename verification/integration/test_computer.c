@@ -45,8 +45,10 @@ void test_SWR_LOOP_006_start_up_is_refused_by_name_for_each_thing_that_the_compu
 
 void test_SWR_LOOP_006_no_axis_is_enabled_by_another_way(void)
 {
-    const command_t enable = {.kind = (uint32_t)COMMAND_ENABLE_AXIS, .argument = NEURO_AXIS_YAW};
-    const command_t disable = {.kind = (uint32_t)COMMAND_DISABLE_AXIS, .argument = NEURO_AXIS_YAW};
+    const command_t enable = {.kind = (uint32_t)COMMAND_ENABLE_AXIS,
+                              .as.axis = {.axis = NEURO_AXIS_YAW}};
+    const command_t disable = {.kind = (uint32_t)COMMAND_DISABLE_AXIS,
+                               .as.axis = {.axis = NEURO_AXIS_YAW}};
     rig_start_homed(&rig);
     rig.unfit = 1UL << COMPUTER_CHECK_KERNEL;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);

@@ -98,7 +98,8 @@ static double play(const play_t *self)
 
 static void begin_jog(uint32_t axis, int32_t ticks)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = axis, .to_ticks = ticks}};
     rig_start_homed(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
@@ -218,8 +219,8 @@ void test_SWR_AXIS_019_half_the_counts_of_an_axis_that_is_slower_than_its_motor_
 /* A short jog, and START_UP: it enables every axis anew, and a homed one is not homed again. */
 static void push_and_start_up(void)
 {
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_INSERTION, .value = 60000};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_INSERTION, .to_ticks = 60000}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_box(&rig, "pedal press");

@@ -4,6 +4,7 @@
  * Rule under test: an entry point decides the depth of a target only when the one who commands has
  * sent or accepted it; what is proposed decides nothing, and can be withdrawn.
  */
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 
 #include "unity.h"
@@ -24,17 +25,13 @@ void tearDown(void)
 
 static command_t of(command_kind_t kind, uint32_t argument)
 {
-    command_t command = {.kind = (uint32_t)kind, .argument = argument};
-    rigid_set_identity(&command.pose);
-    return command;
+    return commands_of_number(kind, argument);
 }
 
 /* |target - entry| = d + 36 mm on a needle straight down to (5, 190, 60) mm. */
 static command_t point_for(command_kind_t kind, int32_t depth_nm)
 {
-    command_t command = of(kind, 0U);
-    command.pose.translation = (point_t){5000000, 190000000 + 36000000 + depth_nm, 60000000};
-    return command;
+    return commands_of_pose(kind, rig_pose(5000000, 190000000 + 36000000 + depth_nm, 60000000));
 }
 
 static uint32_t status_of(command_t command)
@@ -93,7 +90,7 @@ void test_SWR_PLAN_017_an_entry_is_taken_in_targeting_only(void)
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_entry);
     (void)rig_workphase(&rig, WORKPHASE_TARGETING);
     command_t wrong = point_for(COMMAND_ENTRY, 20000000);
-    wrong.pose.rotation_q30[0][0] = 0;
+    wrong.as.pose.pose.rotation_q30[0][0] = 0;
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_RIGID, status_of(wrong));
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_entry);
 }
@@ -137,12 +134,12 @@ void test_SWR_IGTL_070_a_proposal_is_shown_with_who_made_it_last_and_when(void)
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(command));
         expect_told(kinds[i], (told_t){RIG_CONNECTION, rig.outputs.snapshot.cycle});
         command.peer = RIG_CONNECTION + 7U;
-        command.argument = 1U;
+        command.as.seen_pose.is_one_of_many = 1U;
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(command));
         const told_t last = {RIG_CONNECTION + 7U, rig.outputs.snapshot.cycle};
         expect_told(kinds[i], last);
         command.peer = RIG_CONNECTION;
-        command.pose.rotation_q30[0][0] = 0;
+        command.as.seen_pose.pose.rotation_q30[0][0] = 0;
         TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_RIGID, status_of(command));
         expect_told(kinds[i], last);
         if (i > 0U) {
@@ -224,12 +221,12 @@ void test_SWR_CTRL_023_one_of_many_is_obeyed_or_refused_without_an_event(void)
     for (uint32_t i = 0U; i < (sizeof kinds / sizeof kinds[0]); i++) {
         for (uint32_t is_unlogged = 0U; is_unlogged < 2U; is_unlogged++) {
             command_t command = point_for(kinds[i], 20000000);
-            command.argument = is_unlogged;
+            command.as.seen_pose.is_one_of_many = is_unlogged;
             rig_forget(&rig);
             TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(command));
             const bool is_noted = (is_unlogged == 0U) && (kinds[i] != COMMAND_NEEDLE);
             TEST_ASSERT_EQUAL_UINT32(is_noted ? 1U : 0U, rig.event_count);
-            command.pose.rotation_q30[0][0] = 0;
+            command.as.seen_pose.pose.rotation_q30[0][0] = 0;
             rig_forget(&rig);
             TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_RIGID, status_of(command));
             TEST_ASSERT_EQUAL_UINT32((is_unlogged == 0U) ? 1U : 0U, rig.event_count);
@@ -242,12 +239,12 @@ void test_SWR_CTRL_023_one_withdrawal_of_many_leaves_no_event(void)
     command_t withdrawal = of(COMMAND_WITHDRAW, COMMAND_PROPOSE_ENTRY);
     rig_start_targeted(&rig);
     (void)status_of(point_for(COMMAND_PROPOSE_ENTRY, 20000000));
-    withdrawal.value = 1;
+    withdrawal.as.withdrawal.is_one_of_many = 1U;
     rig_forget(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(withdrawal));
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_PROPOSED, status_of(withdrawal));
     TEST_ASSERT_EQUAL_UINT32(0U, rig.event_count);
-    withdrawal.value = 0;
+    withdrawal.as.withdrawal.is_one_of_many = 0U;
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_PROPOSED, status_of(withdrawal));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_COMMAND_REFUSED));
 }

@@ -50,7 +50,8 @@ void tearDown(void)
 
 static answer_t jog(uint32_t axis, int32_t ticks)
 {
-    const command_t command = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG,
+                               .as.jog = {.axis = axis, .to_ticks = ticks}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     return rig_command(&rig, command);
 }

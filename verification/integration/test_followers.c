@@ -253,7 +253,7 @@ void test_SWR_ROBOT_024_start_up_ends_at_the_pose_home_and_at_once_when_all_stan
 /* A homed robot that stands elsewhere goes there, at the speed of homed axes. */
 void test_SWR_ROBOT_024_a_homed_robot_that_stands_elsewhere_is_taken_home(void)
 {
-    const command_t jog = {.kind = COMMAND_JOG, .argument = FRONT_LEFT, .value = 350000};
+    const command_t jog = {.kind = COMMAND_JOG, .as.jog = {.axis = FRONT_LEFT, .to_ticks = 350000}};
     int32_t fastest = 0;
     start_at_home();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
@@ -315,7 +315,7 @@ static void expect_step(next_step_t step, uint32_t axis)
 /* No carriage has room, and the needle guide may not be turned at all. */
 static void fail_for_want_of_a_way(void)
 {
-    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = FRONT_LEFT};
+    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .as.axis = {.axis = FRONT_LEFT}};
     start_at_home();
     for (uint32_t i = 0U; i <= REAR_RIGHT; i++) {
         robot.axes[i].minimum_ticks = rig_position(&rig, i) - 100;
@@ -355,10 +355,10 @@ void test_SWR_NEXT_022_one_without_a_way_to_its_switch_is_to_be_moved_by_hand(vo
 /* Once somebody says where it is, there is nothing to be moved. */
 void test_SWR_NEXT_022_one_that_is_restored_is_to_be_confirmed_instead(void)
 {
-    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = FRONT_RIGHT};
-    command_t restore = {.kind = COMMAND_RESTORE, .argument = 1U << FRONT_LEFT};
+    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .as.axis = {.axis = FRONT_RIGHT}};
+    command_t restore = {.kind = COMMAND_RESTORE, .as.positions = {.axes = 1U << FRONT_LEFT}};
     fail_for_want_of_a_way();
-    restore.ticks[FRONT_LEFT] = rig_position(&rig, FRONT_LEFT);
+    restore.as.positions.ticks[FRONT_LEFT] = rig_position(&rig, FRONT_LEFT);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     rig_cycles(&rig, 500U);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, restore).status);
@@ -372,11 +372,11 @@ void test_SWR_NEXT_022_one_that_is_restored_is_to_be_confirmed_instead(void)
 /* As saved; then the operator says that it is so. */
 void test_SWR_NEXT_021_one_without_a_switch_that_is_lost_is_to_be_placed_and_confirmed(void)
 {
-    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = REAR_LEFT};
-    command_t restore = {.kind = COMMAND_RESTORE, .argument = 1U << REAR_LEFT};
+    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .as.axis = {.axis = REAR_LEFT}};
+    command_t restore = {.kind = COMMAND_RESTORE, .as.positions = {.axes = 1U << REAR_LEFT}};
     start_at_home();
     rig_cycles(&rig, 500U);
-    restore.ticks[REAR_LEFT] = rig_position(&rig, REAR_LEFT);
+    restore.as.positions.ticks[REAR_LEFT] = rig_position(&rig, REAR_LEFT);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
     expect_step(NEXT_STEP_PLACE, REAR_LEFT);
@@ -389,21 +389,21 @@ void test_SWR_NEXT_021_one_without_a_switch_that_is_lost_is_to_be_placed_and_con
 /* It moves by itself under START_UP, rests, and is placed where it stands. */
 static void lose_and_place(uint32_t axis)
 {
-    command_t restore = {.kind = COMMAND_RESTORE, .argument = 1U << axis};
+    command_t restore = {.kind = COMMAND_RESTORE, .as.positions = {.axes = 1U << axis}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig.box.axes[axis].motor.fault = SIM_MOTOR_RUNS;
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 1000U).kind);
     rig.box.axes[axis].motor.fault = SIM_MOTOR_NORMAL;
     rig_cycles(&rig, 500U);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
-    restore.ticks[axis] = rig_position(&rig, axis);
+    restore.as.positions.ticks[axis] = rig_position(&rig, axis);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, restore).status);
 }
 
 /* The button would only lead to the next START_UP that fails. */
 void test_SWR_NEXT_035_one_that_is_placed_in_vain_is_for_service(void)
 {
-    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = FRONT_LEFT};
+    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .as.axis = {.axis = FRONT_LEFT}};
     start_at_home();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
@@ -427,7 +427,7 @@ static void fail_in_vain(uint32_t axis)
 
 void test_SWR_NEXT_035_another_one_is_placed_all_the_same(void)
 {
-    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = REAR_LEFT};
+    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .as.axis = {.axis = REAR_LEFT}};
     start_at_home();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
@@ -445,7 +445,7 @@ void test_SWR_NEXT_035_what_is_to_be_moved_by_hand_is_not_for_service(void)
 /* Its encoder counts half: each try moves it unseen until it is found out, by 0.13 mm. */
 static void lose_with_half_an_encoder(void)
 {
-    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = FRONT_LEFT};
+    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .as.axis = {.axis = FRONT_LEFT}};
     start_at_home();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
@@ -539,24 +539,24 @@ void test_SWR_AXIS_036_a_linkage_does_not_home_carriage_by_carriage(void)
     rig_release(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     for (uint32_t i = FRONT_LEFT; i <= REAR_RIGHT; i++) {
-        const command_t home = {.kind = COMMAND_HOME_AXIS, .argument = i};
+        const command_t home = {.kind = COMMAND_HOME_AXIS, .as.axis = {.axis = i}};
         TEST_ASSERT_EQUAL_UINT32(STATUS_HOMES_WITH_OTHERS, rig_command(&rig, home).status);
     }
-    const command_t needle = {.kind = COMMAND_HOME_AXIS, .argument = NEEDLE};
+    const command_t needle = {.kind = COMMAND_HOME_AXIS, .as.axis = {.axis = NEEDLE}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, needle).status);
 }
 
 /* The block was another one when it stopped. */
 void test_SWR_AXIS_031_a_homing_that_was_interrupted_begins_anew_from_where_the_axes_are(void)
 {
-    command_t jog = {.kind = COMMAND_JOG, .argument = FRONT_RIGHT};
+    command_t jog = {.kind = COMMAND_JOG, .as.jog = {.axis = FRONT_RIGHT}};
     start();
     run_until_homing(FRONT_LEFT, 2000U);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
     rig_release(&rig);
     TEST_ASSERT_FALSE(is_homing(FRONT_LEFT));
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
-    jog.value = rig_position(&rig, FRONT_RIGHT) - (TICKS_PER_MM / 2);
+    jog.as.jog.to_ticks = rig_position(&rig, FRONT_RIGHT) - (TICKS_PER_MM / 2);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, MOST_CYCLES).kind);

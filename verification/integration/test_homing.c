@@ -105,8 +105,10 @@ void test_SWR_JOG_016_the_needle_leaves_before_the_base_homes(void)
  */
 void test_SWR_COUPLE_003_a_barred_axis_in_doubt_may_be_confirmed(void)
 {
-    const command_t jog = {.kind = COMMAND_JOG, .argument = NEURO_AXIS_FEET, .value = -2000};
-    const command_t follow = {.kind = COMMAND_JOG, .argument = NEURO_AXIS_HEAD, .value = -2000};
+    const command_t jog = {.kind = COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_FEET, .to_ticks = -2000}};
+    const command_t follow = {.kind = COMMAND_JOG,
+                              .as.jog = {.axis = NEURO_AXIS_HEAD, .to_ticks = -2000}};
     rig_start_homed(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     for (uint32_t i = 0U; i < 2U; i++) {
@@ -299,7 +301,8 @@ static void lose_needle(void)
 
 static void jog_to(uint32_t axis, int32_t ticks)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = axis, .to_ticks = ticks}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);

@@ -5,6 +5,7 @@
  * and a jog does nothing with the needle, with an axis that is not homed, or for a sender that is
  * not entitled, that it must not do. On the simulated box, whose true positions are looked at.
  */
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 
 #include "unity.h"
@@ -59,7 +60,8 @@ static int32_t position(uint32_t axis)
 
 static answer_t jog(uint32_t axis, int32_t ticks)
 {
-    const command_t command = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG,
+                               .as.jog = {.axis = axis, .to_ticks = ticks}};
     return rig_command(&rig, command);
 }
 
@@ -494,9 +496,10 @@ void test_SWR_CON_048_the_goal_of_a_jog_is_shown_while_it_is_armed(void)
 /* As it comes, from whom it says. */
 static status_t send_as(uint32_t source, uint32_t kind, uint32_t argument)
 {
-    rig.commands[0] =
-        (command_t){.source = source, .peer = RIG_PAGE, .kind = kind, .argument = argument};
-    rigid_set_identity(&rig.commands[0].pose);
+    rig.commands[0] = commands_of_number((command_kind_t)(kind % COMMAND_KIND_COUNT), argument);
+    rig.commands[0].source = source;
+    rig.commands[0].peer = RIG_PAGE;
+    rig.commands[0].kind = kind;
     rig.command_count = 1U;
     rig_cycle(&rig);
     return (status_t)rig.outputs.answers[0].status;
@@ -559,11 +562,16 @@ void test_SWR_CMD_005_what_nobody_knows_is_refused_as_unknown(void)
 /* Of a connection, which takes authority with it. */
 static uint32_t by_network(command_kind_t kind, uint32_t argument, int32_t value)
 {
-    const command_t command = {.source = (uint32_t)COMMAND_SOURCE_IGTL,
-                               .peer = RIG_CONNECTION,
-                               .kind = (uint32_t)kind,
-                               .argument = argument,
-                               .value = value};
+    command_t command = commands_of_number(kind, argument);
+    command.source = (uint32_t)COMMAND_SOURCE_IGTL;
+    command.peer = RIG_CONNECTION;
+    if (kind == COMMAND_JOG) {
+        command.as.jog.to_ticks = value;
+    } else if (kind == COMMAND_JOG_BY) {
+        command.as.jog_by.by_ticks = value;
+    } else {
+        TEST_ASSERT_EQUAL_INT32(0, value);
+    }
     return rig_command(&rig, command).status;
 }
 

@@ -344,8 +344,8 @@ void test_SWR_MEMORY_004_a_damaged_geometry_is_a_damaged_table(void)
 
 void test_SWR_MEMORY_004_without_a_table_stop_is_obeyed_and_nothing_that_needs_it(void)
 {
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = -200};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_YAW, .to_ticks = -200}};
     const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
     begin_move();
     rig.robot.axes[NEURO_AXIS_YAW].slot = 255U;
@@ -405,8 +405,8 @@ void test_SWR_MEMORY_005_a_target_that_does_not_lead_to_its_pose_is_not_armed(vo
 /* Wild numbers that the seal does not tell of: they came within a cycle. */
 void test_SWR_MEMORY_006_a_wild_slot_or_axis_stays_within_its_array(void)
 {
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = -200};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_YAW, .to_ticks = -200}};
     rig_start_homed(&rig);
     rig.robot.crc ^= 1U; /* A table that is whole would be asked for the slot. */
     for (uint32_t slot = CARD_SLOT_COUNT; slot <= UINT8_MAX; slot++) {

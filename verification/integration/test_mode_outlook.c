@@ -7,6 +7,7 @@
 #include "http/mode_outlook.h"
 #include "http/shown.h"
 #include "interface/app/names.h"
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 #include "robot/robot_neuro.h"
 
@@ -69,7 +70,8 @@ static void after_the_estop(void)
 static void without_a_place(void)
 {
     in_manual();
-    const command_t clear = {.kind = (uint32_t)COMMAND_CLEAR_AXIS, .argument = NEURO_AXIS_FEET};
+    const command_t clear = {.kind = (uint32_t)COMMAND_CLEAR_AXIS,
+                             .as.axis = {.axis = NEURO_AXIS_FEET}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
     rig_cycles(&rig, 20U);
 }
@@ -78,15 +80,15 @@ static void without_a_place(void)
 static void with_a_trajectory(void)
 {
     in_manual();
-    command_t command = {.kind = (uint32_t)COMMAND_LIST_BEGIN, .argument = 1U};
+    command_t command = {.kind = (uint32_t)COMMAND_LIST_BEGIN, .as.list_begin = {.count = 1U}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
     command = (command_t){.kind = (uint32_t)COMMAND_LIST_ROW};
     for (uint32_t i = 0U; i < rig.robot.axis_count; i++) {
-        command.ticks[i] = rig_position(&rig, i);
+        command.as.row.ticks[i] = rig_position(&rig, i);
     }
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
     command = (command_t){.kind = (uint32_t)COMMAND_LIST_END,
-                          .argument = rig.outputs.snapshot.trajectory_crc};
+                          .as.list = {.checksum = rig.outputs.snapshot.trajectory_crc}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
 }
 
@@ -106,17 +108,17 @@ static void (*const scenes[])(void) = {in_undefined,      in_planning,
 /* One that its mode has nothing against. */
 static command_t command_for(mode_kind_t kind)
 {
-    command_t command = {.kind = mode_rows[kind].command, .argument = NEURO_AXIS_YAW};
+    command_t command = commands_of_number((command_kind_t)mode_rows[kind].command, NEURO_AXIS_YAW);
     if (kind == MODE_HOMING) {
-        command.argument = (uint32_t)WORKPHASE_START_UP;
+        command.as.workphase.workphase = (uint32_t)WORKPHASE_START_UP;
     } else if (kind == MODE_MOVE) {
-        command.argument = (uint32_t)WORKPHASE_MOVE_TO_TARGET;
+        command.as.workphase.workphase = (uint32_t)WORKPHASE_MOVE_TO_TARGET;
     } else if (kind == MODE_TRAJECTORY) {
-        command.argument = rig.outputs.snapshot.trajectory_crc;
+        command.as.list.checksum = rig.outputs.snapshot.trajectory_crc;
     } else if (kind == MODE_POSE) {
-        command.argument = (uint32_t)POSE_PARK;
-    } else {
-        command.value =
+        command.as.pose_name.pose = (uint32_t)POSE_PARK;
+    } else if (kind == MODE_JOG) {
+        command.as.jog.to_ticks =
             (rig.outputs.snapshot.is_homed != 0U) ? -200 : rig_position(&rig, NEURO_AXIS_YAW);
     }
     return command;
@@ -186,9 +188,9 @@ static void finish(command_t command)
 void test_SWR_MODE_004_a_base_that_is_not_aligned_is_named(void)
 {
     const rigid_t target = rig_pose(5000000, 190000000, 60000000);
-    command_t entry = {.kind = (uint32_t)COMMAND_ENTRY, .pose = target};
+    command_t entry = {.kind = (uint32_t)COMMAND_ENTRY, .as.pose = {.pose = target}};
     rig_start_targeted(&rig);
-    entry.pose.translation.y_nm += 56000000;
+    entry.as.pose.pose.translation.y_nm += 56000000;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, entry).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &target).status);
     (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
@@ -203,8 +205,8 @@ void test_SWR_MODE_004_a_base_that_is_not_aligned_is_named(void)
 
 void test_SWR_MODE_004_a_trajectory_that_begins_elsewhere_is_named(void)
 {
-    const command_t away = {
-        .kind = (uint32_t)COMMAND_JOG_BY, .argument = NEURO_AXIS_YAW, .value = -600};
+    const command_t away = {.kind = (uint32_t)COMMAND_JOG_BY,
+                            .as.jog_by = {.axis = NEURO_AXIS_YAW, .by_ticks = -600}};
     with_a_trajectory();
     expect(MODE_TRAJECTORY, STATUS_OK);
     with_a_trajectory();

@@ -22,7 +22,8 @@ void tearDown(void)
 
 static command_t jog(uint32_t axis, int32_t ticks)
 {
-    const command_t command = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG,
+                               .as.jog = {.axis = axis, .to_ticks = ticks}};
     return command;
 }
 
@@ -49,7 +50,8 @@ void test_SWR_MODE_003_after_a_stall_of_one_axis_another_one_jogs_and_homes(void
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 5000U).kind);
     TEST_ASSERT_EQUAL_INT32(-200, rig_position(&rig, NEURO_AXIS_YAW));
     rig_release(&rig);
-    const command_t home = {.kind = (uint32_t)COMMAND_HOME_AXIS, .argument = NEURO_AXIS_YAW};
+    const command_t home = {.kind = (uint32_t)COMMAND_HOME_AXIS,
+                            .as.axis = {.axis = NEURO_AXIS_YAW}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, home).status);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
@@ -160,9 +162,11 @@ void test_SWR_MODE_006_homing_shows_how_many_axes_are_homed(void)
 
 static command_t speed(int32_t ticks_per_s, int32_t bound)
 {
-    command_t command = {
-        .kind = (uint32_t)COMMAND_VELOCITY, .argument = 1UL << NEURO_AXIS_YAW, .value = bound};
-    command.ticks[NEURO_AXIS_YAW] = ticks_per_s;
+    command_t command = {.kind = (uint32_t)COMMAND_VELOCITY,
+                         .as.velocity = {.axes = 1UL << NEURO_AXIS_YAW,
+                                         .time_ms = (bound > 0) ? (uint32_t)bound : 0U,
+                                         .way_ticks = (bound < 0) ? (uint32_t)-bound : 0U}};
+    command.as.velocity.speeds_ticks_per_s[NEURO_AXIS_YAW] = ticks_per_s;
     return command;
 }
 

@@ -4,6 +4,7 @@
  * Moves to a target on the simulated box: their legs and their end, and what they need.
  * In every test the rig counts cycles that drive without the pedal; there must be none.
  */
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 
 #include "unity.h"
@@ -44,7 +45,7 @@ void test_SWR_IGTL_014_the_pose_is_known_only_while_every_axis_is_homed_and_regi
 /* So near to home that the switch may be active. */
 void test_SWR_MOTION_005_a_move_that_a_switch_blocks_is_discarded_by_name(void)
 {
-    command_t jog = {.kind = COMMAND_JOG, .argument = NEURO_AXIS_LATERAL, .value = -27};
+    command_t jog = {.kind = COMMAND_JOG, .as.jog = {.axis = NEURO_AXIS_LATERAL, .to_ticks = -27}};
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     (void)rig_command(&rig, jog);
@@ -52,7 +53,7 @@ void test_SWR_MOTION_005_a_move_that_a_switch_blocks_is_discarded_by_name(void)
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 10000U).kind);
     rig_release(&rig);
     rig_box(&rig, "switch lateral stuck");
-    jog.value = -7;
+    jog.as.jog.to_ticks = -7;
     (void)rig_command(&rig, jog);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 7000U).kind);
@@ -160,10 +161,16 @@ void test_SWR_CMD_003_no_sequence_of_commands_drives_an_axis_without_the_pedal(v
     rig_start_targeted(&rig);
     for (uint32_t i = 0U; i < 5000U; i++) {
         seed = (seed * 1664525U) + 1013904223U;
-        const command_t command = {.kind = (seed >> 8) % 9U,
-                                   .argument = (seed >> 16) % 10U,
-                                   .value = (int32_t)(seed % 2000U) - 1000,
-                                   .pose = rig_pose(5000000, 190000000, 60000000)};
+        const command_kind_t kind = (command_kind_t)((seed >> 8) % 9U);
+        command_t command = commands_of_pose(kind, rig_pose(5000000, 190000000, 60000000));
+        if (kind == COMMAND_WORKPHASE) {
+            command.as.workphase.workphase = (seed >> 16) % 10U;
+        } else if (kind == COMMAND_JOG) {
+            command.as.jog.axis = (seed >> 16) % 10U;
+            command.as.jog.to_ticks = (int32_t)(seed % 2000U) - 1000;
+        } else {
+            /* A pose says it, or nothing. */
+        }
         (void)rig_command(&rig, command);
         TEST_ASSERT_FALSE(rig_is_driving(&rig));
     }

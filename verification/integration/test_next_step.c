@@ -33,15 +33,15 @@ static status_t aim(void)
 static status_t tell_registration(void)
 {
     command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION};
-    rigid_set_identity(&command.pose);
+    rigid_set_identity(&command.as.registration.pose);
     return (status_t)rig_command(&rig, command).status;
 }
 
 static status_t tell_probe(void)
 {
     command_t command = {.kind = (uint32_t)COMMAND_PROBE,
-                         .argument = robot_neuro.probe_length_count};
-    (void)memcpy(command.ticks, probe_nm, sizeof probe_nm);
+                         .as.probe = {.count = robot_neuro.probe_length_count}};
+    (void)memcpy(command.as.probe.lengths_nm, probe_nm, sizeof probe_nm);
     return (status_t)rig_command(&rig, command).status;
 }
 
@@ -195,7 +195,8 @@ static void fail_axis(uint32_t axis)
 
 static void jog(uint32_t axis)
 {
-    const command_t command = {.kind = (uint32_t)COMMAND_JOG_BY, .argument = axis, .value = 20};
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG_BY,
+                               .as.jog_by = {.axis = axis, .by_ticks = 20}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
 }
 
@@ -325,7 +326,7 @@ void test_SWR_NEXT_003_what_was_just_granted_is_not_to_be_taken(void)
     const command_t ask = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
                            .peer = 7U,
                            .kind = (uint32_t)COMMAND_REQUEST,
-                           .argument = (uint32_t)AUTHORITY_REQUEST_TAKE};
+                           .as.request = {.request = (uint32_t)AUTHORITY_REQUEST_TAKE}};
     rig_start_homed(&rig);
     rig_leave(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, ask).status);
@@ -347,7 +348,8 @@ static void go_out(void)
     static const uint32_t axes[] = {NEURO_AXIS_HEAD, NEURO_AXIS_FEET};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     for (uint32_t i = 0U; i < 2U; i++) {
-        const command_t out = {.kind = (uint32_t)COMMAND_JOG, .argument = axes[i], .value = -2000};
+        const command_t out = {.kind = (uint32_t)COMMAND_JOG,
+                               .as.jog = {.axis = axes[i], .to_ticks = -2000}};
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, out).status);
         rig_release(&rig);
         rig_press(&rig);

@@ -13,6 +13,7 @@
 #include "http/command_outlook.h"
 #include "http/mode_outlook.h"
 #include "http/shown.h"
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 #include "interface/app/names.h"
 #include "robot/app/robots.h"
@@ -75,7 +76,7 @@ static void expect(status_t before, status_t after, command_t command, const cha
     const status_t became = becomes(command);
     char words[128];
     (void)snprintf(words, sizeof words, "%s of %u in %s, cycle %u of %s", name,
-                   (unsigned)command.argument,
+                   (unsigned)command.as.axis.axis,
                    workphase_name((int32_t)rig.outputs.snapshot.workphase),
                    (unsigned)rig.controller.cycle, rig.robot.name);
     if ((before == after) && (became != STATUS_NO_AUTHORITY)) {
@@ -88,7 +89,8 @@ static void expect(status_t before, status_t after, command_t command, const cha
 static void compare_workphases(void)
 {
     for (uint32_t i = (uint32_t)WORKPHASE_UNDEFINED + 1U; i < WORKPHASE_COUNT; i++) {
-        const command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = i};
+        const command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE,
+                                   .as.workphase = {.workphase = i}};
         expect(workphase_outlook(&rig.robot, &rig.outputs.snapshot, (workphase_t)i),
                workphase_outlook(&rig.robot, &next.outputs.snapshot, (workphase_t)i), command,
                workphase_name((int32_t)i));
@@ -108,9 +110,9 @@ static void compare_modes(void)
     const snapshot_t *const shown = &rig.outputs.snapshot;
     for (uint32_t i = 0U; i < (sizeof kinds / sizeof kinds[0]); i++) {
         const bool is_program = kinds[i] == MODE_PROGRAM;
-        const command_t command = {.kind = mode_rows[kinds[i]].command,
-                                   .argument =
-                                       is_program ? shown->program_crc : shown->trajectory_crc};
+        const command_t command =
+            commands_of_number((command_kind_t)mode_rows[kinds[i]].command,
+                               is_program ? shown->program_crc : shown->trajectory_crc);
         expect(said_of(&rig, kinds[i]), said_of(&next, kinds[i]), command,
                mode_kind_name((int32_t)kinds[i]));
     }
@@ -141,8 +143,8 @@ static void compare_acts(void)
         const command_kind_t kind = kinds[i];
         command_t command = {.kind = (uint32_t)kind};
         if (kind == COMMAND_PROBE) {
-            command.argument = rig.robot.probe_length_count;
-            (void)memcpy(command.ticks, rig.robot.probe.length_nm,
+            command.as.probe.count = rig.robot.probe_length_count;
+            (void)memcpy(command.as.probe.lengths_nm, rig.robot.probe.length_nm,
                          sizeof rig.robot.probe.length_nm);
         }
         expect(command_outlook(&rig.robot, &rig.outputs.snapshot, kind),
@@ -192,23 +194,24 @@ static rigid_t some_target(void)
 /* Before the target, on the needle's line. */
 static void send_entry(const rigid_t *target)
 {
-    command_t command = {.kind = (uint32_t)COMMAND_ENTRY, .pose = *target};
-    command.pose.translation.x_nm -= target->rotation_q30[0][2] / PARTS_OF_AWAY;
-    command.pose.translation.y_nm -= target->rotation_q30[1][2] / PARTS_OF_AWAY;
-    command.pose.translation.z_nm -= target->rotation_q30[2][2] / PARTS_OF_AWAY;
+    command_t command = {.kind = (uint32_t)COMMAND_ENTRY, .as.pose = {.pose = *target}};
+    command.as.pose.pose.translation.x_nm -= target->rotation_q30[0][2] / PARTS_OF_AWAY;
+    command.as.pose.pose.translation.y_nm -= target->rotation_q30[1][2] / PARTS_OF_AWAY;
+    command.as.pose.pose.translation.z_nm -= target->rotation_q30[2][2] / PARTS_OF_AWAY;
     (void)rig_command(&rig, command);
 }
 
 /* A program of one step, at the target. */
 static void send_program(void)
 {
-    command_t command = {.kind = (uint32_t)COMMAND_PROGRAM_BEGIN, .argument = 1U};
+    command_t command = {.kind = (uint32_t)COMMAND_PROGRAM_BEGIN, .as.list_begin = {.count = 1U}};
     (void)rig_command(&rig, command);
-    command = (command_t){.kind = (uint32_t)COMMAND_PROGRAM_STEP, .value = 100};
-    (void)memcpy(command.ticks, rig.outputs.snapshot.target_ticks, sizeof command.ticks);
+    command = (command_t){.kind = (uint32_t)COMMAND_PROGRAM_STEP, .as.step = {.dwell_ms = 100}};
+    (void)memcpy(command.as.step.ticks, rig.outputs.snapshot.target_ticks,
+                 sizeof command.as.step.ticks);
     (void)rig_command(&rig, command);
     command = (command_t){.kind = (uint32_t)COMMAND_PROGRAM_END,
-                          .argument = rig.outputs.snapshot.program_crc};
+                          .as.list = {.checksum = rig.outputs.snapshot.program_crc}};
     (void)rig_command(&rig, command);
 }
 
@@ -217,7 +220,7 @@ static void plan(void)
 {
     command_t registration = {.kind = (uint32_t)COMMAND_REGISTRATION};
     const rigid_t target = some_target();
-    rigid_set_identity(&registration.pose);
+    rigid_set_identity(&registration.as.registration.pose);
     (void)rig_workphase(&rig, WORKPHASE_CALIBRATION);
     (void)rig_command(&rig, registration);
     (void)rig_workphase(&rig, WORKPHASE_TARGETING);
@@ -239,15 +242,15 @@ static void plan(void)
 /* A list of one row, where the axes stand. */
 static void trajectory(void)
 {
-    command_t command = {.kind = (uint32_t)COMMAND_LIST_BEGIN, .argument = 1U};
+    command_t command = {.kind = (uint32_t)COMMAND_LIST_BEGIN, .as.list_begin = {.count = 1U}};
     (void)rig_command(&rig, command);
     command = (command_t){.kind = (uint32_t)COMMAND_LIST_ROW};
     for (uint32_t i = 0U; i < rig.robot.axis_count; i++) {
-        command.ticks[i] = rig_position(&rig, i);
+        command.as.row.ticks[i] = rig_position(&rig, i);
     }
     (void)rig_command(&rig, command);
     command = (command_t){.kind = (uint32_t)COMMAND_LIST_END,
-                          .argument = rig.outputs.snapshot.trajectory_crc};
+                          .as.list = {.checksum = rig.outputs.snapshot.trajectory_crc}};
     (void)rig_command(&rig, command);
     (void)memcpy(next.controller.rows, rig.controller.rows, sizeof rig.controller.rows);
     (void)memcpy(trial.controller.rows, rig.controller.rows, sizeof rig.controller.rows);
@@ -277,11 +280,12 @@ static void act(void)
                                            COMMAND_DISABLE_AXIS, COMMAND_SET_HOME,
                                            COMMAND_HOME_AXIS};
     const uint32_t axis = below(rig.robot.axis_count);
-    command_t command = {.kind = (uint32_t)kinds[below(5U)], .argument = axis};
+    command_t command = commands_of_number(kinds[below(5U)], axis);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     if (below(3U) == 0U) {
-        command = (command_t){.kind = (uint32_t)COMMAND_RESTORE, .argument = 1U << axis};
-        command.ticks[axis] = rig_position(&rig, axis);
+        command =
+            (command_t){.kind = (uint32_t)COMMAND_RESTORE, .as.positions = {.axes = 1U << axis}};
+        command.as.positions.ticks[axis] = rig_position(&rig, axis);
     }
     (void)rig_command(&rig, command);
 }
@@ -428,7 +432,7 @@ void test_SWR_MODE_004_a_program_for_another_target_is_named(void)
     aim(185000000, false);
     TEST_ASSERT_EQUAL_UINT32(STATUS_PROGRAM_OTHER, said_of(&rig, MODE_PROGRAM));
     const command_t command = {.kind = (uint32_t)COMMAND_RUN_PROGRAM,
-                               .argument = rig.outputs.snapshot.program_crc};
+                               .as.list = {.checksum = rig.outputs.snapshot.program_crc}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_PROGRAM_OTHER, rig_command(&rig, command).status);
 }
 

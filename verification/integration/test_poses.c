@@ -26,7 +26,7 @@ void tearDown(void)
 
 static command_t to(uint32_t pose)
 {
-    return (command_t){.kind = (uint32_t)COMMAND_POSE, .argument = pose};
+    return (command_t){.kind = (uint32_t)COMMAND_POSE, .as.pose_name = {.pose = pose}};
 }
 
 static uint32_t status_of(command_t command)

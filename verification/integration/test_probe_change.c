@@ -31,8 +31,9 @@ void tearDown(void)
 
 static command_t probe_of(const int32_t length_nm[ROBOT_PROBE_LENGTHS])
 {
-    command_t command = {.kind = (uint32_t)COMMAND_PROBE, .argument = ROBOT_PROBE_LENGTHS};
-    (void)memcpy(command.ticks, length_nm, ROBOT_PROBE_LENGTHS * sizeof length_nm[0]);
+    command_t command = {.kind = (uint32_t)COMMAND_PROBE,
+                         .as.probe = {.count = ROBOT_PROBE_LENGTHS}};
+    (void)memcpy(command.as.probe.lengths_nm, length_nm, ROBOT_PROBE_LENGTHS * sizeof length_nm[0]);
     return command;
 }
 
@@ -82,7 +83,7 @@ void test_SWR_PROBE_003_another_probe_moves_the_pose_by_what_it_is_longer(void)
 void test_SWR_PROBE_003_target_and_entry_are_forgotten_and_the_registration_stands(void)
 {
     const command_t entry = {.kind = (uint32_t)COMMAND_ENTRY,
-                             .pose = rig_pose(5000000, 240000000, 60000000)};
+                             .as.pose = {.pose = rig_pose(5000000, 240000000, 60000000)}};
     rig_start_targeted(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, entry).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, send(longer_nm));
@@ -124,7 +125,7 @@ void test_SWR_PROBE_002_wrong_lengths_are_refused_whole(void)
     command_t few = probe_of(longer_nm);
     rig_start_homed(&rig);
     rig_forget(&rig);
-    few.argument = ROBOT_PROBE_LENGTHS - 1U;
+    few.as.probe.count = ROBOT_PROBE_LENGTHS - 1U;
     TEST_ASSERT_EQUAL_UINT32(STATUS_PROBE_LENGTH, rig_command(&rig, few).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_PROBE_LENGTH, send(negative));
     TEST_ASSERT_EQUAL_UINT32(STATUS_PROBE_ORDER, send(deeper));
@@ -138,10 +139,10 @@ void test_SWR_PROBE_002_a_robot_without_lengths_takes_a_probe_without_any(void)
     command_t command = {.kind = (uint32_t)COMMAND_PROBE};
     rig_start_robot_homed(&rig, &robot_bench2);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
-    command.argument = 1U;
+    command.as.probe.count = 1U;
     TEST_ASSERT_EQUAL_UINT32(STATUS_PROBE_LENGTH, rig_command(&rig, command).status);
-    command.argument = 0U;
-    command.ticks[0] = 1;
+    command.as.probe.count = 0U;
+    command.as.probe.lengths_nm[0] = 1;
     TEST_ASSERT_EQUAL_UINT32(STATUS_PROBE_LENGTH, rig_command(&rig, command).status);
 }
 
@@ -155,8 +156,8 @@ void test_SWR_PROBE_004_no_probe_is_taken_where_the_needle_is_not_known_to_be_ou
 
 void test_SWR_PROBE_004_no_probe_is_taken_while_something_is_armed(void)
 {
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = -200};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_YAW, .to_ticks = -200}};
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
@@ -214,9 +215,9 @@ void test_SWR_PROBE_005_a_damaged_probe_is_forgotten_with_the_plan_and_not_guess
 void test_SWR_PROBE_005_without_a_probe_nothing_that_is_proposed_is_called_reachable(void)
 {
     const command_t entry = {.kind = (uint32_t)COMMAND_PROPOSE_ENTRY,
-                             .pose = rig_pose(0, 246000000, 50000000)};
+                             .as.seen_pose = {.pose = rig_pose(0, 246000000, 50000000)}};
     const command_t target = {.kind = (uint32_t)COMMAND_PROPOSE_TARGET,
-                              .pose = rig_pose(0, 200000000, 50000000)};
+                              .as.seen_pose = {.pose = rig_pose(0, 200000000, 50000000)}};
     for (uint32_t has_probe = 0U; has_probe <= 1U; has_probe++) {
         rig_start_targeted(&rig);
         rig.controller.plan.has_probe = has_probe;
@@ -244,13 +245,13 @@ void test_SWR_PROBE_005_a_probe_that_its_checksum_proves_outlives_damage_of_the_
 /* A turn by 90 degrees about z, 7 mm along x. */
 static command_t turned(uint32_t use)
 {
-    command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION, .argument = use};
-    rigid_set_identity(&command.pose);
-    command.pose.rotation_q30[0][0] = 0;
-    command.pose.rotation_q30[0][1] = -FIXED_ONE_Q30;
-    command.pose.rotation_q30[1][0] = FIXED_ONE_Q30;
-    command.pose.rotation_q30[1][1] = 0;
-    command.pose.translation.x_nm = 7000000;
+    command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION, .as.registration = {.use = use}};
+    rigid_set_identity(&command.as.registration.pose);
+    command.as.registration.pose.rotation_q30[0][0] = 0;
+    command.as.registration.pose.rotation_q30[0][1] = -FIXED_ONE_Q30;
+    command.as.registration.pose.rotation_q30[1][0] = FIXED_ONE_Q30;
+    command.as.registration.pose.rotation_q30[1][1] = 0;
+    command.as.registration.pose.translation.x_nm = 7000000;
     return command;
 }
 
@@ -264,7 +265,7 @@ void test_SWR_PLAN_023_a_rotation_is_ignored_on_request_alone_and_this_is_shown_
     const snapshot_t *const shown = &rig.outputs.snapshot;
     const command_t whole = turned(REGISTRATION_WHOLE);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, whole).status);
-    TEST_ASSERT_EQUAL_MEMORY(&whole.pose, &shown->scanner_zframe, sizeof moved);
+    TEST_ASSERT_EQUAL_MEMORY(&whole.as.registration.pose, &shown->scanner_zframe, sizeof moved);
     TEST_ASSERT_EQUAL_UINT32(0U, shown->is_rotation_ignored);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_ROTATION_IGNORED));
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, turned(REGISTRATION_TRANSLATION)).status);
@@ -282,7 +283,7 @@ void test_SWR_PLAN_023_a_use_that_nobody_knows_and_a_matrix_that_is_not_rigid_ar
     TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND,
                              rig_command(&rig, turned(REGISTRATION_USE_COUNT)).status);
     command_t bent = turned(REGISTRATION_TRANSLATION);
-    bent.pose.rotation_q30[0][0] = FIXED_ONE_Q30;
+    bent.as.registration.pose.rotation_q30[0][0] = FIXED_ONE_Q30;
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_RIGID, rig_command(&rig, bent).status);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_registered);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_ROTATION_IGNORED));

@@ -5,6 +5,7 @@
  * order like any other: under the pedal alone, paused by pedal and scanner, ended by its gate, told
  * at its end, replayed bit by bit. On the simulated box, whose true positions are looked at.
  */
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 
 #include "unity.h"
@@ -32,19 +33,20 @@ void tearDown(void)
 
 static answer_t send(command_kind_t kind, uint32_t argument)
 {
-    const command_t command = {.kind = (uint32_t)kind, .argument = argument};
-    return rig_command(&rig, command);
+    return rig_command(&rig, commands_of_number(kind, argument));
 }
 
 static answer_t send_step(uint32_t index, int32_t depth_ticks, int32_t angle_ticks, int32_t dwell)
 {
-    command_t command = {.kind = (uint32_t)COMMAND_PROGRAM_STEP, .argument = index, .value = dwell};
     const program_step_t step = {.depth_ticks = depth_ticks,
                                  .angle_ticks = angle_ticks,
                                  .dwell_ms = (uint32_t)((dwell < 0) ? -dwell : dwell),
                                  .is_gated = (dwell < 0) ? 1U : 0U};
-    command.ticks[rig.robot.needle_axis] = depth_ticks;
-    command.ticks[program_step_turning_axis(&rig.robot)] = angle_ticks;
+    command_t command = {
+        .kind = (uint32_t)COMMAND_PROGRAM_STEP,
+        .as.step = {.index = index, .dwell_ms = step.dwell_ms, .is_gated = step.is_gated}};
+    command.as.step.ticks[rig.robot.needle_axis] = depth_ticks;
+    command.as.step.ticks[program_step_turning_axis(&rig.robot)] = angle_ticks;
     sum = program_list_crc(sum, &step);
     return rig_command(&rig, command);
 }
@@ -67,8 +69,8 @@ static void send_program(void)
 static command_t entry(void)
 {
     command_t command = {.kind = (uint32_t)COMMAND_ENTRY};
-    rigid_set_identity(&command.pose);
-    command.pose.translation = (point_t){5000000, 246000000, 60000000};
+    rigid_set_identity(&command.as.pose.pose);
+    command.as.pose.pose.translation = (point_t){5000000, 246000000, 60000000};
     return command;
 }
 

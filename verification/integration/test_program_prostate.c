@@ -24,8 +24,8 @@ void tearDown(void)
 
 static command_t entry(const rigid_t *pose)
 {
-    command_t command = {.kind = (uint32_t)COMMAND_ENTRY, .pose = *pose};
-    command.pose.translation.z_nm -= 30000000;
+    command_t command = {.kind = (uint32_t)COMMAND_ENTRY, .as.pose = {.pose = *pose}};
+    command.as.pose.pose.translation.z_nm -= 30000000;
     return command;
 }
 
@@ -51,17 +51,18 @@ void test_SWR_PROG_011_another_robot_that_turns_its_needle_runs_a_program(void)
     const int64_t tick_q16 = robot_prostate.axes[PROSTATE_AXIS_INSERTION].unit_per_tick_q16;
     const int32_t depth = rig.controller.plan.target_ticks[PROSTATE_AXIS_INSERTION] -
                           (int32_t)((INT64_C(2000000) * 65536) / tick_q16);
-    command_t command = {.kind = (uint32_t)COMMAND_PROGRAM_STEP, .value = 300};
-    command.ticks[PROSTATE_AXIS_INSERTION] = depth;
-    command.ticks[PROSTATE_AXIS_ROTATION] = 417;
-    const command_t begin = {.kind = (uint32_t)COMMAND_PROGRAM_BEGIN, .argument = 1U};
+    command_t command = {.kind = (uint32_t)COMMAND_PROGRAM_STEP, .as.step = {.dwell_ms = 300}};
+    command.as.step.ticks[PROSTATE_AXIS_INSERTION] = depth;
+    command.as.step.ticks[PROSTATE_AXIS_ROTATION] = 417;
+    const command_t begin = {.kind = (uint32_t)COMMAND_PROGRAM_BEGIN,
+                             .as.list_begin = {.count = 1U}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, begin).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
     const uint32_t sum = rig.outputs.snapshot.program_crc;
-    const command_t end = {.kind = (uint32_t)COMMAND_PROGRAM_END, .argument = sum};
+    const command_t end = {.kind = (uint32_t)COMMAND_PROGRAM_END, .as.list = {.checksum = sum}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, end).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
-    run((command_t){.kind = (uint32_t)COMMAND_RUN_PROGRAM, .argument = sum});
+    run((command_t){.kind = (uint32_t)COMMAND_RUN_PROGRAM, .as.list = {.checksum = sum}});
     TEST_ASSERT_INT32_WITHIN(10, depth, rig_position(&rig, PROSTATE_AXIS_INSERTION));
     TEST_ASSERT_INT32_WITHIN(5, 417, rig_position(&rig, PROSTATE_AXIS_ROTATION));
 }

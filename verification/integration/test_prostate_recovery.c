@@ -68,10 +68,11 @@ static bool find_pose(int32_t ticks[ROBOT_AXIS_MAX])
 /* Restored there, and confirmed by the button. */
 static void start_at(const int32_t ticks[ROBOT_AXIS_MAX])
 {
-    command_t restore = {.kind = COMMAND_RESTORE, .argument = (1U << robot->axis_count) - 1U};
+    command_t restore = {.kind = COMMAND_RESTORE,
+                         .as.positions = {.axes = (1U << robot->axis_count) - 1U}};
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         simulated.start_ticks[i] = ticks[i];
-        restore.ticks[i] = ticks[i];
+        restore.as.positions.ticks[i] = ticks[i];
     }
     rig_start_robot(&rig, &simulated);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
@@ -121,7 +122,7 @@ static bool is_every_homed(uint32_t lost)
 static void lose(uint32_t lost)
 {
     for (uint32_t i = 0U; i < CARRIAGES; i++) {
-        const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = i};
+        const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .as.axis = {.axis = i}};
         if (((lost >> i) & 1U) != 0U) {
             TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
         }
@@ -236,11 +237,13 @@ void test_SWR_AXIS_055_two_whose_counts_have_broken_are_not_driven(void)
 
 void test_SWR_NEXT_003_of_two_whose_counts_have_broken_one_is_placed_before_start_up(void)
 {
-    command_t restore = {.kind = COMMAND_RESTORE, .argument = BIT(PROSTATE_AXIS_FRONT_LEFT)};
+    command_t restore = {.kind = COMMAND_RESTORE,
+                         .as.positions = {.axes = BIT(PROSTATE_AXIS_FRONT_LEFT)}};
     break_two();
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_PLACE, rig.outputs.snapshot.next_step);
     TEST_ASSERT_EQUAL_UINT32(PROSTATE_AXIS_FRONT_LEFT, rig.outputs.snapshot.step_axis);
-    restore.ticks[PROSTATE_AXIS_FRONT_LEFT] = rear_at_its_end[PROSTATE_AXIS_FRONT_LEFT];
+    restore.as.positions.ticks[PROSTATE_AXIS_FRONT_LEFT] =
+        rear_at_its_end[PROSTATE_AXIS_FRONT_LEFT];
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, restore).status);
     rig_cycles(&rig, 2U);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);

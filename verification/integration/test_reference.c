@@ -82,7 +82,8 @@ void test_SWR_REF_006_nothing_is_confirmed_while_an_order_is_armed(void)
 {
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_FEET, .value = 10};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_FEET, .to_ticks = 10}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     axis_lose_reference(&rig.controller.axes[NEURO_AXIS_ROTATION]);
     TEST_ASSERT_EQUAL_UINT32(0U, hold_button(3U * HOLD_CYCLES));

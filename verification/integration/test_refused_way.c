@@ -3,6 +3,7 @@
  * Rule under test: where the way to the target would leave a limit that axes share, the next step
  * is no move that is refused for ever, but one that leads there.
  */
+#include "unit/support/commands.h"
 #include "integration/support/refused_way.h"
 #include "integration/support/rig.h"
 
@@ -57,7 +58,7 @@ static void phase(workphase_t workphase)
 
 static void command(command_kind_t kind, uint32_t argument)
 {
-    const command_t said = {.kind = (uint32_t)kind, .argument = argument};
+    const command_t said = commands_of_number(kind, argument);
     TEST_ASSERT_EQUAL_STRING("OK", status_name((int32_t)rig_command(&rig, said).status));
 }
 

@@ -3,6 +3,7 @@
  * Rule under test: the controller executed again on recorded inputs says the same, and where it
  * does not, the replay says so and where.
  */
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 
 #include "unity.h"
@@ -118,7 +119,7 @@ void test_SWR_REPLAY_001_every_output_is_equal_when_replayed_from_a_checkpoint(v
 /* Commands, and the cycles after it. */
 static void replay_act(command_kind_t kind, uint32_t argument, uint32_t cycles)
 {
-    rig.commands[0] = (command_t){.kind = (uint32_t)kind, .argument = argument};
+    rig.commands[0] = commands_of_number(kind, argument);
     rig.command_count = 1U;
     replay_cycles(cycles);
 }

@@ -284,8 +284,8 @@ static void confirm(void)
 /* Its motor has shown nothing of itself since the start of the programs. */
 void test_SWR_AXIS_027_counts_that_come_and_go_are_found_where_a_kept_position_was_confirmed(void)
 {
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_INSERTION, .value = 120000};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_INSERTION, .to_ticks = 120000}};
     uint32_t cycle = 0U;
     restart();
     confirm();

@@ -204,7 +204,7 @@ void test_SWR_PHASE_008_the_needle_is_drawn_out_in_each_workphase(void)
 static void lose_needle(void)
 {
     const command_t clear = {.kind = (uint32_t)COMMAND_CLEAR_AXIS,
-                             .argument = NEURO_AXIS_INSERTION};
+                             .as.axis = {.axis = NEURO_AXIS_INSERTION}};
     start_inserted();
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
@@ -294,7 +294,7 @@ void test_SWR_PHASE_008_in_the_middle_of_homing_the_needle_goes_out_and_homing_i
 void test_SWR_MOTION_024_a_needle_that_is_seen_is_shown_and_moves_nothing(void)
 {
     command_t seen = {.kind = (uint32_t)COMMAND_NEEDLE,
-                      .pose = rig_pose(5100000, 190000000, 60000000)};
+                      .as.seen_pose = {.pose = rig_pose(5100000, 190000000, 60000000)}};
     rig_start_moving(&rig);
     static rig_t blind;
     blind = rig;
@@ -308,7 +308,7 @@ void test_SWR_MOTION_024_a_needle_that_is_seen_is_shown_and_moves_nothing(void)
         TEST_ASSERT_EQUAL_MEMORY(blind.outputs.frames, rig.outputs.frames,
                                  sizeof blind.outputs.frames);
     }
-    seen.pose.rotation_q30[0][0] = 0;
+    seen.as.seen_pose.pose.rotation_q30[0][0] = 0;
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_RIGID, rig_command(&rig, seen).status);
     TEST_ASSERT_EQUAL_UINT32(5100000, rig.outputs.snapshot.seen_needle.translation.x_nm);
 }
@@ -316,7 +316,7 @@ void test_SWR_MOTION_024_a_needle_that_is_seen_is_shown_and_moves_nothing(void)
 void test_SWR_MOTION_024_a_needle_is_seen_in_move_to_target_only_and_forgotten_with_the_target(void)
 {
     const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
-    const command_t seen = {.kind = (uint32_t)COMMAND_NEEDLE, .pose = pose};
+    const command_t seen = {.kind = (uint32_t)COMMAND_NEEDLE, .as.seen_pose = {.pose = pose}};
     rig_start_moving(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, seen).status);
     (void)rig_workphase(&rig, WORKPHASE_TARGETING);

@@ -26,10 +26,11 @@ static command_t saved;
 
 void setUp(void)
 {
-    saved = (command_t){.kind = (uint32_t)COMMAND_RESTORE, .argument = ALL};
+    saved = (command_t){.kind = (uint32_t)COMMAND_RESTORE, .as.positions = {.axes = ALL}};
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const axis_config_t *const config = &robot_neuro.axes[i];
-        saved.ticks[i] = (config->minimum_ticks / 2) + (config->maximum_ticks / 2) - (int32_t)i;
+        saved.as.positions.ticks[i] =
+            (config->minimum_ticks / 2) + (config->maximum_ticks / 2) - (int32_t)i;
     }
 }
 
@@ -74,7 +75,7 @@ static void assert_placed(uint32_t axes)
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         if ((axes & BIT(i)) != 0U) {
             assert_reference(i, AXIS_REFERENCE_UNVERIFIED);
-            TEST_ASSERT_EQUAL_INT32(saved.ticks[i], rig_position(&rig, i));
+            TEST_ASSERT_EQUAL_INT32(saved.as.positions.ticks[i], rig_position(&rig, i));
         }
     }
 }
@@ -129,9 +130,9 @@ void test_SWR_STORE_020_what_was_homed_is_unverified_as_well_and_the_others_stay
     rest();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
-    saved.argument = BIT(NEURO_AXIS_HEAD) | BIT(NEURO_AXIS_ROTATION);
+    saved.as.positions.axes = BIT(NEURO_AXIS_HEAD) | BIT(NEURO_AXIS_ROTATION);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, restore());
-    assert_placed(saved.argument);
+    assert_placed(saved.as.positions.axes);
     assert_reference(NEURO_AXIS_LATERAL, AXIS_REFERENCE_VERIFIED);
     assert_reference(NEURO_AXIS_FEET, AXIS_REFERENCE_TAKEN);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
@@ -149,7 +150,7 @@ void test_SWR_STORE_020_lost_axes_are_restored_before_START_UP_and_the_button_co
     assert_placed(ALL);
     confirm();
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        TEST_ASSERT_EQUAL_INT32(saved.ticks[i], rig_position(&rig, i));
+        TEST_ASSERT_EQUAL_INT32(saved.as.positions.ticks[i], rig_position(&rig, i));
     }
     assert_reference(NEURO_AXIS_FEET, AXIS_REFERENCE_VERIFIED);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
@@ -159,8 +160,8 @@ void test_SWR_STORE_020_lost_axes_are_restored_before_START_UP_and_the_button_co
 void test_SWR_STORE_020_a_switch_that_contradicts_a_saved_position_is_told(void)
 {
     start_homed(WORKPHASE_MANUAL);
-    saved.argument = BIT(NEURO_AXIS_LATERAL);
-    saved.ticks[NEURO_AXIS_LATERAL] = rig_position(&rig, NEURO_AXIS_LATERAL) - 1000;
+    saved.as.positions.axes = BIT(NEURO_AXIS_LATERAL);
+    saved.as.positions.ticks[NEURO_AXIS_LATERAL] = rig_position(&rig, NEURO_AXIS_LATERAL) - 1000;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, restore());
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_forget(&rig);
@@ -184,9 +185,9 @@ void test_SWR_STORE_020_who_does_not_command_restores_nothing(void)
 void test_SWR_STORE_020_an_axis_that_the_robot_does_not_have_is_refused(void)
 {
     start();
-    saved.argument = ALL | BIT(robot_neuro.axis_count);
+    saved.as.positions.axes = ALL | BIT(robot_neuro.axis_count);
     assert_refused(STATUS_UNKNOWN_COMMAND);
-    saved.argument = 0U;
+    saved.as.positions.axes = 0U;
     assert_refused(STATUS_UNKNOWN_COMMAND);
 }
 
@@ -212,8 +213,8 @@ void test_SWR_STORE_021_positions_are_restored_where_nothing_moves_by_itself(voi
 
 void test_SWR_STORE_021_an_armed_jog_bars_it(void)
 {
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_LATERAL, .value = -2000};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_LATERAL, .to_ticks = -2000}};
     start_homed(WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     assert_refused(STATUS_NOT_AT_REST);
@@ -224,7 +225,7 @@ void test_SWR_STORE_021_an_axis_that_moves_bars_it_whichever_is_named(void)
     start();
     rig_box(&rig, "motor insertion runs");
     rig_cycles(&rig, 50U);
-    saved.argument = BIT(NEURO_AXIS_HEAD);
+    saved.as.positions.axes = BIT(NEURO_AXIS_HEAD);
     assert_refused(STATUS_NOT_AT_REST);
     rig_box(&rig, "motor insertion normal");
     rig_cycles(&rig, 1000U);
@@ -247,9 +248,9 @@ void test_SWR_STORE_021_a_silent_card_bars_its_axis_alone(void)
     rig_cycles(&rig, 50U);
     assert_refused(STATUS_HARDWARE_NOT_READY);
     TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_FEET, rig.outputs.answers[0].axis);
-    saved.argument = ALL & ~BIT(NEURO_AXIS_FEET);
+    saved.as.positions.axes = ALL & ~BIT(NEURO_AXIS_FEET);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, restore());
-    assert_placed(saved.argument);
+    assert_placed(saved.as.positions.axes);
 }
 
 void test_SWR_STORE_022_a_press_that_began_before_confirms_nothing(void)
@@ -273,17 +274,17 @@ void test_SWR_STORE_023_a_position_where_its_axis_cannot_stand_is_refused_with_a
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const axis_config_t *const config = &robot_neuro.axes[i];
         const int32_t beyond = config->following_error_ticks + config->home_way_ticks;
-        const int32_t good = saved.ticks[i];
-        saved.ticks[i] = config->minimum_ticks - beyond - 1;
+        const int32_t good = saved.as.positions.ticks[i];
+        saved.as.positions.ticks[i] = config->minimum_ticks - beyond - 1;
         assert_refused(STATUS_OUT_OF_RANGE);
         TEST_ASSERT_EQUAL_UINT32(i, rig.outputs.answers[0].axis);
-        saved.ticks[i] = config->maximum_ticks + beyond + 1;
+        saved.as.positions.ticks[i] = config->maximum_ticks + beyond + 1;
         assert_refused(STATUS_OUT_OF_RANGE);
-        saved.ticks[i] = good;
+        saved.as.positions.ticks[i] = good;
     }
-    saved.ticks[NEURO_AXIS_YAW] = INT32_MIN;
+    saved.as.positions.ticks[NEURO_AXIS_YAW] = INT32_MIN;
     assert_refused(STATUS_OUT_OF_RANGE);
-    saved.ticks[NEURO_AXIS_YAW] = INT32_MAX;
+    saved.as.positions.ticks[NEURO_AXIS_YAW] = INT32_MAX;
     assert_refused(STATUS_OUT_OF_RANGE);
 }
 
@@ -294,7 +295,7 @@ void test_SWR_STORE_023_the_last_places_where_an_axis_can_stand_are_restored(voi
         for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             const axis_config_t *const config = &robot_neuro.axes[i];
             const int32_t beyond = config->following_error_ticks + config->home_way_ticks;
-            saved.ticks[i] =
+            saved.as.positions.ticks[i] =
                 (side == 0U) ? (config->minimum_ticks - beyond) : (config->maximum_ticks + beyond);
         }
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, restore());

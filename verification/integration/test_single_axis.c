@@ -5,6 +5,7 @@
  * set where it stands; by the rules of START_UP, and nothing becomes true by the network alone. On
  * the simulated box; in every test the rig counts cycles that drive without the pedal.
  */
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 
 #include "unity.h"
@@ -31,8 +32,7 @@ void tearDown(void)
 
 static answer_t act(command_kind_t kind, uint32_t axis)
 {
-    const command_t command = {.kind = (uint32_t)kind, .argument = axis};
-    return rig_command(&rig, command);
+    return rig_command(&rig, commands_of_number(kind, axis));
 }
 
 static void expect(status_t status, command_kind_t kind, uint32_t axis)
@@ -72,7 +72,8 @@ static void start_fresh(void)
 
 static void jog(uint32_t axis, int32_t ticks)
 {
-    const command_t command = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG,
+                               .as.jog = {.axis = axis, .to_ticks = ticks}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, MOST_CYCLES).kind);
@@ -124,7 +125,6 @@ static void home(uint32_t axis)
     const answer_t *const last = &rig.answers[(rig.answer_count - 1U) % RIG_ANSWERS];
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, last->kind);
     TEST_ASSERT_EQUAL_UINT32(COMMAND_HOME_AXIS, last->command);
-    TEST_ASSERT_EQUAL_UINT32(axis, last->argument);
     expect_grade(AXIS_REFERENCE_VERIFIED, axis);
     rig_release(&rig);
 }
@@ -319,10 +319,9 @@ void test_SWR_AXIS_037_who_has_no_authority_is_refused(void)
 {
     start_manual();
     for (uint32_t i = 0U; i < ACTS; i++) {
-        const command_t other = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
-                                 .peer = RIG_PAGE + 1U,
-                                 .kind = (uint32_t)acts[i],
-                                 .argument = NEURO_AXIS_FEET};
+        command_t other = commands_of_number(acts[i], NEURO_AXIS_FEET);
+        other.source = (uint32_t)COMMAND_SOURCE_HTTP;
+        other.peer = RIG_PAGE + 1U;
         TEST_ASSERT_EQUAL_UINT32(STATUS_NO_AUTHORITY, rig_command(&rig, other).status);
     }
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
@@ -414,7 +413,7 @@ void test_SWR_AXIS_039_another_ones_request_is_not_replaced(void)
     const command_t take = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
                             .peer = RIG_PAGE + 1U,
                             .kind = (uint32_t)COMMAND_REQUEST,
-                            .argument = AUTHORITY_REQUEST_TAKE};
+                            .as.request = {.request = AUTHORITY_REQUEST_TAKE}};
     start_doubted();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, take).status);
     expect(STATUS_BUSY, COMMAND_CONFIRM_AXIS, NEURO_AXIS_YAW);
@@ -499,8 +498,8 @@ static void start_asked(void)
 {
     const command_t ask = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
                            .kind = (uint32_t)COMMAND_REQUEST,
-                           .argument = (uint32_t)AUTHORITY_REQUEST_TAKE,
-                           .peer = OTHER_PAGE};
+                           .peer = OTHER_PAGE,
+                           .as.request = {.request = (uint32_t)AUTHORITY_REQUEST_TAKE}};
     start_manual();
     expect(STATUS_OK, COMMAND_SET_HOME, NEURO_AXIS_FEET);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, ask).status);
@@ -596,7 +595,8 @@ void test_SWR_AXIS_043_who_set_a_home_and_how_far_it_went_is_told(void)
 
 static void jog_by(status_t status, uint32_t axis, int32_t way)
 {
-    const command_t command = {.kind = (uint32_t)COMMAND_JOG_BY, .argument = axis, .value = way};
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG_BY,
+                               .as.jog_by = {.axis = axis, .by_ticks = way}};
     TEST_ASSERT_EQUAL_UINT32(status, rig_command(&rig, command).status);
 }
 

@@ -38,7 +38,8 @@ void tearDown(void)
 
 static answer_t sweep(uint32_t axis, int32_t is_free)
 {
-    const command_t command = {.kind = (uint32_t)COMMAND_SWEEP, .argument = axis, .value = is_free};
+    const command_t command = {.kind = (uint32_t)COMMAND_SWEEP,
+                               .as.sweep = {.axis = axis, .is_free = is_free}};
     return rig_command(&rig, command);
 }
 
@@ -96,7 +97,7 @@ void test_SWR_SWEEP_001_it_is_armed_in_manual_alone_with_every_axis_homed(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_SWEEP, sweep(PROSTATE_AXIS_FRONT_LEFT, 1).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, sweep(UINT32_MAX, 1).status);
     const command_t clear = {.kind = (uint32_t)COMMAND_CLEAR_AXIS,
-                             .argument = PROSTATE_AXIS_REAR_LEFT};
+                             .as.axis = {.axis = PROSTATE_AXIS_REAR_LEFT}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED, sweep(PROSTATE_AXIS_ROTATION, 1).status);
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
@@ -225,8 +226,8 @@ void test_SWR_SWEEP_001_half_counts_are_not_noticed_in_a_sweep(void)
     rig_cycle(&rig);
     confirm();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG_BY, .argument = PROSTATE_AXIS_ROTATION, .value = 2000};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG_BY,
+                           .as.jog_by = {.axis = PROSTATE_AXIS_ROTATION, .by_ticks = 2000}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
     expect_aborted(STATUS_FAULT_PRESENT);
@@ -330,8 +331,8 @@ static void expect_outlook(mode_kind_t kind, status_t status)
 
 void test_SWR_MODE_004_a_needle_that_is_in_is_named_beforehand(void)
 {
-    const command_t in = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = PROSTATE_AXIS_INSERTION, .value = 20000};
+    const command_t in = {.kind = (uint32_t)COMMAND_JOG,
+                          .as.jog = {.axis = PROSTATE_AXIS_INSERTION, .to_ticks = 20000}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     expect_outlook(MODE_SWEEP, STATUS_OK);
     expect_outlook(MODE_POSE, STATUS_OK);

@@ -5,6 +5,7 @@
  * other: driven under the pedal alone, each point in its time, told at its end, replayed bit by
  * bit. On the simulated box, whose true positions are looked at.
  */
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 
 #include "unit/support/contract_trap.h"
@@ -52,16 +53,16 @@ void tearDown(void)
 
 static answer_t list(command_kind_t kind, uint32_t argument)
 {
-    const command_t command = {.kind = (uint32_t)kind, .argument = argument};
-    return rig_command(&rig, command);
+    return rig_command(&rig, commands_of_number(kind, argument));
 }
 
 static answer_t send_row(uint32_t index, uint32_t time_ms)
 {
-    command_t command = {
-        .kind = (uint32_t)COMMAND_LIST_ROW, .argument = index, .value = (int32_t)time_ms};
-    (void)memcpy(command.ticks, row.ticks, sizeof row.ticks);
-    (void)memcpy(command.speeds, row.speeds_ticks_per_s, sizeof row.speeds_ticks_per_s);
+    command_t command = {.kind = (uint32_t)COMMAND_LIST_ROW,
+                         .as.row = {.index = index, .time_ms = time_ms}};
+    (void)memcpy(command.as.row.ticks, row.ticks, sizeof row.ticks);
+    (void)memcpy(command.as.row.speeds_ticks_per_s, row.speeds_ticks_per_s,
+                 sizeof row.speeds_ticks_per_s);
     row.time_ms = time_ms;
     sum = trajectory_list_crc(sum, &row);
     return rig_command(&rig, command);
@@ -205,7 +206,8 @@ void test_SWR_TRAJ_014_stop_ends_it_and_leaves_the_list(void)
 
 void test_SWR_MODE_060_beside_a_trajectory_no_axis_is_enabled_and_a_homing_ends_it(void)
 {
-    const command_t home = {.kind = (uint32_t)COMMAND_HOME_AXIS, .argument = NEURO_AXIS_LATERAL};
+    const command_t home = {.kind = (uint32_t)COMMAND_HOME_AXIS,
+                            .as.axis = {.axis = NEURO_AXIS_LATERAL}};
     send_list();
     expect_run(STATUS_OK);
     rig_press(&rig);
@@ -239,8 +241,8 @@ void test_SWR_TRAJ_013_a_connection_of_navigation_sends_one_if_it_commands(void)
 {
     command_t command = {.kind = (uint32_t)COMMAND_LIST_BEGIN,
                          .source = (uint32_t)COMMAND_SOURCE_IGTL,
-                         .argument = 2U,
-                         .peer = RIG_CONNECTION + 1U};
+                         .peer = RIG_CONNECTION + 1U,
+                         .as.list_begin = {.count = 2U}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_AUTHORITY, rig_command(&rig, command).status);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.mode.list.total);
     rig_leave(&rig);
@@ -265,7 +267,6 @@ void test_SWR_TRAJ_001_a_refused_row_is_named_and_nothing_is_held(void)
     row.ticks[NEURO_AXIS_YAW] = rig.robot.axes[NEURO_AXIS_YAW].maximum_ticks + 1;
     const answer_t answer = send_row(1U, 1000U);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(1U, answer.argument);
     TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
     TEST_ASSERT_EQUAL_UINT32(STATUS_TRAJECTORY_ORDER, list(COMMAND_LIST_END, sum).status);

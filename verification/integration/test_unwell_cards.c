@@ -83,8 +83,8 @@ void test_SWR_CARD_011_a_pulled_estop_takes_the_supply_and_blames_no_card(void)
 
 static void begin_jog(void)
 {
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_LATERAL, .value = -2000};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_LATERAL, .to_ticks = -2000}};
 
     rig_home(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
@@ -164,7 +164,8 @@ void test_SWR_LINK_013_a_command_that_was_refused_makes_no_count_wrong(void)
         rig_start_robot_homed(&rig, &robot_neuro);
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
         rig_box(&rig, orders[i]);
-        const command_t jog = {.kind = COMMAND_JOG, .argument = axes[i], .value = ends[i]};
+        const command_t jog = {.kind = COMMAND_JOG,
+                               .as.jog = {.axis = axes[i], .to_ticks = ends[i]}};
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
         rig_press(&rig);
         TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 20000U).kind);

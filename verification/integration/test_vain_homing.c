@@ -61,7 +61,7 @@ static void try_in_vain(int32_t way_ticks)
 
 static void lose_head(void)
 {
-    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .argument = NEURO_AXIS_HEAD};
+    const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .as.axis = {.axis = NEURO_AXIS_HEAD}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
 }
@@ -69,8 +69,8 @@ static void lose_head(void)
 /* Homed, with the needle somewhat in. */
 static void start(void)
 {
-    const command_t jog = {
-        .kind = COMMAND_JOG_BY, .argument = NEURO_AXIS_INSERTION, .value = NEEDLE_TICKS};
+    const command_t jog = {.kind = COMMAND_JOG_BY,
+                           .as.jog_by = {.axis = NEURO_AXIS_INSERTION, .by_ticks = NEEDLE_TICKS}};
     rig_start_homed(&rig);
     rig_release(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
@@ -93,14 +93,15 @@ static void spend(void)
 
 static status_t home_head(void)
 {
-    const command_t home = {.kind = COMMAND_HOME_AXIS, .argument = NEURO_AXIS_HEAD};
+    const command_t home = {.kind = COMMAND_HOME_AXIS, .as.axis = {.axis = NEURO_AXIS_HEAD}};
     return (status_t)rig_command(&rig, home).status;
 }
 
 static status_t restore_head(void)
 {
-    command_t restore = {.kind = COMMAND_RESTORE, .argument = (uint32_t)1U << NEURO_AXIS_HEAD};
-    restore.ticks[NEURO_AXIS_HEAD] = rig_position(&rig, NEURO_AXIS_HEAD);
+    command_t restore = {.kind = COMMAND_RESTORE,
+                         .as.positions = {.axes = (uint32_t)1U << NEURO_AXIS_HEAD}};
+    restore.as.positions.ticks[NEURO_AXIS_HEAD] = rig_position(&rig, NEURO_AXIS_HEAD);
     return (status_t)rig_command(&rig, restore).status;
 }
 
@@ -201,7 +202,7 @@ void test_SWR_NEXT_025_a_position_that_is_restored_begins_anew_and_leads_to_the_
 
 void test_SWR_NEXT_025_a_home_that_is_set_begins_anew(void)
 {
-    const command_t set = {.kind = COMMAND_SET_HOME, .argument = NEURO_AXIS_FEET};
+    const command_t set = {.kind = COMMAND_SET_HOME, .as.axis = {.axis = NEURO_AXIS_FEET}};
     spend();
     draw_needle_out();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);

@@ -4,6 +4,7 @@
  * The numbers of what is told, and the limit that refuses, in the log of events, on the simulated
  * box.
  */
+#include "unit/support/commands.h"
 #include "integration/support/rig.h"
 
 #include "unity.h"
@@ -52,7 +53,7 @@ static void expect_place(plan_place_t first, int32_t x_nm, int32_t y_nm, int32_t
 
 static uint32_t send(command_kind_t kind, const rigid_t *pose)
 {
-    return rig_command(&rig, (command_t){.kind = (uint32_t)kind, .pose = *pose}).status;
+    return rig_command(&rig, commands_of_pose(kind, *pose)).status;
 }
 
 void test_SWR_EVENT_020_an_accepted_registration_stands_in_the_log_with_its_numbers(void)
@@ -125,8 +126,9 @@ void test_SWR_EVENT_020_a_refused_proposal_of_an_entry_point_stands_there_with_i
 void test_SWR_EVENT_020_refused_lengths_stand_in_the_log(void)
 {
     const int32_t negative_nm[] = {-1, 6000000, 7000000, 46000000};
-    command_t command = {.kind = (uint32_t)COMMAND_PROBE, .argument = ROBOT_PROBE_LENGTHS};
-    (void)memcpy(command.ticks, negative_nm, sizeof negative_nm);
+    command_t command = {.kind = (uint32_t)COMMAND_PROBE,
+                         .as.probe = {.count = ROBOT_PROBE_LENGTHS}};
+    (void)memcpy(command.as.probe.lengths_nm, negative_nm, sizeof negative_nm);
     rig_start_homed(&rig);
     rig_forget(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_PROBE_LENGTH, rig_command(&rig, command).status);
@@ -134,11 +136,11 @@ void test_SWR_EVENT_020_refused_lengths_stand_in_the_log(void)
     TEST_ASSERT_EQUAL_INT32(46000000, value_of(EVENT_REFUSED_LENGTH, 3U));
     rig_cycles(&rig, LIMIT_REFUSED_VALUES_MS);
     rig_forget(&rig);
-    command.argument = ROBOT_PROBE_LENGTHS + 1U;
+    command.as.probe.count = ROBOT_PROBE_LENGTHS + 1U;
     TEST_ASSERT_EQUAL_UINT32(STATUS_PROBE_LENGTH, rig_command(&rig, command).status);
     TEST_ASSERT_EQUAL_UINT32(ROBOT_PROBE_LENGTHS, rig_count(&rig, EVENT_REFUSED_LENGTH));
-    command.ticks[0] = 12000000;
-    command.argument = ROBOT_PROBE_LENGTHS;
+    command.as.probe.lengths_nm[0] = 12000000;
+    command.as.probe.count = ROBOT_PROBE_LENGTHS;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
     TEST_ASSERT_EQUAL_UINT32(ROBOT_PROBE_LENGTHS, rig_count(&rig, EVENT_PROBE_LENGTH));
 }
@@ -168,8 +170,8 @@ void test_SWR_EVENT_020_in_the_first_cycle_they_are_noted_too(void)
 
 static void jog_too_far(int32_t ticks)
 {
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = ticks};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_YAW, .to_ticks = ticks}};
     rig_cycles(&rig, LIMIT_REFUSED_VALUES_MS);
     rig_forget(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, rig_command(&rig, jog).status);

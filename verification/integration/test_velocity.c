@@ -31,9 +31,11 @@ void tearDown(void)
 
 static command_t speed_of(uint32_t axis, int32_t ticks_per_s, int32_t bound)
 {
-    command_t command = {
-        .kind = (uint32_t)COMMAND_VELOCITY, .argument = 1UL << axis, .value = bound};
-    command.ticks[axis] = ticks_per_s;
+    command_t command = {.kind = (uint32_t)COMMAND_VELOCITY,
+                         .as.velocity = {.axes = 1UL << axis,
+                                         .time_ms = (bound > 0) ? (uint32_t)bound : 0U,
+                                         .way_ticks = (bound < 0) ? (uint32_t)-bound : 0U}};
+    command.as.velocity.speeds_ticks_per_s[axis] = ticks_per_s;
     return command;
 }
 
@@ -132,8 +134,8 @@ void test_SWR_VEL_007_two_carriages_at_any_speeds_stay_inside_of_the_limit_they_
     for (uint32_t i = 0U; i < SCENES(sizeof speeds / sizeof speeds[0]); i++) {
         start_manual();
         command_t command = speed_of(NEURO_AXIS_HEAD, speeds[i][0], 12000);
-        command.ticks[NEURO_AXIS_FEET] = speeds[i][1];
-        command.argument |= (speeds[i][1] != 0) ? (1UL << NEURO_AXIS_FEET) : 0UL;
+        command.as.velocity.speeds_ticks_per_s[NEURO_AXIS_FEET] = speeds[i][1];
+        command.as.velocity.axes |= (speeds[i][1] != 0) ? (1UL << NEURO_AXIS_FEET) : 0UL;
         expect(command, STATUS_OK);
         rig_press(&rig);
         while (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) {
@@ -192,17 +194,18 @@ void test_SWR_VEL_012_all_that_are_commanded_run_at_once_and_no_other(void)
                                     NEURO_AXIS_ROTATION, NEURO_AXIS_PITCH};
     int32_t starts[ROBOT_AXIS_MAX];
     start_manual();
-    command_t command = {.kind = (uint32_t)COMMAND_VELOCITY, .value = 1500};
+    command_t command = {.kind = (uint32_t)COMMAND_VELOCITY, .as.velocity = {.time_ms = 1500}};
     for (uint32_t i = 0U; i < (sizeof axes / sizeof axes[0]); i++) {
-        command.argument |= 1UL << axes[i];
-        command.ticks[axes[i]] = -robot_neuro.axes[axes[i]].speed_ticks_per_s / 2;
+        command.as.velocity.axes |= 1UL << axes[i];
+        command.as.velocity.speeds_ticks_per_s[axes[i]] =
+            -robot_neuro.axes[axes[i]].speed_ticks_per_s / 2;
     }
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         starts[i] = rig_position(&rig, i);
     }
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, run(command).kind);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        const int64_t speed = -(int64_t)command.ticks[i];
+        const int64_t speed = -(int64_t)command.as.velocity.speeds_ticks_per_s[i];
         const int64_t way = ((speed * 1500) / 1000) -
                             ((speed * speed) / robot_neuro.axes[i].acceleration_ticks_per_s2);
         TEST_ASSERT_INT32_WITHIN(3, starts[i] - (int32_t)way, rig_position(&rig, i));

@@ -25,8 +25,8 @@ void tearDown(void)
 
 static void jog(int32_t ticks)
 {
-    const command_t command = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_ROTATION, .value = ticks};
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG,
+                               .as.jog = {.axis = NEURO_AXIS_ROTATION, .to_ticks = ticks}};
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, rig_command(&rig, command).kind);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
@@ -70,8 +70,8 @@ void test_SWR_DRIVE_016_a_warm_motor_that_counts_half_is_found(void)
 {
     warm_up(54.9);
     rig_box(&rig, "encoder rotation half");
-    const command_t command = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_ROTATION, .value = 7000};
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG,
+                               .as.jog = {.axis = NEURO_AXIS_ROTATION, .to_ticks = 7000}};
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, rig_command(&rig, command).kind);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 60000U).kind);
@@ -82,7 +82,8 @@ void test_SWR_DRIVE_016_a_warm_motor_that_counts_half_is_found(void)
 /* How long after the time that was told at its beginning a jog is done, ms. */
 static uint32_t lateness_ms(uint32_t axis, int32_t ticks)
 {
-    const command_t command = {.kind = (uint32_t)COMMAND_JOG_BY, .argument = axis, .value = ticks};
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG_BY,
+                               .as.jog_by = {.axis = axis, .by_ticks = ticks}};
     uint32_t told_ms = 0U;
     uint32_t cycles = 0U;
     rig_forget(&rig);

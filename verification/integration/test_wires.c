@@ -140,8 +140,8 @@ void test_SWR_NEXT_002_arrival_is_shown_until_the_next_order(void)
 
 void test_SWR_NEXT_002_a_jog_that_is_done_is_no_arrival(void)
 {
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = -200};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_YAW, .to_ticks = -200}};
     rig_start_targeted(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     (void)rig_command(&rig, jog);
@@ -156,11 +156,12 @@ static void begin_jog(uint32_t axis)
 {
     const axis_config_t *const config = &robot_neuro.axes[axis];
     const int32_t way = (config->maximum_ticks - config->minimum_ticks) / 50;
-    command_t jog = {.kind = (uint32_t)COMMAND_JOG_BY, .argument = axis, .value = way};
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG_BY,
+                     .as.jog_by = {.axis = axis, .by_ticks = way}};
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     if (rig_command(&rig, jog).status != (uint32_t)STATUS_OK) {
-        jog.value = -way;
+        jog.as.jog_by.by_ticks = -way;
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     }
     rig_press(&rig);
@@ -374,7 +375,7 @@ void test_SWR_AXIS_006_an_axis_that_is_not_homed_has_its_reason_in_a_move(void)
 void test_SWR_AXIS_005_an_active_switch_stops_what_drives_towards_it(void)
 {
     const int32_t maximum_ticks = robot_neuro.axes[NEURO_AXIS_PITCH].maximum_ticks;
-    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_PITCH};
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .as.jog = {.axis = NEURO_AXIS_PITCH}};
     double true_ticks[ROBOT_AXIS_MAX];
     rig_start(&rig);
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
@@ -385,7 +386,7 @@ void test_SWR_AXIS_005_an_active_switch_stops_what_drives_towards_it(void)
     }
     rig_release(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    jog.value = rig.outputs.snapshot.axes[NEURO_AXIS_PITCH].position_ticks + 27;
+    jog.as.jog.to_ticks = rig.outputs.snapshot.axes[NEURO_AXIS_PITCH].position_ticks + 27;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
     for (uint32_t i = 0U; rig.outputs.snapshot.axes[NEURO_AXIS_PITCH].limit_switches == 0U; i++) {
@@ -411,9 +412,9 @@ void test_SWR_AXIS_005_an_active_switch_stops_what_drives_towards_it(void)
 void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(void)
 {
     const uint32_t reason = UINT32_C(1) << PERMIT_REASON_LIMIT_SWITCH;
-    const command_t away = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_LATERAL, .value = -1000};
-    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_LATERAL};
+    const command_t away = {.kind = (uint32_t)COMMAND_JOG,
+                            .as.jog = {.axis = NEURO_AXIS_LATERAL, .to_ticks = -1000}};
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .as.jog = {.axis = NEURO_AXIS_LATERAL}};
     const snapshot_axis_t *const lateral = &rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL];
     uint32_t changes = 0U;
     rig_start_homed(&rig);
@@ -423,7 +424,7 @@ void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 20000U).kind);
     rig_release(&rig);
     axis_lose_reference(&rig.controller.axes[NEURO_AXIS_LATERAL]);
-    jog.value = lateral->position_ticks + 94;
+    jog.as.jog.to_ticks = lateral->position_ticks + 94;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
     rig_box(&rig, "switch lateral chatter");
@@ -445,8 +446,8 @@ void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(
 void test_SWR_AXIS_004_the_soft_limit_stops_what_was_accepted(void)
 {
     const int32_t minimum_ticks = robot_neuro.axes[NEURO_AXIS_YAW].minimum_ticks;
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = NEURO_AXIS_YAW, .value = minimum_ticks};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = NEURO_AXIS_YAW, .to_ticks = minimum_ticks}};
     bool has_stood = false;
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);

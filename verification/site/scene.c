@@ -6,9 +6,10 @@
  *     closed-loop-scene ROBOT SEED CYCLES [OTHER] <SCENE
  *
  * Lines of a scene, in the order of their cycles: `CYCLE order WORDS`, or `CYCLE command ID SOURCE
- * PEER KIND ARGUMENT VALUE`. Printed are each answer, each reply, and once a second a hash of all
- * bytes of inputs and outputs so far, in which a difference stays. With OTHER, a file with another
- * scene, only what is said of the first cycle in which that differs, as scene_run.ts asks for it.
+ * PEER KIND FIRST SECOND`, the first two words of what the command says. Printed are each answer,
+ * each reply, and once a second a hash of all bytes of inputs and outputs so far, in which a
+ * difference stays. With OTHER, a file with another scene, only what is said of the first cycle in
+ * which that differs, as scene_run.ts asks for it.
  */
 #include "site/exports.h"
 #include "site/watch.h"
@@ -48,14 +49,18 @@ static void give_order(const char *order)
 static void give_command(const char *numbers)
 {
     command_t *const command = exports_command();
+    uint32_t first = 0U;
+    int32_t second = 0;
 
     if ((command == NULL) ||
         (sscanf(numbers, "%" SCNu32 " %" SCNu32 " %" SCNu32 " %" SCNu32 " %" SCNu32 " %" SCNd32,
-                &command->id, &command->source, &command->peer, &command->kind, &command->argument,
-                &command->value) != 6)) {
+                &command->id, &command->source, &command->peer, &command->kind, &first,
+                &second) != 6)) {
         (void)fprintf(stderr, "closed-loop-scene: this is no command: %s\n", numbers);
         exit(EXIT_FAILURE);
     }
+    (void)memcpy(&command->as, &first, sizeof first);
+    (void)memcpy((uint8_t *)&command->as + sizeof first, &second, sizeof second);
 }
 
 /* The next line, without its end; its cycle is UINT32_MAX when there is none. */

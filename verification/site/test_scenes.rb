@@ -60,10 +60,10 @@ class TestScenes < Minitest::Test
     'robot=neuro&seed=7&inputs=x:pedal,press' => 'At character 27: “x:pedal,press” does not begin with CYCLE:.',
     'robot=neuro&seed=7&inputs=9:pedal,press;8:pedal,release' => 'At character 41: cycle 8 stands behind a later one.',
     'robot=neuro&seed=7&inputs=9:pedal,kick' => 'At character 29: “pedal kick” is no order of the box and no command.',
-    'robot=neuro&seed=7&inputs=9:JOG,argument=3,argument=3' => 'At character 44: argument is given twice.',
+    'robot=neuro&seed=7&inputs=9:JOG,axis=3,axis=3' => 'At character 40: axis is given twice.',
     'robot=neuro&seed=7&inputs=9:JOG,speed=3' =>
-      'At character 33: “speed=3” is not FIELD=VALUE with one of id, source, peer, argument, value, pose, ticks, speeds.',
-    'robot=neuro&seed=7&inputs=9:JOG,value=3.5' => 'At character 39: “3.5” is nothing that value can be.',
+      'At character 33: “speed=3” is not FIELD=VALUE with one of id, source, peer, axis, to_ticks.',
+    'robot=neuro&seed=7&inputs=9:JOG,to_ticks=3.5' => 'At character 42: “3.5” is nothing that to_ticks can be.',
     'robot=neuro&seed=7&inputs=9:card,3,silent;' => 'At character 43: “” does not begin with CYCLE:.',
     'robot=neuro&seed=7&inputs=9:estop,pull' => 'it is one'
   }.freeze
@@ -74,8 +74,8 @@ class TestScenes < Minitest::Test
   end
 
   # Both in the words of a scene; native code reads commands as numbers.
-  HOMING = { 'neuro' => '100:WORKPHASE,argument=START_UP;200:pedal,press',
-             'prostate' => '100:WORKPHASE,argument=START_UP;200:pedal,press' }.freeze
+  HOMING = { 'neuro' => '100:WORKPHASE,workphase=START_UP;200:pedal,press',
+             'prostate' => '100:WORKPHASE,workphase=START_UP;200:pedal,press' }.freeze
   NATIVE_HOMING = "100 command 1 0 1 1 1 0\n200 order pedal press\n"
   FORK = 1500
   CYCLES = 100

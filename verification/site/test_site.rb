@@ -284,7 +284,7 @@ class TestSite < Minitest::Test
     assert_parts 'SWR-SITE-014'
   end
 
-  LINK = 'robot=neuro&seed=7&inputs=100:WORKPHASE,argument=START_UP;200:pedal,press;1500:pedal,release'
+  LINK = 'robot=neuro&seed=7&inputs=100:WORKPHASE,workphase=START_UP;200:pedal,press;1500:pedal,release'
 
   def test_SWR_SITE_027_a_link_is_played_in_a_page_as_in_the_module_without_a_server
     said, status = node("#{__dir__}/played.mjs", MODULE, SERVED, LINK, '2000')
@@ -313,7 +313,7 @@ class TestSite < Minitest::Test
       assert_equal [300], differences.values, robot
       assert_match(/\A\d+: 8\z/, differences.keys.first, robot) # Notes: pedal, card, stop, pedal, and four requests.
       assert_includes inputs, 'card 3 silent'
-      assert(inputs.any? { |input| input.match?(/\AWORKPHASE id=\d+ source=HTTP peer=4000000007 argument=1\z/) })
+      assert(inputs.any? { |input| input.match?(/\AWORKPHASE id=\d+ source=HTTP peer=4000000007 workphase=1\z/) })
     end
   end
 

@@ -34,7 +34,7 @@ class TestTour < Minitest::Test
   end
 
   # As step 5 goes on: the fault of the link is mended, and START_UP leads on from it.
-  MENDED = ';2000:pedal,release;2300:card,3,normal;2800:WORKPHASE,argument=START_UP;3000:pedal,press'
+  MENDED = ';2000:pedal,release;2300:card,3,normal;2800:WORKPHASE,workphase=START_UP;3000:pedal,press'
 
   def test_SWR_SITE_024_the_card_that_was_mended_is_homed_by_the_next_start_up
     link = part(1).first.find { |line| line.start_with?('#robot=') }

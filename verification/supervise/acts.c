@@ -55,6 +55,7 @@ command_t acts_choose(const rig_t *rig, uint32_t *chance)
     if (takes_place && !is_bold && !is_truly_at_home(rig, axis)) {
         kind = COMMAND_CONFIRM_AXIS;
     }
-    return (command_t){.kind = (uint32_t)kind,
-                       .argument = (kind == COMMAND_CONFIRM_AXIS) ? to_confirm(rig, axis) : axis};
+    return (command_t){
+        .kind = (uint32_t)kind,
+        .as.axis = {.axis = (kind == COMMAND_CONFIRM_AXIS) ? to_confirm(rig, axis) : axis}};
 }

@@ -82,7 +82,7 @@ bool apart_is_out(const apart_t *self, const rig_t *rig)
 
 static command_t jog(uint32_t axis, int32_t ticks)
 {
-    return (command_t){.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    return (command_t){.kind = (uint32_t)COMMAND_JOG, .as.jog = {.axis = axis, .to_ticks = ticks}};
 }
 
 static int32_t clamped(const axis_config_t *axis, int32_t ticks)
@@ -136,10 +136,10 @@ static command_t edge_jog(const apart_t *self, const rig_t *rig, sim_random_t *r
     }
     for (uint32_t i = 0U; i < EDGE_TRIES; i++) {
         const command_t next = some_jog(self, random);
-        const double here = places[next.argument];
-        places[next.argument] = next.value;
+        const double here = places[next.as.jog.axis];
+        places[next.as.jog.axis] = next.as.jog.to_ticks;
         const double room = least_room(self->robot, places);
-        places[next.argument] = here;
+        places[next.as.jog.axis] = here;
         if ((room > EDGE_PART) && (room < least)) {
             best = next;
             least = room;

@@ -356,7 +356,8 @@ command_t foe_jog(foe_t *self, const rig_t *rig)
         self->is_outwards = (below(self, 16U) == 0U) ? !is_high : self->is_outwards;
         ticks = clamped(axis, at + (self->is_outwards ? way : -way));
     }
-    return (command_t){.kind = (uint32_t)COMMAND_JOG, .argument = self->axis, .value = ticks};
+    return (command_t){.kind = (uint32_t)COMMAND_JOG,
+                       .as.jog = {.axis = self->axis, .to_ticks = ticks}};
 }
 
 static void add(char *text, size_t size, const char *format, ...)

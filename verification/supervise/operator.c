@@ -183,11 +183,12 @@ static void bring_back(operator_t *self, rig_t *rig, uint32_t axis)
 /* The page asks for it, as RESTORE is a matter of the page; GRANT follows. */
 static void ask_for_authority(rig_t *rig)
 {
-    rig->commands[rig->command_count] = (command_t){.id = OPERATOR_COMMAND_ID,
-                                                    .kind = (uint32_t)COMMAND_REQUEST,
-                                                    .argument = (uint32_t)AUTHORITY_REQUEST_TAKE,
-                                                    .source = (uint32_t)COMMAND_SOURCE_HTTP,
-                                                    .peer = RIG_PAGE};
+    rig->commands[rig->command_count] =
+        (command_t){.id = OPERATOR_COMMAND_ID,
+                    .kind = (uint32_t)COMMAND_REQUEST,
+                    .source = (uint32_t)COMMAND_SOURCE_HTTP,
+                    .peer = RIG_PAGE,
+                    .as.request = {.request = (uint32_t)AUTHORITY_REQUEST_TAKE}};
     rig->command_count++;
 }
 
@@ -196,12 +197,12 @@ static void restore(rig_t *rig, uint32_t axis)
     const authority_party_t party = operator_commander(rig);
     command_t command = {.kind = (uint32_t)COMMAND_RESTORE,
                          .id = OPERATOR_COMMAND_ID,
-                         .argument = 1U << axis,
                          .source = party.source,
-                         .peer = party.peer};
+                         .peer = party.peer,
+                         .as.positions = {.axes = 1U << axis}};
     double truth[ROBOT_AXIS_MAX];
     box_true_positions(&rig->box, truth);
-    command.ticks[axis] = (int32_t)lround(truth[axis]);
+    command.as.positions.ticks[axis] = (int32_t)lround(truth[axis]);
     rig->commands[rig->command_count] = command;
     rig->command_count++;
 }

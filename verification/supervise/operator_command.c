@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervise/operator_command.h"
 
+#include "procedure/command_kinds.h"
+
 authority_party_t operator_commander(const rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
@@ -24,13 +26,13 @@ bool operator_command_of(const rig_t *rig, uint32_t step, command_t *command)
                                          [NEXT_STEP_MANUAL] = WORKPHASE_MANUAL};
     const authority_party_t party = operator_commander(rig);
     *command = (command_t){.id = OPERATOR_COMMAND_ID, .source = party.source, .peer = party.peer};
-    rigid_set_identity(&command->pose);
     if (step == (uint32_t)NEXT_STEP_AUTHORITY) {
         command->kind = (uint32_t)COMMAND_TAKE;
         return true;
     }
     if (step == (uint32_t)NEXT_STEP_REGISTER) {
         command->kind = (uint32_t)COMMAND_REGISTRATION;
+        rigid_set_identity(&command->as.registration.pose);
         return true;
     }
     if (step == (uint32_t)NEXT_STEP_RETRACT) {
@@ -39,10 +41,11 @@ bool operator_command_of(const rig_t *rig, uint32_t step, command_t *command)
     }
     if (step == (uint32_t)NEXT_STEP_DRAPING) {
         command->kind = (uint32_t)COMMAND_POSE;
-        command->argument = (uint32_t)POSE_DRAPING;
+        command->as.pose_name.pose = (uint32_t)POSE_DRAPING;
         return true;
     }
     command->kind = (uint32_t)COMMAND_WORKPHASE;
-    command->argument = (step < (sizeof phases / sizeof phases[0])) ? (uint32_t)phases[step] : 0U;
-    return command->argument != (uint32_t)WORKPHASE_UNDEFINED;
+    command->as.workphase.workphase =
+        (step < (sizeof phases / sizeof phases[0])) ? (uint32_t)phases[step] : 0U;
+    return command_kinds_workphase(command) != WORKPHASE_UNDEFINED;
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervise/order_watch.h"
 
+#include "procedure/command_kinds.h"
+
 #include "charts/arming_chart.h"
 #include "supervise/truth.h"
 
@@ -38,8 +40,8 @@ static void begin_list(order_watch_t *self)
 static void add_row(order_watch_t *self, const command_t *command)
 {
     for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
-        self->lowest[i] = fmin(self->lowest[i], command->ticks[i]);
-        self->highest[i] = fmax(self->highest[i], command->ticks[i]);
+        self->lowest[i] = fmin(self->lowest[i], command->as.row.ticks[i]);
+        self->highest[i] = fmax(self->highest[i], command->as.row.ticks[i]);
     }
 }
 
@@ -61,12 +63,15 @@ static uint32_t named_by(const rig_t *rig, const command_t *command)
     case COMMAND_RUN_PROGRAM:
         return needle_axes(rig);
     case COMMAND_JOG:
+        return (uint32_t)1U << command->as.jog.axis;
     case COMMAND_JOG_BY:
+        return (uint32_t)1U << command->as.jog_by.axis;
     case COMMAND_HOME_AXIS:
+        return (uint32_t)1U << command->as.axis.axis;
     case COMMAND_SWEEP:
-        return (uint32_t)1U << command->argument;
+        return (uint32_t)1U << command->as.sweep.axis;
     case COMMAND_VELOCITY:
-        return command->argument;
+        return command->as.velocity.axes;
     default:
         return UINT32_MAX;
     }
@@ -75,24 +80,24 @@ static uint32_t named_by(const rig_t *rig, const command_t *command)
 static void note_accepted(order_watch_t *self, const rig_t *rig, const command_t *command,
                           bool is_order, const double truth[ROBOT_AXIS_MAX])
 {
-    const uint32_t axis = (uint32_t)1U << (command->argument % 32U);
     if (is_order) {
         self->armed[command->kind]++;
         self->kind = command->kind;
-        self->argument = command->argument;
+        self->swept_axis = (command->kind == (uint32_t)COMMAND_SWEEP) ? command->as.sweep.axis : 0U;
         self->axes = named_by(rig, command);
         self->inwards = 0.0;
         (void)memcpy(self->from, truth, sizeof self->from);
     }
     switch (command->kind) {
     case COMMAND_WORKPHASE:
-        self->disabled = (command->argument == (uint32_t)WORKPHASE_START_UP) ? 0U : self->disabled;
+        self->disabled =
+            (command_kinds_workphase(command) == WORKPHASE_START_UP) ? 0U : self->disabled;
         break;
     case COMMAND_DISABLE_AXIS:
-        self->disabled |= axis;
+        self->disabled |= (uint32_t)1U << command->as.axis.axis;
         break;
     case COMMAND_ENABLE_AXIS:
-        self->disabled &= ~axis;
+        self->disabled &= ~((uint32_t)1U << command->as.axis.axis);
         break;
     case COMMAND_LIST_BEGIN:
         begin_list(self);
@@ -110,8 +115,7 @@ static bool is_clearing(const rig_t *rig, const answer_t *answer, uint32_t numbe
 {
     const command_t *const command = &rig->inputs.commands[number];
     return (answer->status == (uint32_t)STATUS_MOVED_IN_VAIN) &&
-           (command->kind == (uint32_t)COMMAND_WORKPHASE) &&
-           (command->argument == (uint32_t)WORKPHASE_START_UP);
+           (command_kinds_workphase(command) == WORKPHASE_START_UP);
 }
 
 /* The first answers come in the order of the commands, and ends of orders among them. */

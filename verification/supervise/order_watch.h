@@ -27,10 +27,10 @@ typedef enum {
 
 /** At first all zero. */
 typedef struct {
-    uint32_t kind;     /**< command_kind_t of the order that was accepted and has not ended. */
-    uint32_t argument; /**< Of it. */
-    uint32_t axes;     /**< Bit n: axis n is named by it. */
-    uint32_t disabled; /**< Bit n: axis n was disabled, and nobody has enabled it. */
+    uint32_t kind;       /**< command_kind_t of the order that was accepted and has not ended. */
+    uint32_t swept_axis; /**< Of a sweep; of another order 0. */
+    uint32_t axes;       /**< Bit n: axis n is named by it. */
+    uint32_t disabled;   /**< Bit n: axis n was disabled, and nobody has enabled it. */
     double from[ROBOT_AXIS_MAX];    /**< Where the axes were when it was accepted. */
     double before[ROBOT_AXIS_MAX];  /**< In the cycle before. */
     double inwards;                 /**< Way of the needle under drives that take it in, ticks. */

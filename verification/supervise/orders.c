@@ -51,20 +51,22 @@ static void of_itself(orders_t *self, const rig_t *rig, uint32_t *chance, comman
 static void of_axis(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
 {
     (void)self;
-    command->argument = some_axis(rig, chance);
+    command->as.axis.axis = some_axis(rig, chance);
 }
 
 static void of_way(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
 {
-    of_axis(self, rig, chance, command);
-    command->value = either_way(span_of(config_of(rig, command->argument)) / WAY_PARTS, chance);
+    const uint32_t axis = some_axis(rig, chance);
+    (void)self;
+    command->as.jog_by.axis = axis;
+    command->as.jog_by.by_ticks = either_way(span_of(config_of(rig, axis)) / WAY_PARTS, chance);
 }
 
 static void of_pose(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
 {
     (void)self;
     (void)rig;
-    command->argument = chance_below(chance, POSE_NAME_COUNT);
+    command->as.pose_name.pose = chance_below(chance, POSE_NAME_COUNT);
 }
 
 /* Each axis or not, and in one of four cases by way. */
@@ -72,13 +74,16 @@ static void of_speeds(orders_t *self, const rig_t *rig, uint32_t *chance, comman
 {
     const bool is_way = chance_below(chance, 4U) == 0U;
     const uint32_t every = ((uint32_t)1U << rig->box.robot->axis_count) - 1U;
+    command_velocity_t *const velocity = &command->as.velocity;
     (void)self;
-    command->argument =
+    velocity->axes =
         is_way ? ((uint32_t)1U << some_axis(rig, chance)) : (1U + chance_below(chance, every));
-    command->value = is_way ? -(1 + (int32_t)chance_below(chance, 2000U))
-                            : (1 + (int32_t)chance_below(chance, 2000U));
+    const uint32_t bound = 1U + chance_below(chance, 2000U);
+    velocity->time_ms = is_way ? 0U : bound;
+    velocity->way_ticks = is_way ? bound : 0U;
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
-        command->ticks[i] = either_way(config_of(rig, i)->speed_ticks_per_s / SPEEDS, chance);
+        velocity->speeds_ticks_per_s[i] =
+            either_way(config_of(rig, i)->speed_ticks_per_s / SPEEDS, chance);
     }
 }
 
@@ -89,14 +94,14 @@ static void of_list(orders_t *self, const rig_t *rig, uint32_t *chance, command_
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
         self->row.ticks[i] = rig->outputs.snapshot.axes[i].position_ticks;
     }
-    command->argument = self->rows;
+    command->as.list_begin.count = self->rows;
 }
 
 static void of_program(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
 {
     (void)rig;
     *self = (orders_t){.rows = 1U + chance_below(chance, STEPS_MOST), .is_program = true};
-    command->argument = self->rows;
+    command->as.list_begin.count = self->rows;
 }
 
 static bool is_amiss(uint32_t *chance)
@@ -107,13 +112,15 @@ static bool is_amiss(uint32_t *chance)
 /* Mostly an axis with waves, where there is one, that the operator has found free. */
 static void of_sweep(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
 {
-    of_axis(self, rig, chance, command);
+    command_sweep_t *const sweep = &command->as.sweep;
+    (void)self;
+    sweep->axis = some_axis(rig, chance);
     for (uint32_t i = 0U; (i < rig->box.robot->axis_count) && !is_amiss(chance); i++) {
         if (config_of(rig, i)->card_type == (uint8_t)CARD_TYPE_HIGH_FREQUENCY) {
-            command->argument = i;
+            sweep->axis = i;
         }
     }
-    command->value = is_amiss(chance) ? 0 : 1;
+    sweep->is_free = is_amiss(chance) ? 0U : 1U;
 }
 
 typedef void (*make_t)(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command);
@@ -167,7 +174,6 @@ bool orders_choose(orders_t *self, const rig_t *rig, orders_wish_t wish, uint32_
         if (is_for(i, due)) {
             if (left == 0U) {
                 *command = (command_t){.kind = (uint32_t)orders[i].kind};
-                rigid_set_identity(&command->pose);
                 orders[i].make(self, rig, chance, command);
                 return true;
             }
@@ -203,10 +209,9 @@ static void send_row(orders_t *self, const rig_t *rig, uint32_t *chance, command
         lengthen(self, rig, chance);
     }
     command->kind = (uint32_t)COMMAND_LIST_ROW;
-    command->argument = self->next;
-    command->value = (int32_t)self->row.time_ms;
+    command->as.row = (command_row_t){.index = self->next, .time_ms = self->row.time_ms};
     for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
-        command->ticks[i] = self->row.ticks[i];
+        command->as.row.ticks[i] = self->row.ticks[i];
     }
     self->sum = trajectory_list_crc(self->sum, &self->row);
 }
@@ -228,21 +233,23 @@ static void send_step(orders_t *self, const rig_t *rig, uint32_t *chance, comman
     const axis_config_t *const along = config_of(rig, robot->needle_axis);
     const int32_t dwell_ms = DWELL_LEAST_MS + (int32_t)chance_below(chance, DWELL_SPREAD_MS);
     const int32_t way = either_way(span_of(along) / WAY_PARTS, chance);
+    command_step_t *const sent = &command->as.step;
     program_step_t step;
     const bool is_deeper = is_amiss(chance);
     command->kind = (uint32_t)COMMAND_PROGRAM_STEP;
-    command->argument = self->next;
-    command->value = (chance_below(chance, 2U) == 0U) ? dwell_ms : -dwell_ms;
-    command->ticks[robot->needle_axis] =
+    *sent = (command_step_t){.index = self->next,
+                             .dwell_ms = (uint32_t)dwell_ms,
+                             .is_gated = (chance_below(chance, 2U) == 0U) ? 0U : 1U};
+    sent->ticks[robot->needle_axis] =
         clamped(along, target_ticks[robot->needle_axis] - (is_deeper ? way : abs(way)));
     if (turning < robot->axis_count) {
         const axis_config_t *const about = config_of(rig, turning);
-        command->ticks[turning] =
+        sent->ticks[turning] =
             clamped(about, target_ticks[turning] + either_way(span_of(about) / WAY_PARTS, chance));
     }
-    program_step_place(robot, command->ticks, &step);
+    program_step_place(robot, sent->ticks, &step);
     step.dwell_ms = (uint32_t)dwell_ms;
-    step.is_gated = (command->value < 0) ? 1U : 0U;
+    step.is_gated = sent->is_gated;
     self->sum = program_list_crc(self->sum, &step);
 }
 
@@ -252,9 +259,10 @@ static void send_run(orders_t *self, const rig_t *rig, command_t *command)
     const bool is_targeting = rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_TARGETING;
     if (self->is_program && is_targeting && (self->next == (self->rows + 1U))) {
         command->kind = (uint32_t)COMMAND_WORKPHASE;
-        command->argument = (uint32_t)WORKPHASE_MOVE_TO_TARGET;
+        command->as.workphase.workphase = (uint32_t)WORKPHASE_MOVE_TO_TARGET;
     } else {
         command->kind = (uint32_t)(self->is_program ? COMMAND_RUN_PROGRAM : COMMAND_RUN_TRAJECTORY);
+        command->as.list.checksum = self->sum;
         self->rows = 0U;
     }
 }
@@ -264,14 +272,14 @@ bool orders_go_on(orders_t *self, const rig_t *rig, uint32_t *chance, command_t 
     if (self->rows == 0U) {
         return false;
     }
-    *command = (command_t){.argument = self->sum};
-    rigid_set_identity(&command->pose);
+    *command = (command_t){.kind = (uint32_t)COMMAND_NONE};
     if ((self->next < self->rows) && self->is_program) {
         send_step(self, rig, chance, command);
     } else if (self->next < self->rows) {
         send_row(self, rig, chance, command);
     } else if (self->next == self->rows) {
         command->kind = (uint32_t)(self->is_program ? COMMAND_PROGRAM_END : COMMAND_LIST_END);
+        command->as.list.checksum = self->sum;
     } else {
         send_run(self, rig, command);
     }

@@ -11,7 +11,7 @@
 #define PLACE_MM 0.1
 #define PLACE_DEG 1.0
 #define LONGER_US 300000U /* Until the axes have settled. */
-#define US_PER_MS 1000
+#define US_PER_MS 1000U
 
 static uint32_t rule(program_rule_t which, bool is_broken)
 {
@@ -51,9 +51,10 @@ static void read_commands(program_watch_t *self, const rig_t *rig)
         } else if (command->kind == (uint32_t)COMMAND_PROGRAM_STEP) {
             program_watch_step_t *const step = &self->steps[self->count % LIMIT_PROGRAM_STEPS];
             for (uint32_t axis = 0U; axis < ROBOT_AXIS_MAX; axis++) {
-                step->ticks[axis] = command->ticks[axis];
+                step->ticks[axis] = command->as.step.ticks[axis];
             }
-            step->dwell_ms = command->value;
+            step->dwell_ms = command->as.step.dwell_ms;
+            step->is_gated = command->as.step.is_gated != 0U;
             self->count++;
         } else if (command->kind == (uint32_t)COMMAND_RUN_PROGRAM) {
             self->done = 0U;
@@ -69,9 +70,8 @@ static bool is_dwell_wrong(const program_watch_t *self, const rig_t *rig, bool i
                            const double truth[ROBOT_AXIS_MAX], bool is_disturbed)
 {
     const program_watch_step_t *const step = &self->steps[self->done % LIMIT_PROGRAM_STEPS];
-    const uint32_t dwell_us = (uint32_t)(abs(step->dwell_ms) * US_PER_MS);
-    const bool is_dosed =
-        (step->dwell_ms < 0) && (rig->inputs.dose_reached != 0U) && self->was_undosed;
+    const uint32_t dwell_us = step->dwell_ms * US_PER_MS;
+    const bool is_dosed = step->is_gated && (rig->inputs.dose_reached != 0U) && self->was_undosed;
     return (is_by_dose ? !is_dosed : (self->rested_us < dwell_us)) ||
            (!is_disturbed &&
             ((self->rested_us > (dwell_us + LONGER_US)) || !stands_at(rig, step, truth)));

@@ -26,7 +26,8 @@ typedef enum {
 /** A step, as it was accepted. */
 typedef struct {
     int32_t ticks[ROBOT_AXIS_MAX];
-    int32_t dwell_ms; /**< Below 0: at most so long, with the gate. */
+    uint32_t dwell_ms;
+    bool is_gated; /**< At most so long. */
 } program_watch_step_t;
 
 /** At first all zero. */

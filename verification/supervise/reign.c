@@ -161,7 +161,7 @@ static void watch_requests(reign_t *self, const view_t *view)
             continue;
         }
         if ((command->kind == (uint32_t)COMMAND_REQUEST) &&
-            (command->argument == (uint32_t)AUTHORITY_REQUEST_TAKE) &&
+            (command->as.request.request == (uint32_t)AUTHORITY_REQUEST_TAKE) &&
             !is_same(&sender, &view->before)) {
             self->asked = sender;
         }

@@ -54,12 +54,12 @@ static command_t some_command(rivals_t *self)
         {.kind = COMMAND_TAKE},
         {.kind = COMMAND_RENEW},
         {.kind = COMMAND_RELEASE},
-        {.kind = COMMAND_REQUEST, .argument = AUTHORITY_REQUEST_TAKE},
-        {.kind = COMMAND_REQUEST, .argument = AUTHORITY_REQUEST_TAKE},
-        {.kind = COMMAND_REQUEST, .argument = AUTHORITY_REQUEST_CONFIRM},
-        {.kind = COMMAND_WORKPHASE, .argument = WORKPHASE_STOP},
-        {.kind = COMMAND_WORKPHASE, .argument = WORKPHASE_TARGETING},
-        {.kind = COMMAND_WORKPHASE, .argument = WORKPHASE_MOVE_TO_TARGET},
+        {.kind = COMMAND_REQUEST, .as.request = {.request = AUTHORITY_REQUEST_TAKE}},
+        {.kind = COMMAND_REQUEST, .as.request = {.request = AUTHORITY_REQUEST_TAKE}},
+        {.kind = COMMAND_REQUEST, .as.request = {.request = AUTHORITY_REQUEST_CONFIRM}},
+        {.kind = COMMAND_WORKPHASE, .as.workphase = {.workphase = WORKPHASE_STOP}},
+        {.kind = COMMAND_WORKPHASE, .as.workphase = {.workphase = WORKPHASE_TARGETING}},
+        {.kind = COMMAND_WORKPHASE, .as.workphase = {.workphase = WORKPHASE_MOVE_TO_TARGET}},
         {.kind = COMMAND_RETRACT},
         {.kind = COMMAND_JOG}};
     command_t command =
@@ -68,7 +68,6 @@ static command_t some_command(rivals_t *self)
     if ((command.kind == (uint32_t)COMMAND_RELEASE) && (chance_below(&self->random, 4U) == 0U)) {
         command.peer = 0U;
     }
-    rigid_set_identity(&command.pose);
     return command;
 }
 

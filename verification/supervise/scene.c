@@ -5,6 +5,7 @@ void scene_begin(scene_t *self, const robot_t *robot, play_t play, uint32_t seed
 {
     witness_begin(&self->witness, seed);
     stage_begin(&self->stage, &self->rig, robot, play, seed);
+    digest_begin(&self->digest);
 }
 
 void scene_cycle(scene_t *self)
@@ -13,6 +14,7 @@ void scene_cycle(scene_t *self)
     stage_play(&self->stage, &self->rig);
     box_true_positions(&self->rig.box, truth);
     rig_cycle(&self->rig);
+    digest_add(&self->digest, &self->rig.outputs);
     self->witness.is_sound = stage_is_sound(&self->stage);
     witness_look(&self->witness, &self->rig, truth, stage_is_disturbed(&self->stage));
 }

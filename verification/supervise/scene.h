@@ -3,6 +3,7 @@
 #ifndef BORESIGHT_SCENE_H
 #define BORESIGHT_SCENE_H
 
+#include "supervise/digest.h"
 #include "supervise/stage.h"
 #include "supervise/witness.h"
 
@@ -11,6 +12,7 @@ typedef struct {
     rig_t rig;
     stage_t stage;
     witness_t witness;
+    digest_t digest; /**< Of all that the controller has said. */
 } scene_t;
 
 /** Sets the scene `seed` of `robot`, which must outlive it; what the witness has seen before stays.

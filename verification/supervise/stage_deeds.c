@@ -21,7 +21,8 @@ void stage_do_anything(stage_t *self, rig_t *rig)
         break;
     case 2:
         stage_send(self, rig,
-                   (command_t){.kind = (uint32_t)COMMAND_TARGET, .pose = stage_some_target(self)});
+                   (command_t){.kind = (uint32_t)COMMAND_TARGET,
+                               .as.pose = {.pose = stage_some_target(self)}});
         break;
     case 3:
         rig_box(rig, "pedal press");
@@ -134,7 +135,7 @@ void stage_do_next_step(stage_t *self, rig_t *rig)
         stage_send_phase(self, rig, WORKPHASE_CALIBRATION);
         if (shown->workphase == (uint32_t)WORKPHASE_CALIBRATION) {
             command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION};
-            rigid_set_identity(&command.pose);
+            rigid_set_identity(&command.as.registration.pose);
             stage_send(self, rig, command);
         }
         break;
@@ -154,7 +155,8 @@ void stage_do_next_step(stage_t *self, rig_t *rig)
         break;
     case NEXT_STEP_DRAPING:
         stage_send(self, rig,
-                   (command_t){.kind = (uint32_t)COMMAND_POSE, .argument = (uint32_t)POSE_DRAPING});
+                   (command_t){.kind = (uint32_t)COMMAND_POSE,
+                               .as.pose_name = {.pose = (uint32_t)POSE_DRAPING}});
         break;
     case NEXT_STEP_PROBE:
         if (stage_has_whim(self, 3U)) {
@@ -240,9 +242,9 @@ static bool moves_needle(stage_t *self, rig_t *rig)
     if (is_due && is_in) {
         stage_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
     } else if (is_due) {
-        stage_send(
-            self, rig,
-            (command_t){.kind = (uint32_t)COMMAND_JOG_BY, .argument = needle, .value = far_ticks});
+        stage_send(self, rig,
+                   (command_t){.kind = (uint32_t)COMMAND_JOG_BY,
+                               .as.jog_by = {.axis = needle, .by_ticks = far_ticks}});
     } else {
         /* It stays. */
     }

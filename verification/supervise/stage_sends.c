@@ -25,7 +25,8 @@ void stage_send(stage_t *self, rig_t *rig, command_t command)
 void stage_send_phase(stage_t *self, rig_t *rig, workphase_t phase)
 {
     stage_send(self, rig,
-               (command_t){.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)phase});
+               (command_t){.kind = (uint32_t)COMMAND_WORKPHASE,
+                           .as.workphase = {.workphase = (uint32_t)phase}});
 }
 
 rigid_t stage_some_target(stage_t *self)
@@ -67,13 +68,14 @@ static void send_corner(stage_t *self, rig_t *rig)
         ticks[i] = some_end(self, &self->robot->axes[i]);
     }
     joints_from_ticks(self->robot, ticks, &joints);
-    kinematics_forward(self->robot, &self->robot->probe, &joints, &target.pose);
-    rigid_set_identity(&entry.pose);
-    if (targets_entry(self->robot, &joints, &target.pose, &entry.pose.translation)) {
+    kinematics_forward(self->robot, &self->robot->probe, &joints, &target.as.pose.pose);
+    rigid_set_identity(&entry.as.pose.pose);
+    if (targets_entry(self->robot, &joints, &target.as.pose.pose,
+                      &entry.as.pose.pose.translation)) {
         stage_send(self, rig, entry);
     } else if (play_is_of_orders(self->play)) {
         const point_t before = {0, 0, -BEFORE_NM};
-        entry.pose.translation = rigid_apply(&target.pose, &before);
+        entry.as.pose.pose.translation = rigid_apply(&target.as.pose.pose, &before);
         stage_send(self, rig, entry);
     } else {
         /* It is asked for none. */
@@ -87,7 +89,8 @@ void stage_send_target(stage_t *self, rig_t *rig)
         send_corner(self, rig);
     } else {
         stage_send(self, rig,
-                   (command_t){.kind = (uint32_t)COMMAND_TARGET, .pose = stage_some_target(self)});
+                   (command_t){.kind = (uint32_t)COMMAND_TARGET,
+                               .as.pose = {.pose = stage_some_target(self)}});
     }
 }
 
@@ -95,14 +98,16 @@ void stage_send_target(stage_t *self, rig_t *rig)
 void stage_send_jog(stage_t *self, rig_t *rig)
 {
     command_t command = {.kind = (uint32_t)COMMAND_JOG,
-                         .argument = stage_random_below(self, self->robot->axis_count)};
-    const axis_config_t *const axis = &self->robot->axes[command.argument];
+                         .as.jog = {.axis = stage_random_below(self, self->robot->axis_count)}};
+    const axis_config_t *const axis = &self->robot->axes[command.as.jog.axis];
     const int32_t span = axis->maximum_ticks - axis->minimum_ticks;
     if (stage_random_below(self, 2U) == 0U) {
-        command.value = axis->minimum_ticks + (int32_t)stage_random_below(self, (uint32_t)span);
+        command.as.jog.to_ticks =
+            axis->minimum_ticks + (int32_t)stage_random_below(self, (uint32_t)span);
     } else {
-        command.value = rig->outputs.snapshot.axes[command.argument].position_ticks - (span / 20) +
-                        (int32_t)stage_random_below(self, (uint32_t)span / 10U);
+        command.as.jog.to_ticks = rig->outputs.snapshot.axes[command.as.jog.axis].position_ticks -
+                                  (span / 20) +
+                                  (int32_t)stage_random_below(self, (uint32_t)span / 10U);
     }
     stage_send(self, rig, command);
 }
@@ -123,12 +128,14 @@ void stage_send_act(stage_t *self, rig_t *rig)
 void stage_send_probe(stage_t *self, rig_t *rig)
 {
     const robot_t *const robot = self->robot;
-    command_t command = {.kind = (uint32_t)COMMAND_PROBE, .argument = robot->probe_length_count};
+    command_t command = {.kind = (uint32_t)COMMAND_PROBE,
+                         .as.probe = {.count = robot->probe_length_count}};
     for (uint32_t i = 0U; i < robot->probe_length_count; i++) {
         const int32_t range_nm =
             robot->probe_maximum.length_nm[i] - robot->probe_minimum.length_nm[i];
-        command.ticks[i] = robot->probe.length_nm[i] - (range_nm / 10) +
-                           (int32_t)chance_below(&self->whim, (uint32_t)(range_nm / 5) + 1U);
+        command.as.probe.lengths_nm[i] =
+            robot->probe.length_nm[i] - (range_nm / 10) +
+            (int32_t)chance_below(&self->whim, (uint32_t)(range_nm / 5) + 1U);
     }
     stage_send(self, rig, command);
 }
@@ -159,15 +166,15 @@ void stage_send_saved(stage_t *self, rig_t *rig)
     const bool is_true = !stage_has_whim(self, 8U);
     const uint32_t axes = ((uint32_t)1U << self->robot->axis_count) - 1U;
     command_t command = {.kind = (uint32_t)COMMAND_RESTORE,
-                         .argument = 1U + chance_below(&self->whim, axes)};
+                         .as.positions = {.axes = 1U + chance_below(&self->whim, axes)}};
     double truth[ROBOT_AXIS_MAX];
     box_true_positions(&rig->box, truth);
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         const axis_config_t *const axis = &self->robot->axes[i];
         const uint32_t span = (uint32_t)(axis->maximum_ticks - axis->minimum_ticks);
-        command.ticks[i] = is_true
-                               ? (int32_t)lround(truth[i])
-                               : (axis->minimum_ticks + (int32_t)chance_below(&self->whim, span));
+        command.as.positions.ticks[i] =
+            is_true ? (int32_t)lround(truth[i])
+                    : (axis->minimum_ticks + (int32_t)chance_below(&self->whim, span));
     }
     self->has_fault = is_true ? self->has_fault : 1U;
     stage_send(self, rig, command);

@@ -4,13 +4,13 @@
  * The real controller on the simulated control box, in simulated time, with an operator, a world
  * and faults by chance, and a witness who knows where the axes truly stand.
  *
- *     supervise [--robot NAME] COUNT [SEED [PLAY]], PLAY one of PLAY_NAMES
+ *     supervise [--robot NAME] COUNT [SEED [PLAY [DIGESTS]]], PLAY one of PLAY_NAMES
  *
  * Plays COUNT scenes from SEED on (1), or as many as COUNT moves need. Prints how often each
  * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken, with 3
  * when the robot cannot give the play. With "taps" also tells the enemy's plan of each such scene.
  * With "flips", COUNT times up to 3 bits of a word of the controller's memory change in random
- * scenes.
+ * scenes. The file DIGESTS gets a line for each scene: two builds that say the same have the same.
  */
 #include "interface/app/names.h"
 #include "robot/app/robot_names.h"
@@ -21,6 +21,7 @@
 
 #include "unity.h"
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -36,6 +37,7 @@
 
 static const robot_t *robot;
 static scene_t scene;
+static FILE *digests;
 
 void setUp(void)
 {
@@ -77,6 +79,10 @@ static void play_scene(play_t play, uint32_t seed)
     scene_begin(&scene, robot, play, seed);
     for (uint32_t i = 0U; i < cycles_of(play); i++) {
         scene_cycle(&scene);
+    }
+    if (digests != NULL) {
+        (void)fprintf(digests, "%s %u %u %016" PRIx64 "\n", robot->name, (unsigned)seed,
+                      (unsigned)scene.digest.cycles, scene.digest.hash);
     }
 }
 
@@ -237,9 +243,10 @@ int main(int count, char **arguments)
     const uint32_t first = (left > 2) ? (uint32_t)strtoul(rest[2], NULL, 10) : 1U;
     const int play = (left > 3) ? play_find(rest[3]) : (int)PLAY_RANDOM;
     robot = robots_find(is_named ? arguments[2] : ROBOT_NAMES_DEFAULT);
+    digests = (left > 4) ? fopen(rest[4], "w") : NULL;
     if ((wanted == 0U) || (play < 0) || (robot == NULL)) {
         (void)fprintf(stderr,
-                      "usage: supervise [--robot NAME] COUNT [SEED [" PLAY_NAMES "]]\n"
+                      "usage: supervise [--robot NAME] COUNT [SEED [" PLAY_NAMES " [DIGESTS]]]\n"
                       "robots: %s\n",
                       robot_names_list());
         return UNPLAYED;

@@ -106,8 +106,8 @@ uint32_t sweep_watch_look(sweep_watch_t *self, const order_watch_t *order, const
 {
     uint32_t broken = rule(SWEEP_WAVES, are_waves_astray(rig));
     if ((order->kind == (uint32_t)COMMAND_SWEEP) &&
-        (order->argument < rig->box.robot->axis_count)) {
-        const uint32_t axis = order->argument;
+        (order->swept_axis < rig->box.robot->axis_count)) {
+        const uint32_t axis = order->swept_axis;
         const bool is_driven = rig_sent(rig, axis).drive.mode != (uint32_t)CARD_DRIVE_OFF;
         broken |= judge_events(self, rig, truth[axis], is_disturbed);
         broken |= rule(SWEEP_PLACE, is_driven && is_out_of_place(rig, truth, is_disturbed));

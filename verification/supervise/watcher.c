@@ -46,11 +46,13 @@ bool watcher_play(watcher_t *self, const rig_t *rig, command_t *command)
     const bool is_burst = chance_below(&self->random, BURST_PARTS) == 0U;
     self->wait_cycles = is_burst ? 0U : (1U + chance_below(&self->random, WAIT_CYCLES));
     const command_kind_t kind = some_kind(self);
-    *command = (command_t){.kind = (uint32_t)kind, .argument = is_burst ? 1U : 0U};
-    rigid_set_identity(&command->pose);
-    command->pose.translation = some_point(self, &rig->outputs.snapshot);
+    *command =
+        (command_t){.kind = (uint32_t)kind, .as.seen_pose = {.is_one_of_many = is_burst ? 1U : 0U}};
+    rigid_set_identity(&command->as.seen_pose.pose);
+    command->as.seen_pose.pose.translation = some_point(self, &rig->outputs.snapshot);
     if (chance_below(&self->random, 8U) == 0U) {
-        *command = (command_t){.kind = (uint32_t)COMMAND_WITHDRAW, .argument = (uint32_t)kind};
+        *command = (command_t){.kind = (uint32_t)COMMAND_WITHDRAW,
+                               .as.withdrawal = {.of = (uint32_t)kind}};
     }
     return true;
 }

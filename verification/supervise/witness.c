@@ -154,8 +154,8 @@ static void note_sweep(witness_t *self, const rig_t *rig, uint32_t axis, double 
 {
     const double off = truth - (double)rig->outputs.snapshot.axes[axis].position_ticks;
     const double run = config_of(rig, axis)->full_speed_ticks_per_s * SWEPT_S;
-    const bool is_swept =
-        (self->order_watch.kind == (uint32_t)COMMAND_SWEEP) && (self->order_watch.argument == axis);
+    const bool is_swept = (self->order_watch.kind == (uint32_t)COMMAND_SWEEP) &&
+                          (self->order_watch.swept_axis == axis);
     if (!is_swept || is_doubted(rig, axis)) {
         self->swept_off[axis] = 0.0;
     } else if ((fabs(off) <= run) && (rig->box.axes[axis].encoder.fault != SIM_ENCODER_NORMAL)) {
@@ -302,7 +302,8 @@ static bool takes_probe(witness_t *self, const rig_t *rig)
             for (uint32_t j = 0U; j < rig->inputs.command_count; j++) {
                 const command_t *const command = &rig->inputs.commands[j];
                 if ((command->id == answer->id) && (command->kind == (uint32_t)COMMAND_PROBE)) {
-                    (void)memcpy(self->probe.length_nm, command->ticks, sizeof self->probe);
+                    (void)memcpy(self->probe.length_nm, command->as.probe.lengths_nm,
+                                 sizeof self->probe);
                     is_taken = true;
                 }
             }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Rule under test: what a page asks for is done once and answered to it, in its name alone, and
  * what it had ends with its session and with its server. */
+#include "procedure/command_kinds.h"
 #include "unity.h"
 
 #include "common/clock.h"
@@ -36,8 +37,10 @@ static answer_t answer;
 
 static const account_t account_of_anna = {.name = "anna", .role = ROLE_OPERATOR};
 static const account_t account_of_bert = {.name = "bert", .role = ROLE_OPERATOR};
-static const command_t go = {.kind = COMMAND_WORKPHASE, .argument = WORKPHASE_START_UP};
-static const command_t plan = {.kind = COMMAND_WORKPHASE, .argument = WORKPHASE_PLANNING};
+static const command_t go = {.kind = COMMAND_WORKPHASE,
+                             .as.workphase = {.workphase = WORKPHASE_START_UP}};
+static const command_t plan = {.kind = COMMAND_WORKPHASE,
+                               .as.workphase = {.workphase = WORKPHASE_PLANNING}};
 
 static void witness(void *owner, note_kind_t kind, const char *who, const char *text)
 {
@@ -79,7 +82,7 @@ static void answer_as(answer_kind_t kind, bool is_final)
     const answer_t told = {.id = taken[0].id,
                            .source = COMMAND_SOURCE_HTTP,
                            .command = taken[0].kind,
-                           .argument = taken[0].argument,
+                           .asked = (uint32_t)command_kinds_workphase(&taken[0]),
                            .kind = (uint32_t)kind,
                            .status = (kind == ANSWER_ABORTED) ? STATUS_DISCARDED : STATUS_OK,
                            .is_final = is_final ? 1U : 0U};
@@ -107,7 +110,7 @@ void test_SWR_HTTP_021_an_act_is_one_command_in_the_name_of_its_page(void)
     TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_HTTP, taken[0].source);
     TEST_ASSERT_EQUAL_UINT32(7U, taken[0].peer);
     TEST_ASSERT_EQUAL_UINT32(COMMAND_WORKPHASE, taken[0].kind);
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_START_UP, taken[0].argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_START_UP, taken[0].as.workphase.workphase);
     TEST_ASSERT_EQUAL(ACT_NO_ANSWER, act_desk_look(&desk, 7U, 1U, &go, &answer));
     answer_as(ANSWER_REFUSED, true);
     TEST_ASSERT_EQUAL(ACT_ANSWERED, act_desk_look(&desk, 7U, 1U, &go, &answer));
@@ -140,20 +143,20 @@ void test_SWR_HTTP_023_an_id_stands_for_one_act_and_grows(void)
 /* Or who sends another target would be told what has become of the one before. */
 void test_SWR_HTTP_023_an_id_does_not_stand_for_another_pose_or_way(void)
 {
-    const command_t target = {.kind = COMMAND_TARGET, .pose.translation.x_nm = 1000};
+    const command_t target = {.kind = COMMAND_TARGET, .as.pose.pose.translation.x_nm = 1000};
     command_t other = target;
     TEST_ASSERT_EQUAL(ACT_NO_ANSWER, ask(7U, 1U, &target));
     TEST_ASSERT_EQUAL(ACT_NO_ANSWER, ask(7U, 1U, &target));
-    other.pose.translation.x_nm = 1001;
+    other.as.pose.pose.translation.x_nm = 1001;
     TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 1U, &other));
     TEST_ASSERT_EQUAL_UINT32(1U, take_commands());
-    const command_t jog = {.kind = COMMAND_JOG, .argument = 1U, .value = 100};
+    const command_t jog = {.kind = COMMAND_JOG, .as.jog = {.axis = 1U, .to_ticks = 100}};
     TEST_ASSERT_EQUAL(ACT_NO_ANSWER, ask(7U, 2U, &jog));
     other = jog;
-    other.value = -100;
+    other.as.jog.to_ticks = -100;
     TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 2U, &other));
     other = jog;
-    other.argument = 2U;
+    other.as.jog.axis = 2U;
     TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 2U, &other));
     TEST_ASSERT_EQUAL_UINT32(1U, take_commands());
 }
@@ -161,23 +164,25 @@ void test_SWR_HTTP_023_an_id_does_not_stand_for_another_pose_or_way(void)
 /* Of a probe and of positions that are restored, and of axes that run at speeds. */
 void test_SWR_HTTP_023_an_id_does_not_stand_for_other_ticks_or_speeds(void)
 {
-    const uint32_t last = ROBOT_AXIS_MAX - 1U;
-    const command_t probe = {.kind = COMMAND_PROBE, .argument = 1U, .ticks = {100, 200}};
+    const uint32_t last = ROBOT_PROBE_LENGTHS - 1U;
+    const command_t probe = {.kind = COMMAND_PROBE,
+                             .as.probe = {.count = 1U, .lengths_nm = {100, 200}}};
     command_t other = probe;
     TEST_ASSERT_EQUAL(ACT_NO_ANSWER, ask(7U, 1U, &probe));
     TEST_ASSERT_EQUAL(ACT_NO_ANSWER, ask(7U, 1U, &probe));
-    other.ticks[0] = 101;
+    other.as.probe.lengths_nm[0] = 101;
     TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 1U, &other));
     TEST_ASSERT_EQUAL(ACT_ID_USED, act_desk_look(&desk, 7U, 1U, &other, &answer));
     other = probe;
-    other.ticks[last] = 1;
+    other.as.probe.lengths_nm[last] = 1;
     TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 1U, &other));
-    other = probe;
-    other.speeds[0] = 1;
-    TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 1U, &other));
-    other = probe;
-    other.speeds[last] = -1;
-    TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 1U, &other));
+    TEST_ASSERT_EQUAL_UINT32(1U, take_commands());
+    const command_t velocity = {.kind = COMMAND_VELOCITY,
+                                .as.velocity = {.axes = 1U, .time_ms = 100U}};
+    TEST_ASSERT_EQUAL(ACT_NO_ANSWER, ask(7U, 2U, &velocity));
+    other = velocity;
+    other.as.velocity.speeds_ticks_per_s[ROBOT_AXIS_MAX - 1U] = -1;
+    TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 2U, &other));
     TEST_ASSERT_EQUAL_UINT32(1U, take_commands());
 }
 

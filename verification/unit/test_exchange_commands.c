@@ -3,6 +3,7 @@
  * Rule under test: commands of each source reach control once and in order, a stop passes them all,
  * and what finds no room is refused or counted.
  */
+#include "unit/support/commands.h"
 #include "unity.h"
 
 #include "exchange/exchange.h"
@@ -25,6 +26,20 @@ void setUp(void)
 void tearDown(void)
 {
     exchange_world_end();
+}
+
+void test_SWR_CMD_007_what_a_command_does_not_use_arrives_as_zero(void)
+{
+    command_t jog = {.id = 1U, .kind = COMMAND_JOG};
+    const command_t expected = {.id = 1U,
+                                .kind = COMMAND_JOG,
+                                .as.jog = {.axis = 0x5A5A5A5AU, .to_ticks = 0x5A5A5A5A}};
+    command_t taken[2];
+
+    (void)memset(&jog.as, 0x5A, sizeof jog.as);
+    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &jog));
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 2U));
+    TEST_ASSERT_EQUAL_MEMORY(&expected.as, &taken[0].as, sizeof expected.as);
 }
 
 void test_SWR_EXCH_002_a_full_command_lane_refuses_and_keeps_what_it_has(void)
@@ -87,7 +102,7 @@ void test_SWR_EXCH_015_a_stop_in_one_lane_discards_what_waits_in_the_other(void)
 {
     static const workphase_t stops[] = {WORKPHASE_STOP, WORKPHASE_EMERGENCY};
     for (uint32_t i = 0U; i < 2U; i++) {
-        const command_t stop = {.kind = COMMAND_WORKPHASE, .argument = stops[i]};
+        const command_t stop = {.kind = COMMAND_WORKPHASE, .as.workphase = {.workphase = stops[i]}};
         const command_t move = {.source = COMMAND_SOURCE_HTTP, .kind = COMMAND_RETRACT};
         answer_t told;
         command_t taken[4];
@@ -95,7 +110,7 @@ void test_SWR_EXCH_015_a_stop_in_one_lane_discards_what_waits_in_the_other(void)
         TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &move));
         TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &stop));
         TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
-        TEST_ASSERT_EQUAL_UINT32(stops[i], taken[0].argument);
+        TEST_ASSERT_EQUAL_UINT32(stops[i], taken[0].as.workphase.workphase);
         TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_HTTP, &told));
         TEST_ASSERT_EQUAL_UINT32(STATUS_DISCARDED, told.status);
         TEST_ASSERT_EQUAL_UINT32(stops[i], told.workphase);
@@ -117,33 +132,33 @@ void test_SWR_HTTP_030_an_emergency_that_is_requested_refuses_what_waits(void)
 
 void test_SWR_HTTP_030_an_emergency_among_stops_is_one_for_all(void)
 {
-    answer_t answer = {.source = COMMAND_SOURCE_HTTP,
-                       .command = COMMAND_WORKPHASE,
-                       .argument = WORKPHASE_EMERGENCY};
+    answer_t answer = {
+        .source = COMMAND_SOURCE_HTTP, .command = COMMAND_WORKPHASE, .asked = WORKPHASE_EMERGENCY};
     command_t taken[4];
     const uint32_t first = exchange_request_stop(reader, WORKPHASE_STOP);
     const uint32_t second = exchange_request_stop(reader, WORKPHASE_EMERGENCY);
     const uint32_t third = exchange_request_stop(reader, WORKPHASE_STOP);
 
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, taken[0].argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, taken[0].as.workphase.workphase);
     TEST_ASSERT_EQUAL_UINT32(third, taken[0].id);
     TEST_ASSERT_EQUAL_UINT32(first + 1U, second);
     answer.id = taken[0].id;
     TEST_ASSERT_TRUE(exchange_push_answer(control, &answer));
     TEST_ASSERT_TRUE(exchange_read_stop_answer(reader, first, &answer));
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, answer.argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, answer.asked);
     (void)exchange_request_stop(reader, WORKPHASE_STOP);
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, taken[0].argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, taken[0].as.workphase.workphase);
 }
 
 void test_SWR_HTTP_008_a_stop_of_the_console_takes_no_lane(void)
 {
     static const workphase_t stops[] = {WORKPHASE_STOP, WORKPHASE_EMERGENCY};
     for (uint32_t i = 0U; i < 2U; i++) {
-        const command_t stop = {
-            .source = COMMAND_SOURCE_HTTP, .kind = COMMAND_WORKPHASE, .argument = stops[i]};
+        const command_t stop = {.source = COMMAND_SOURCE_HTTP,
+                                .kind = COMMAND_WORKPHASE,
+                                .as.workphase = {.workphase = stops[i]}};
 
         TEST_ASSERT_EQUAL(STATUS_NOT_ALLOWED, exchange_send_command(reader, &stop));
     }
@@ -162,9 +177,7 @@ void test_SWR_CTRL_021_a_cycle_takes_no_more_after_a_command_that_computes(void)
 
     for (uint32_t i = 0U; i < (sizeof costly / sizeof costly[0]); i++) {
         const command_t cheap = {.source = COMMAND_SOURCE_IGTL, .kind = (uint32_t)COMMAND_JOG};
-        const command_t dear = {.source = COMMAND_SOURCE_IGTL,
-                                .kind = (uint32_t)costly[i],
-                                .argument = (uint32_t)WORKPHASE_MOVE_TO_TARGET};
+        const command_t dear = commands_of_number(costly[i], (uint32_t)WORKPHASE_MOVE_TO_TARGET);
         TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &cheap));
         TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &dear));
         TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &dear));
@@ -179,7 +192,7 @@ void test_SWR_CTRL_021_a_workphase_that_computes_nothing_lets_others_follow(void
 {
     const command_t cheap = {.source = COMMAND_SOURCE_IGTL,
                              .kind = (uint32_t)COMMAND_WORKPHASE,
-                             .argument = (uint32_t)WORKPHASE_TARGETING};
+                             .as.workphase = {.workphase = (uint32_t)WORKPHASE_TARGETING}};
     command_t taken[4];
     TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &cheap));
     TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &cheap));
@@ -199,19 +212,20 @@ static void expect_stop(uint32_t number, const command_t *command)
     TEST_ASSERT_EQUAL_UINT32(number, command->id);
     TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_HTTP, command->source);
     TEST_ASSERT_EQUAL_UINT32(COMMAND_WORKPHASE, command->kind);
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, command->argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, command->as.workphase.workphase);
 }
 
 void test_SWR_HTTP_008_a_stop_passes_a_full_lane_and_is_the_last_command_of_its_cycle(void)
 {
-    const command_t emergency = {.kind = COMMAND_WORKPHASE, .argument = WORKPHASE_EMERGENCY};
+    const command_t emergency = {.kind = COMMAND_WORKPHASE,
+                                 .as.workphase = {.workphase = WORKPHASE_EMERGENCY}};
     command_t taken[4];
 
     fill_lane();
     TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &emergency));
     const uint32_t number = exchange_request_stop(reader, WORKPHASE_STOP);
     TEST_ASSERT_EQUAL_UINT32(2U, exchange_take_commands(control, taken, 4U));
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, taken[0].argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, taken[0].as.workphase.workphase);
     expect_stop(number, &taken[1]);
     TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_commands(control, taken, 4U));
 }
@@ -230,7 +244,7 @@ void test_SWR_HTTP_008_one_command_and_its_answer_serve_every_stop_requested_bef
 {
     answer_t answer = {.source = COMMAND_SOURCE_HTTP,
                        .command = COMMAND_WORKPHASE,
-                       .argument = WORKPHASE_STOP,
+                       .asked = WORKPHASE_STOP,
                        .workphase = WORKPHASE_STOP};
     answer_t read;
     command_t taken[4];
@@ -257,7 +271,7 @@ void test_SWR_HTTP_008_one_command_and_its_answer_serve_every_stop_requested_bef
 void test_SWR_HTTP_008_the_numbers_of_stops_may_wrap(void)
 {
     answer_t answer = {
-        .source = COMMAND_SOURCE_HTTP, .command = COMMAND_WORKPHASE, .argument = WORKPHASE_STOP};
+        .source = COMMAND_SOURCE_HTTP, .command = COMMAND_WORKPHASE, .asked = WORKPHASE_STOP};
     command_t taken;
 
     reader->segment->others.stops_requested = UINT64_MAX - SEGMENT_STOP;
@@ -275,7 +289,8 @@ void test_SWR_HTTP_008_the_numbers_of_stops_may_wrap(void)
 
 static void send(uint32_t kind, uint32_t argument)
 {
-    const command_t command = {.id = kind, .kind = kind, .argument = argument};
+    command_t command = commands_of_number((command_kind_t)kind, argument);
+    command.id = kind;
 
     TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &command));
 }
@@ -306,7 +321,7 @@ void test_SWR_EXCH_015_stop_or_emergency_behind_a_full_lane_leaves_in_the_next_c
         }
         send((uint32_t)COMMAND_WORKPHASE, (uint32_t)stops[i]);
         TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
-        TEST_ASSERT_EQUAL_UINT32(stops[i], taken[0].argument);
+        TEST_ASSERT_EQUAL_UINT32(stops[i], taken[0].as.workphase.workphase);
         TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_IGTL, taken[0].source);
         expect_refusals(EXCHANGE_COMMANDS, stops[i]);
     }
@@ -334,8 +349,8 @@ void test_SWR_EXCH_015_what_came_after_a_stop_follows_it(void)
     send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
     send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
     TEST_ASSERT_EQUAL_UINT32(2U, exchange_take_commands(control, taken, 4U));
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, taken[0].argument);
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_PLANNING, taken[1].argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, taken[0].as.workphase.workphase);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_PLANNING, taken[1].as.workphase.workphase);
     expect_refusals(1U, WORKPHASE_STOP);
 }
 
@@ -354,8 +369,8 @@ void test_SWR_EXCH_015_what_came_before_a_requested_stop_never_follows_it(void)
     send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
     TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
     TEST_ASSERT_EQUAL_UINT32(3U, exchange_take_commands(control, taken, 4U));
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, taken[1].argument);
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_PLANNING, taken[2].argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, taken[1].as.workphase.workphase);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_PLANNING, taken[2].as.workphase.workphase);
     expect_refusals(1U, WORKPHASE_STOP);
 }
 
@@ -366,7 +381,8 @@ void test_SWR_EXCH_015_every_stop_is_handed_over_and_none_refused_for_another(vo
     for (uint32_t i = 0U; i < (EXCHANGE_COMMANDS + EXCHANGE_STOPS); i++) {
         send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
     }
-    const command_t more = {.kind = COMMAND_WORKPHASE, .argument = WORKPHASE_STOP};
+    const command_t more = {.kind = COMMAND_WORKPHASE,
+                            .as.workphase = {.workphase = WORKPHASE_STOP}};
     TEST_ASSERT_EQUAL(STATUS_BUSY, exchange_send_command(reader, &more));
     for (uint32_t i = 0U; i < ((EXCHANGE_COMMANDS + EXCHANGE_STOPS) / 4U); i++) {
         TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
@@ -433,8 +449,8 @@ void test_SWR_HTTP_008_each_of_a_thousand_stops_of_twenty_threads_is_answered(vo
         const answer_t answer = {.id = taken[0].id,
                                  .source = taken[0].source,
                                  .command = taken[0].kind,
-                                 .argument = taken[0].argument,
-                                 .workphase = taken[0].argument};
+                                 .asked = taken[0].as.workphase.workphase,
+                                 .workphase = taken[0].as.workphase.workphase};
         TEST_ASSERT_TRUE(exchange_push_answer(control, &answer));
     }
     for (uint32_t i = 0U; i < 20U; i++) {
@@ -446,7 +462,8 @@ static void *send_commands(void *unused)
 {
     (void)unused;
     for (uint32_t id = 0U; id < ROUNDS; id++) {
-        command_t command = {.id = id, .value = (int32_t)id};
+        command_t command = {
+            .id = id, .kind = (uint32_t)COMMAND_JOG, .as.jog = {.to_ticks = (int32_t)id}};
         while (exchange_send_command(reader, &command) == STATUS_BUSY) {
             (void)sched_yield();
         }
@@ -465,7 +482,7 @@ void test_SWR_EXCH_002_every_command_arrives_once_and_in_order(void)
         const uint32_t count = exchange_take_commands(control, taken, 4U);
         for (uint32_t i = 0U; i < count; i++) {
             TEST_ASSERT_EQUAL_UINT32(received + i, taken[i].id);
-            TEST_ASSERT_EQUAL_INT32((int32_t)taken[i].id, taken[i].value);
+            TEST_ASSERT_EQUAL_INT32((int32_t)taken[i].id, taken[i].as.jog.to_ticks);
         }
         received += count;
     }

@@ -102,9 +102,9 @@ static void answer(const command_t *command)
     const answer_t accepted = {.id = command->id,
                                .source = command->source,
                                .command = command->kind,
-                               .argument = command->argument,
+                               .asked = command->as.workphase.workphase,
                                .kind = (uint32_t)ANSWER_ACCEPTED,
-                               .workphase = command->argument};
+                               .workphase = command->as.workphase.workphase};
     (void)exchange_push_answer(control, &accepted);
 }
 
@@ -113,7 +113,7 @@ static void check_command(exchange_t *asker, command_source_t source, workphase_
     const command_t command = {.id = ++command_id,
                                .source = (uint32_t)source,
                                .kind = (uint32_t)COMMAND_WORKPHASE,
-                               .argument = (uint32_t)workphase};
+                               .as.workphase = {.workphase = (uint32_t)workphase}};
     command_t taken[2];
     answer_t told;
 
@@ -135,7 +135,7 @@ static void check_stop(workphase_t workphase)
 
     TEST_ASSERT_FALSE_MESSAGE(exchange_read_stop_answer(http, number, &told), scene);
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(1U, exchange_take_commands(control, taken, 2U), scene);
-    TEST_ASSERT_EQUAL_UINT32_MESSAGE(workphase, taken[0].argument, scene);
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(workphase, taken[0].as.workphase.workphase, scene);
     answer(&taken[0]);
     TEST_ASSERT_TRUE_MESSAGE(exchange_read_stop_answer(http, number, &told), scene);
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(workphase, told.workphase, scene);
@@ -268,7 +268,8 @@ static void check_turn(void)
         const uint32_t count = exchange_take_commands(control, taken, 4U);
         for (uint32_t j = 0U; j < count; j++) {
             TEST_ASSERT_EQUAL_UINT32_MESSAGE(COMMAND_WORKPHASE, taken[j].kind, scene);
-            TEST_ASSERT_GREATER_OR_EQUAL_UINT32_MESSAGE(WORKPHASE_STOP, taken[j].argument, scene);
+            TEST_ASSERT_GREATER_OR_EQUAL_UINT32_MESSAGE(WORKPHASE_STOP,
+                                                        taken[j].as.workphase.workphase, scene);
             TEST_ASSERT_EQUAL_UINT32_MESSAGE(COMMAND_SOURCE_HTTP, taken[j].source, scene);
             answer(&taken[j]);
         }

@@ -64,18 +64,18 @@ static void expect_asked(uint32_t number)
     if (number != 0U) {
         TEST_ASSERT_EQUAL_UINT32(COMMAND_NOTE, taken[0].kind);
         TEST_ASSERT_EQUAL_UINT32(0U, taken[0].peer);
-        TEST_ASSERT_EQUAL_INT32(number, taken[0].value);
+        TEST_ASSERT_EQUAL_INT32(number, taken[0].as.note.number);
     }
 }
 
 /* Control has an event of what it was asked for last. */
 static void log_it(void)
 {
-    const bool is_refusal = taken[0].argument == (uint32_t)NOTE_LOGIN_REFUSED;
+    const bool is_refusal = taken[0].as.note.note == (uint32_t)NOTE_LOGIN_REFUSED;
     const event_t event = {.number = events,
                            .id = (uint32_t)(is_refusal ? EVENT_LOGIN_REFUSED : EVENT_NOTE),
-                           .subject = taken[0].argument,
-                           .value = taken[0].value};
+                           .subject = taken[0].as.note.note,
+                           .value = taken[0].as.note.number};
     exchange_push_event(control, &event, 0U);
     events++;
 }
@@ -86,11 +86,11 @@ void test_SWR_SESS_020_notes_are_logged_one_after_the_other(void)
     http_notes_write(&notes, NOTE_LOGIN, "anna", "logged in.");
     http_notes_write(&notes, NOTE_LOGIN_REFUSED, "bert", "login refused.");
     expect_asked(2U);
-    TEST_ASSERT_EQUAL_UINT32(NOTE_LOGIN, taken[0].argument);
+    TEST_ASSERT_EQUAL_UINT32(NOTE_LOGIN, taken[0].as.note.note);
     expect_asked(0U);
     log_it();
     expect_asked(3U);
-    TEST_ASSERT_EQUAL_UINT32(NOTE_LOGIN_REFUSED, taken[0].argument);
+    TEST_ASSERT_EQUAL_UINT32(NOTE_LOGIN_REFUSED, taken[0].as.note.note);
     log_it();
     expect_asked(0U);
 }
@@ -116,7 +116,7 @@ void test_SWR_LIFE_002_who_was_replaced_is_logged_once(void)
     http_notes_tell_replaced(&notes);
     http_notes_tell_replaced(&notes);
     expect_asked(2U);
-    TEST_ASSERT_EQUAL_UINT32(NOTE_REPLACED, taken[0].argument);
+    TEST_ASSERT_EQUAL_UINT32(NOTE_REPLACED, taken[0].as.note.note);
     TEST_ASSERT_TRUE(exchange_read_note(server, 2U, &note));
     TEST_ASSERT_EQUAL_STRING("igtl", note.who);
     TEST_ASSERT_EQUAL_STRING("gave no sign of life for 10 s and was replaced, 1 time.", note.text);
@@ -134,7 +134,7 @@ static void expect_damage(uint32_t number, const char *text)
 {
     exchange_note_t note;
     expect_asked(number);
-    TEST_ASSERT_EQUAL_UINT32(NOTE_DAMAGED, taken[0].argument);
+    TEST_ASSERT_EQUAL_UINT32(NOTE_DAMAGED, taken[0].as.note.note);
     TEST_ASSERT_TRUE(exchange_read_note(server, number, &note));
     TEST_ASSERT_EQUAL_STRING("igtl", note.who);
     TEST_ASSERT_EQUAL_STRING(text, note.text);

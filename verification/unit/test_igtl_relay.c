@@ -33,7 +33,8 @@ static bool hand_in(const answer_t *answer)
 
 static void ask(uint32_t peer, workphase_t phase)
 {
-    command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)phase};
+    command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE,
+                         .as.workphase = {.workphase = (uint32_t)phase}};
 
     TEST_ASSERT_NOT_NULL(igtl_requests_add(&requests, peer, &command, 0U));
 }
@@ -45,7 +46,8 @@ static void relay(void)
 
 static void fill_with(uint32_t count, workphase_t phase)
 {
-    const command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)phase};
+    const command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE,
+                               .as.workphase = {.workphase = (uint32_t)phase}};
 
     for (uint32_t i = 0U; i < count; i++) {
         TEST_ASSERT_EQUAL_INT(STATUS_OK, exchange_send_command(process, &command));
@@ -79,8 +81,8 @@ void test_SWR_IGTL_047_commands_are_passed_on_in_their_order(void)
     TEST_ASSERT_TRUE(igtl_relay_awaits_answer(&requests));
     relay();
     TEST_ASSERT_EQUAL_UINT32(2U, exchange_take_commands(control, taken, LANE));
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_PLANNING, taken[0].argument);
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_MANUAL, taken[1].argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_PLANNING, taken[0].as.workphase.workphase);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_MANUAL, taken[1].as.workphase.workphase);
     TEST_ASSERT_EQUAL_UINT32(0U, refused);
 }
 
@@ -93,7 +95,7 @@ void test_SWR_IGTL_047_what_finds_no_room_is_refused_and_a_stop_finds_it_still(v
     TEST_ASSERT_EQUAL_UINT32(1U, refused);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_REFUSED, refusal.kind);
     TEST_ASSERT_EQUAL_UINT32(STATUS_BUSY, refusal.status);
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_MANUAL, refusal.argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_MANUAL, refusal.asked);
     TEST_ASSERT_EQUAL_UINT32(WORKPHASE_PLANNING, refusal.workphase);
     TEST_ASSERT_EQUAL_UINT32(1U, refusal.is_final);
     TEST_ASSERT_EQUAL_UINT32(0U, requests.queued);
@@ -110,10 +112,10 @@ void test_SWR_IGTL_047_nothing_overtakes_a_stop_that_waits(void)
     relay();
     TEST_ASSERT_EQUAL_UINT32(1U, requests.queued);
     TEST_ASSERT_EQUAL_UINT32(1U, refused);
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_MANUAL, refusal.argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_MANUAL, refusal.asked);
     (void)exchange_take_commands(control, taken, LANE);
     relay();
     TEST_ASSERT_EQUAL_UINT32(0U, requests.queued);
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, LANE));
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, taken[0].argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, taken[0].as.workphase.workphase);
 }

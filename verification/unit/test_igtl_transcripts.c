@@ -120,7 +120,7 @@ static void taken(uint32_t is_final)
 {
     TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
     if (command.kind == (uint32_t)COMMAND_WORKPHASE) {
-        snapshot.workphase = command.argument;
+        snapshot.workphase = command.as.workphase.workphase;
     }
     if (is_final == 0U) {
         order = command;

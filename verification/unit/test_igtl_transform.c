@@ -49,7 +49,7 @@ void test_SWR_IGTL_009_transforms_become_proposals(void)
         place(cases[i].name, 1.0F);
         TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
         TEST_ASSERT_EQUAL_UINT32(cases[i].kind, command.kind);
-        TEST_ASSERT_EQUAL_INT32(1000000, command.pose.translation.x_nm);
+        TEST_ASSERT_EQUAL_INT32(1000000, command.as.seen_pose.pose.translation.x_nm);
     }
     EXPECT(0U, "");
 }
@@ -91,9 +91,9 @@ static void expect_proposal(command_kind_t kind, int32_t z_nm)
     TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
     TEST_ASSERT_EQUAL_UINT32(kind, command.kind);
     TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
-    TEST_ASSERT_EQUAL_INT32(1000000, command.pose.translation.x_nm);
-    TEST_ASSERT_EQUAL_INT32(z_nm, command.pose.translation.z_nm);
-    TEST_ASSERT_EQUAL_INT(STATUS_OK, rigid_check(&command.pose));
+    TEST_ASSERT_EQUAL_INT32(1000000, command.as.seen_pose.pose.translation.x_nm);
+    TEST_ASSERT_EQUAL_INT32(z_nm, command.as.seen_pose.pose.translation.z_nm);
+    TEST_ASSERT_EQUAL_INT(STATUS_OK, rigid_check(&command.as.seen_pose.pose));
 }
 
 void test_SWR_IGTL_067_a_trajectory_proposes_what_it_has_and_nothing_else(void)
@@ -279,7 +279,7 @@ void test_SWR_IGTL_044_a_flood_is_not_refused_but_the_newest_goes_on_in_its_time
     }
     expect_measured(0U);
     TEST_ASSERT_EQUAL_UINT32(1U, pass_on());
-    TEST_ASSERT_EQUAL_INT32(99000000, command.pose.translation.x_nm);
+    TEST_ASSERT_EQUAL_INT32(99000000, command.as.seen_pose.pose.translation.x_nm);
     pass_us(1000U);
     EXPECT(0U, "");
 }
@@ -316,7 +316,7 @@ void test_SWR_IGTL_045_each_proposal_can_be_withdrawn(void)
         transform_dialect_receive(&dialect, 0U, &text, &moment);
         TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
         TEST_ASSERT_EQUAL_UINT32(COMMAND_WITHDRAW, command.kind);
-        TEST_ASSERT_EQUAL_UINT32(cases[i].kind, command.argument);
+        TEST_ASSERT_EQUAL_UINT32(cases[i].kind, command.as.withdrawal.of);
         TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
         answer(ANSWER_REFUSED, STATUS_NOT_PROPOSED);
         TEST_ASSERT_NOT_NULL(strstr(igtl_peer_next(&outboxes[0]), " 13 NOT_PROPOSED|"));

@@ -113,7 +113,7 @@ void test_SWR_IGTL_007_registration_is_echoed_and_reported(void)
     place(0U, "CLB_7", 1.0F);
     EXPECT(0U, "TRANSFORM ACK_7 1.000 2.000 3.000");
     expect_command(COMMAND_REGISTRATION, 0U);
-    TEST_ASSERT_EQUAL_INT32(1000000, command.pose.translation.x_nm);
+    TEST_ASSERT_EQUAL_INT32(1000000, command.as.registration.pose.translation.x_nm);
     snapshot.workphase = (uint32_t)WORKPHASE_CALIBRATION;
     answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
     EXPECT(0U, "STATUS CALIBRATION 1 CALIBRATION|");

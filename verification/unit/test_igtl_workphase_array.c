@@ -141,9 +141,9 @@ static void pass_all(uint32_t rows)
 
         EXPECT(0U, "");
         taken(COMMAND_LIST_ROW, i);
-        TEST_ASSERT_EQUAL_INT32(row.time_ms, command.value);
-        TEST_ASSERT_EQUAL_MEMORY(row.ticks, command.ticks, sizeof row.ticks);
-        TEST_ASSERT_EQUAL_MEMORY(row.speeds_ticks_per_s, command.speeds,
+        TEST_ASSERT_EQUAL_UINT32(row.time_ms, command.as.row.time_ms);
+        TEST_ASSERT_EQUAL_MEMORY(row.ticks, command.as.row.ticks, sizeof row.ticks);
+        TEST_ASSERT_EQUAL_MEMORY(row.speeds_ticks_per_s, command.as.row.speeds_ticks_per_s,
                                  sizeof row.speeds_ticks_per_s);
     }
     taken(COMMAND_LIST_END, sum_of(rows));

@@ -180,7 +180,8 @@ void test_SWR_IGTL_006_stop_and_emergency_find_a_place_in_any_flood(void)
     while (igtl_requests_take(&dialect.requests, &command)) {
         TEST_ASSERT_NOT_NULL(igtl_requests_find(&dialect.requests, command.id));
     }
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, command.argument); /* The last that came. */
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY,
+                             command.as.workphase.workphase); /* The last that came. */
 }
 
 /* Ports share the dialect: their peers, and those that have gone, share the places for STOP. */
@@ -209,7 +210,7 @@ void test_SWR_IGTL_049_stop_finds_a_place_when_all_peers_of_all_ports_wait_for_o
         TEST_ASSERT_NOT_NULL(igtl_requests_find(&dialect.requests, command.id));
     }
     TEST_ASSERT_EQUAL_UINT32(NUMBER + last, command.peer);
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, command.argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, command.as.workphase.workphase);
 }
 
 void test_SWR_IGTL_006_stop_that_was_not_passed_on_is_kept_until_it_is(void)

@@ -57,13 +57,13 @@ void test_SWR_FLOW_005_an_axis_and_its_position_become_a_jog(void)
 {
     say(0U, "Text", "JOG yaw -20 deg");
     expect_command(COMMAND_JOG, NEURO_AXIS_YAW);
-    TEST_ASSERT_EQUAL_INT32(-278, command.value);
+    TEST_ASSERT_EQUAL_INT32(-278, command.as.jog.to_ticks);
     say(0U, "JOG", " head   -2.5  mm ");
     expect_command(COMMAND_JOG, NEURO_AXIS_HEAD);
-    TEST_ASSERT_EQUAL_INT32(-197, command.value);
+    TEST_ASSERT_EQUAL_INT32(-197, command.as.jog.to_ticks);
     say(0U, "Text", "JOG_BY insertion 1 mm");
     expect_command(COMMAND_JOG_BY, NEURO_AXIS_INSERTION);
-    TEST_ASSERT_EQUAL_INT32(3333, command.value);
+    TEST_ASSERT_EQUAL_INT32(3333, command.as.jog_by.by_ticks);
     expect_no_command();
 }
 

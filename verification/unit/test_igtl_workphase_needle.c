@@ -60,7 +60,7 @@ void test_SWR_IGTL_034_a_tip_is_echoed_passed_on_and_answered(void)
     EXPECT(0U, "TRANSFORM ACK_112233445566 1.000 2.000 3.000");
     pass_us(0U);
     expect_command(COMMAND_NEEDLE, 0U);
-    TEST_ASSERT_EQUAL_INT32(1000000, command.pose.translation.x_nm);
+    TEST_ASSERT_EQUAL_INT32(1000000, command.as.seen_pose.pose.translation.x_nm);
     TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
     answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
     EXPECT(0U, "STATUS MOVE_TO_TARGET 1 MOVE_TO_TARGET|");
@@ -114,7 +114,7 @@ void test_SWR_IGTL_034_of_many_tips_the_newest_is_passed_on_in_its_time(void)
     expect_no_command();
     pass_us(1U);
     expect_command(COMMAND_NEEDLE, 1U); /* The first was for the log. */
-    TEST_ASSERT_EQUAL_INT32(9000000, command.pose.translation.x_nm);
+    TEST_ASSERT_EQUAL_INT32(9000000, command.as.seen_pose.pose.translation.x_nm);
     pass_us(1000000U);
     expect_no_command();
     EXPECT_BEGIN(0U, "TRANSFORM ACK_1 ");
@@ -442,7 +442,7 @@ void test_SWR_IGTL_035_an_entry_point_is_echoed_passed_on_and_answered(void)
     place(0U, "ENTRY_77", 1.0F);
     EXPECT(0U, "TRANSFORM ACK_77 1.000 2.000 3.000");
     expect_command(COMMAND_ENTRY, 0U);
-    TEST_ASSERT_EQUAL_INT32(3000000, command.pose.translation.z_nm);
+    TEST_ASSERT_EQUAL_INT32(3000000, command.as.seen_pose.pose.translation.z_nm);
     answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
     EXPECT(0U, "STATUS ENTRY 1 TARGETING|0.000, 0.000, 0.000 mm");
     place(0U, "ENTRY_78", 1.0F);
@@ -621,7 +621,7 @@ static void expect_probe(uint32_t count, const int32_t *length_nm)
     pass_us(0U);
     expect_command(COMMAND_PROBE, count);
     for (uint32_t i = 0U; i < count; i++) {
-        TEST_ASSERT_EQUAL_INT32(length_nm[i], command.ticks[i]);
+        TEST_ASSERT_EQUAL_INT32(length_nm[i], command.as.probe.lengths_nm[i]);
     }
     TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
 }

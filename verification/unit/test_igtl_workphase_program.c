@@ -96,9 +96,10 @@ static void expect_step(uint32_t index)
 
     expect_command(COMMAND_PROGRAM_STEP, index);
     TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
-    TEST_ASSERT_EQUAL_INT32((step->is_gated != 0U) ? -dwell_ms : dwell_ms, command.value);
-    TEST_ASSERT_EQUAL_INT32(step->depth_ticks, command.ticks[robot.needle_axis]);
-    TEST_ASSERT_EQUAL_INT32(step->angle_ticks, command.ticks[turning()]);
+    TEST_ASSERT_EQUAL_UINT32(step->dwell_ms, command.as.step.dwell_ms);
+    TEST_ASSERT_EQUAL_UINT32(step->is_gated, command.as.step.is_gated);
+    TEST_ASSERT_EQUAL_INT32(step->depth_ticks, command.as.step.ticks[robot.needle_axis]);
+    TEST_ASSERT_EQUAL_INT32(step->angle_ticks, command.as.step.ticks[turning()]);
 }
 
 static void taken(void)
@@ -173,8 +174,8 @@ void test_SWR_PROG_013_a_robot_that_turns_no_needle_has_no_angle(void)
     robot.axes[turning()].needle_motion = 0U;
     say(0U, "Text", "PROGRAM STEP 0 12 mm 30 s");
     expect_command(COMMAND_PROGRAM_STEP, 0U);
-    TEST_ASSERT_EQUAL_INT32(30000, command.value);
-    TEST_ASSERT_EQUAL_INT32(steps[0].depth_ticks, command.ticks[robot.needle_axis]);
+    TEST_ASSERT_EQUAL_UINT32(30000U, command.as.step.dwell_ms);
+    TEST_ASSERT_EQUAL_INT32(steps[0].depth_ticks, command.as.step.ticks[robot.needle_axis]);
     say(0U, "Text", "PROGRAM STEP 0 12 mm 90 deg 30 s");
     EXPECT(0U, "STATUS PROGRAM 10 WRONG_UNIT|WRONG_UNIT: Send each number with its unit: "
                "PROGRAM STEP 0 12 mm 30 s.");
@@ -408,7 +409,7 @@ void test_SWR_PROG_014_another_shape_is_refused(void)
     taken();
     pass_us(0U);
     expect_command(COMMAND_PROGRAM_STEP, 0U);
-    TEST_ASSERT_EQUAL_INT32(5000, command.value);
+    TEST_ASSERT_EQUAL_UINT32(5000U, command.as.step.dwell_ms);
 }
 
 void test_SWR_IGTL_075_a_step_needs_its_units(void)

@@ -59,10 +59,10 @@ void test_SWR_SWEEP_013_an_axis_and_that_it_is_free_become_a_command(void)
 {
     say(0U, "Text", "SWEEP rotation FREE");
     expect_command(COMMAND_SWEEP, NEURO_AXIS_ROTATION);
-    TEST_ASSERT_EQUAL_INT32(1, command.value);
+    TEST_ASSERT_EQUAL_UINT32(1U, command.as.sweep.is_free);
     say(0U, "Text", "SWEEP rotation");
     expect_command(COMMAND_SWEEP, NEURO_AXIS_ROTATION);
-    TEST_ASSERT_EQUAL_INT32(0, command.value);
+    TEST_ASSERT_EQUAL_UINT32(0U, command.as.sweep.is_free);
     expect_no_command();
 }
 

@@ -73,9 +73,10 @@ static uint32_t send_list(void)
 
     done("TRAJECTORY BEGIN 2", COMMAND_LIST_BEGIN, 2U);
     done(ROW, COMMAND_LIST_ROW, 0U);
-    TEST_ASSERT_EQUAL_INT32(1500, command.value);
-    TEST_ASSERT_EQUAL_MEMORY(row.ticks, command.ticks, sizeof row.ticks);
-    TEST_ASSERT_EQUAL_MEMORY(row.speeds_ticks_per_s, command.speeds, sizeof row.speeds_ticks_per_s);
+    TEST_ASSERT_EQUAL_UINT32(1500U, command.as.row.time_ms);
+    TEST_ASSERT_EQUAL_MEMORY(row.ticks, command.as.row.ticks, sizeof row.ticks);
+    TEST_ASSERT_EQUAL_MEMORY(row.speeds_ticks_per_s, command.as.row.speeds_ticks_per_s,
+                             sizeof row.speeds_ticks_per_s);
     done("TRAJECTORY ROW 1 1600 ms 1 1 1 1 1 1 1 ticks 0 0 0 0 0 0 0 ticks/s", COMMAND_LIST_ROW,
          1U);
     row = (trajectory_row_t){.time_ms = 1600U, .ticks = {1, 1, 1, 1, 1, 1, 1}};

@@ -60,10 +60,10 @@ void test_SWR_VEL_014_axes_speeds_and_seconds_become_a_command(void)
 {
     say(0U, "Text", "VELOCITY yaw -59.9745 deg/s head 2.5 mm/s 1.25 s");
     expect_command(COMMAND_VELOCITY, YAW | (1UL << NEURO_AXIS_HEAD));
-    TEST_ASSERT_EQUAL_INT32(-833, command.ticks[NEURO_AXIS_YAW]);
-    TEST_ASSERT_EQUAL_INT32(197, command.ticks[NEURO_AXIS_HEAD]);
-    TEST_ASSERT_EQUAL_INT32(0, command.ticks[NEURO_AXIS_FEET]);
-    TEST_ASSERT_EQUAL_INT32(1250, command.value);
+    TEST_ASSERT_EQUAL_INT32(-833, command.as.velocity.speeds_ticks_per_s[NEURO_AXIS_YAW]);
+    TEST_ASSERT_EQUAL_INT32(197, command.as.velocity.speeds_ticks_per_s[NEURO_AXIS_HEAD]);
+    TEST_ASSERT_EQUAL_INT32(0, command.as.velocity.speeds_ticks_per_s[NEURO_AXIS_FEET]);
+    TEST_ASSERT_EQUAL_UINT32(1250U, command.as.velocity.time_ms);
     expect_no_command();
 }
 
@@ -71,8 +71,8 @@ void test_SWR_VEL_014_the_word_may_be_the_name_of_the_string(void)
 {
     say(0U, "VELOCITY", "  yaw  -1.2e1  deg/s 2  s ");
     expect_command(COMMAND_VELOCITY, YAW);
-    TEST_ASSERT_EQUAL_INT32(-167, command.ticks[NEURO_AXIS_YAW]);
-    TEST_ASSERT_EQUAL_INT32(2000, command.value);
+    TEST_ASSERT_EQUAL_INT32(-167, command.as.velocity.speeds_ticks_per_s[NEURO_AXIS_YAW]);
+    TEST_ASSERT_EQUAL_UINT32(2000U, command.as.velocity.time_ms);
 }
 
 void test_SWR_VEL_014_it_is_told_that_they_are_armed_and_how_they_have_ended(void)

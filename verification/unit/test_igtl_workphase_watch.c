@@ -38,6 +38,7 @@
 #include "mode/trajectory_row.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_cards.h"
+#include "procedure/command_kinds.h"
 #include "unit/support/workphase_world.h"
 #include "unity.h"
 #include "charts/axis_chart.h"
@@ -381,12 +382,12 @@ static void end_by(const command_t *order, uint32_t axis)
 {
     const answer_t end = {.id = order->id,
                           .command = order->kind,
-                          .argument = order->argument,
+                          .asked = (uint32_t)command_kinds_workphase(order),
                           .kind = (uint32_t)ANSWER_ABORTED,
                           .status = (uint32_t)STATUS_FAULT_PRESENT,
                           .is_final = 1U,
                           .axis = axis,
-                          .workphase = order->argument};
+                          .workphase = (uint32_t)command_kinds_workphase(order)};
 
     TEST_ASSERT_TRUE(workphase_dialect_answer(&dialect, &end, &moment));
 }

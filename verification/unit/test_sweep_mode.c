@@ -80,7 +80,8 @@ void tearDown(void)
 
 static void expect(uint32_t axis, bool is_free, status_t status)
 {
-    const solution_t judged = sweep_mode_judge(axis, is_free, &robot, axes);
+    const solution_t judged =
+        sweep_mode_judge(&(sweep_mode_t){.is_free = is_free ? 1U : 0U}, axis, &robot, axes);
     TEST_ASSERT_EQUAL(status, judged.status);
 }
 
@@ -205,8 +206,9 @@ void test_SWR_SWEEP_002_what_cannot_be_swept_or_is_not_confirmed_is_refused(void
     expect(NEURO_AXIS_ROTATION, true, STATUS_AXIS_LIMIT);
     world_put(NEURO_AXIS_ROTATION, -room - 1);
     expect(NEURO_AXIS_ROTATION, true, STATUS_AXIS_LIMIT);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_ROTATION,
-                             sweep_mode_judge(NEURO_AXIS_ROTATION, true, &robot, axes).axis);
+    TEST_ASSERT_EQUAL_UINT32(
+        NEURO_AXIS_ROTATION,
+        sweep_mode_judge(&(sweep_mode_t){.is_free = 1U}, NEURO_AXIS_ROTATION, &robot, axes).axis);
     robot.axes[NEURO_AXIS_ROTATION].unit = (uint8_t)AXIS_UNIT_MM;
     expect(NEURO_AXIS_ROTATION, true, STATUS_NO_SWEEP);
     robot.axes[NEURO_AXIS_ROTATION].unit = (uint8_t)AXIS_UNIT_RAD;

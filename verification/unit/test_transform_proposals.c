@@ -7,6 +7,7 @@
 #include "dialect/igtl_requests.h"
 #include "dialect/transform_proposals.h"
 #include "limits/requirement_limits.h"
+#include "unit/support/commands.h"
 #include "unity.h"
 
 #include <string.h>
@@ -38,8 +39,9 @@ static void pass_us(uint64_t time_us)
 
 static void put(command_kind_t kind, uint32_t argument, int32_t x_nm)
 {
-    const command_t command = {
-        .kind = (uint32_t)kind, .argument = argument, .pose = {.translation = {.x_nm = x_nm}}};
+    const rigid_t pose = {.translation = {.x_nm = x_nm}};
+    const command_t command = (kind == COMMAND_WITHDRAW) ? commands_of_number(kind, argument)
+                                                         : commands_of_pose(kind, pose);
 
     transform_proposals_put(&proposals, &command, &moment);
 }
@@ -69,7 +71,7 @@ static void expect(command_kind_t kind, uint32_t argument)
 {
     TEST_ASSERT_TRUE(goes());
     TEST_ASSERT_EQUAL_UINT32(kind, passed.kind);
-    TEST_ASSERT_EQUAL_UINT32(argument, passed.argument);
+    TEST_ASSERT_EQUAL_UINT32(argument, commands_number(&passed));
 }
 
 /* Uses up what may go at once. */
@@ -122,7 +124,7 @@ void test_SWR_IGTL_044_the_newest_of_a_subject_goes_on_last_and_surely(void)
     TEST_ASSERT_FALSE(goes());
     pass_us(1U);
     TEST_ASSERT_TRUE(goes());
-    TEST_ASSERT_EQUAL_INT32(999, passed.pose.translation.x_nm);
+    TEST_ASSERT_EQUAL_INT32(999, passed.as.seen_pose.pose.translation.x_nm);
     TEST_ASSERT_FALSE(goes());
 }
 
@@ -136,7 +138,7 @@ void test_SWR_IGTL_044_subjects_wait_apart_and_go_in_their_order(void)
     TEST_ASSERT_FALSE(goes());
     pass_us(SECOND_US);
     expect(COMMAND_PROPOSE_TARGET, 0U);
-    TEST_ASSERT_EQUAL_INT32(4, passed.pose.translation.x_nm);
+    TEST_ASSERT_EQUAL_INT32(4, passed.as.seen_pose.pose.translation.x_nm);
     expect(COMMAND_PROPOSE_REGISTRATION, 1U);
     expect(COMMAND_PROPOSE_ENTRY, 1U);
     TEST_ASSERT_FALSE(goes());
@@ -160,17 +162,17 @@ void test_SWR_IGTL_044_a_withdrawal_counts_as_a_proposal(void)
 {
     withdraw(COMMAND_PROPOSE_ENTRY);
     expect(COMMAND_WITHDRAW, COMMAND_PROPOSE_ENTRY);
-    TEST_ASSERT_EQUAL_INT32(0, passed.value);
+    TEST_ASSERT_EQUAL_UINT32(0U, passed.as.withdrawal.is_one_of_many);
     for (uint32_t i = 1U; i < LIMIT_IGTL_PROPOSAL_BURST; i++) {
         withdraw(COMMAND_PROPOSE_TARGET);
         expect(COMMAND_WITHDRAW, COMMAND_PROPOSE_TARGET);
-        TEST_ASSERT_EQUAL_INT32(1, passed.value);
+        TEST_ASSERT_EQUAL_UINT32(1U, passed.as.withdrawal.is_one_of_many);
     }
     withdraw(COMMAND_PROPOSE_TARGET);
     TEST_ASSERT_FALSE(goes());
     pass_us(LIMIT_IGTL_PROPOSAL_NOTE_US);
     expect(COMMAND_WITHDRAW, COMMAND_PROPOSE_TARGET);
-    TEST_ASSERT_EQUAL_INT32(0, passed.value);
+    TEST_ASSERT_EQUAL_UINT32(0U, passed.as.withdrawal.is_one_of_many);
 }
 
 void test_SWR_IGTL_045_the_newest_wins_between_proposal_and_withdrawal(void)
@@ -198,7 +200,7 @@ void test_SWR_IGTL_044_one_that_finds_no_way_is_held_and_then_given_up(void)
     TEST_ASSERT_EQUAL_STRING("ENTRY_POINT", transform_proposals_overdue(&proposals, &moment));
     TEST_ASSERT_NULL(transform_proposals_overdue(&proposals, &moment));
     TEST_ASSERT_TRUE(goes());
-    TEST_ASSERT_EQUAL_INT32(1, passed.pose.translation.x_nm);
+    TEST_ASSERT_EQUAL_INT32(1, passed.as.seen_pose.pose.translation.x_nm);
     TEST_ASSERT_FALSE(goes());
 }
 
@@ -209,7 +211,9 @@ void test_SWR_IGTL_009_nothing_else_is_taken(void)
     withdraw(COMMAND_ENTRY);
     pass_us(SECOND_US);
     TEST_ASSERT_FALSE(goes());
-    TEST_ASSERT_EQUAL_STRING("", transform_proposals_name(COMMAND_TARGET, 0U));
-    TEST_ASSERT_EQUAL_STRING("", transform_proposals_name(COMMAND_WITHDRAW, COMMAND_ENTRY));
+    const command_t target = {.kind = (uint32_t)COMMAND_TARGET};
+    const command_t withdrawal = commands_of_number(COMMAND_WITHDRAW, COMMAND_ENTRY);
+    TEST_ASSERT_EQUAL_STRING("", transform_proposals_name(&target));
+    TEST_ASSERT_EQUAL_STRING("", transform_proposals_name(&withdrawal));
     TEST_ASSERT_EQUAL_UINT32(COMMAND_NONE, transform_proposals_kind("TARGET"));
 }

@@ -57,7 +57,8 @@ static void ask(uint32_t axis, int32_t speed_ticks_per_s, int32_t bound)
 {
     mode.axes |= ONE(axis);
     mode.speeds_ticks_per_s[axis] = speed_ticks_per_s;
-    mode.bound = bound;
+    mode.time_ms = (bound > 0) ? (uint32_t)bound : 0U;
+    mode.way_ticks = (bound < 0) ? (uint32_t)-bound : 0U;
 }
 
 static void put(uint32_t axis, int32_t ticks)
@@ -160,20 +161,21 @@ void test_SWR_VEL_001_speeds_are_armed_for_a_time_or_one_for_a_way(void)
     ask(NEURO_AXIS_ROTATION, 1285, (int32_t)LIMIT_VELOCITY_TIME_MS);
     expect(STATUS_OK, 0U);
     mode.axes = ONE(NEURO_AXIS_ROTATION);
-    mode.bound = -1;
+    mode.time_ms = 0U;
+    mode.way_ticks = 1U;
     expect(STATUS_OK, 0U);
 }
 
 void test_SWR_VEL_002_no_axis_no_end_and_no_speed_are_refused_by_name(void)
 {
-    mode.bound = 1;
+    mode.time_ms = 1U;
     expect(STATUS_UNKNOWN_COMMAND, 0U);
     mode.axes = ONE(robot.axis_count);
     expect(STATUS_UNKNOWN_COMMAND, 0U);
     mode.axes = 0U;
     ask(NEURO_AXIS_YAW, 100, 0);
     expect(STATUS_OUT_OF_RANGE, 0U);
-    mode.bound = (int32_t)LIMIT_VELOCITY_TIME_MS + 1;
+    mode.time_ms = LIMIT_VELOCITY_TIME_MS + 1U;
     expect(STATUS_OUT_OF_RANGE, 0U);
     ask(NEURO_AXIS_PITCH, 100, -10);
     expect(STATUS_OUT_OF_RANGE, 0U);
@@ -528,7 +530,7 @@ void test_SWR_VEL_010_what_has_ended_does_not_start_again(void)
 void test_SWR_VEL_012_an_axis_that_the_robot_does_not_have_is_not_driven(void)
 {
     mode.axes = ~(ONE(robot.axis_count) - 1U);
-    mode.bound = 100;
+    mode.time_ms = 100U;
     for (uint32_t i = 0U; i < 120U; i++) {
         step();
         for (uint32_t axis = 0U; axis < robot.axis_count; axis++) {
@@ -539,14 +541,14 @@ void test_SWR_VEL_012_an_axis_that_the_robot_does_not_have_is_not_driven(void)
 
 static velocity_mode_t of_way(uint32_t axis, int32_t ticks_per_s, int32_t ticks)
 {
-    velocity_mode_t asked = {.axes = LEG_AXIS(axis), .bound = -ticks};
+    velocity_mode_t asked = {.axes = LEG_AXIS(axis), .way_ticks = (uint32_t)ticks};
     asked.speeds_ticks_per_s[axis] = ticks_per_s;
     return asked;
 }
 
 void test_SWR_MODE_006_a_time_lasts_as_long_as_it_is(void)
 {
-    const velocity_mode_t asked = {.axes = 3U, .bound = 1500};
+    const velocity_mode_t asked = {.axes = 3U, .time_ms = 1500U};
     TEST_ASSERT_EQUAL_UINT32(1500U, velocity_share_span_ms(&asked));
 }
 

@@ -7,8 +7,8 @@
 bool commanding_is_stop(const command_t *command)
 {
     return (command->kind == (uint32_t)COMMAND_WORKPHASE) &&
-           ((command->argument == (uint32_t)WORKPHASE_STOP) ||
-            (command->argument == (uint32_t)WORKPHASE_EMERGENCY));
+           ((command->as.workphase.workphase == (uint32_t)WORKPHASE_STOP) ||
+            (command->as.workphase.workphase == (uint32_t)WORKPHASE_EMERGENCY));
 }
 
 bool commanding_needs_authority(const command_t *command)
@@ -18,9 +18,9 @@ bool commanding_needs_authority(const command_t *command)
         return !commanding_is_stop(command);
     case (uint32_t)COMMAND_WITHDRAW:
         return (command->source == (uint32_t)COMMAND_SOURCE_HTTP) ||
-               (command->argument == (uint32_t)COMMAND_ENTRY);
+               (command->as.withdrawal.of == (uint32_t)COMMAND_ENTRY);
     case (uint32_t)COMMAND_REQUEST:
-        return command->argument == (uint32_t)AUTHORITY_REQUEST_CONFIRM;
+        return command->as.request.request == (uint32_t)AUTHORITY_REQUEST_CONFIRM;
     default:
         return (command->kind >= COMMAND_KIND_COUNT) ||
                (((COMMAND_KINDS_FREE >> command->kind) & 1U) == 0U);

@@ -76,7 +76,7 @@ void recorded_workphase(recorded_t *self, workphase_t workphase)
     self->rig->commands[0] = (command_t){.id = 1U,
                                          .source = (uint32_t)COMMAND_SOURCE_IGTL,
                                          .kind = (uint32_t)COMMAND_WORKPHASE,
-                                         .argument = (uint32_t)workphase};
+                                         .as.workphase = {.workphase = (uint32_t)workphase}};
     self->rig->command_count = 1U;
 }
 

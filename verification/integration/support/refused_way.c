@@ -12,8 +12,8 @@
 static void restore(const refused_pair_t *pair, const robot_t *robot, rig_t *rig)
 {
     command_t command = {.kind = (uint32_t)COMMAND_RESTORE,
-                         .argument = ((uint32_t)1U << robot->axis_count) - 1U};
-    (void)memcpy(command.ticks, pair->from_ticks, sizeof command.ticks);
+                         .as.positions = {.axes = ((uint32_t)1U << robot->axis_count) - 1U}};
+    (void)memcpy(command.as.positions.ticks, pair->from_ticks, sizeof command.as.positions.ticks);
     rig_cycles(rig, REST_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(rig, command).status);
     rig_box(rig, "button press");

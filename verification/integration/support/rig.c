@@ -240,7 +240,7 @@ answer_t rig_command(rig_t *self, command_t command)
 answer_t rig_workphase(rig_t *self, workphase_t workphase)
 {
     const command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE,
-                               .argument = (uint32_t)workphase};
+                               .as.workphase = {.workphase = (uint32_t)workphase}};
     return rig_command(self, command);
 }
 
@@ -389,13 +389,15 @@ void rig_start_arrived(rig_t *self)
 
 answer_t rig_target(rig_t *self, const rigid_t *scanner_treatment)
 {
-    const command_t command = {.kind = (uint32_t)COMMAND_TARGET, .pose = *scanner_treatment};
+    const command_t command = {.kind = (uint32_t)COMMAND_TARGET,
+                               .as.pose = {.pose = *scanner_treatment}};
     return rig_command(self, command);
 }
 
 void rig_register(rig_t *self, const rigid_t *scanner_zframe)
 {
-    const command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION, .pose = *scanner_zframe};
+    const command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION,
+                               .as.registration = {.pose = *scanner_zframe}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_CALIBRATION).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(self, command).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_TARGETING).status);

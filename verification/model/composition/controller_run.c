@@ -17,6 +17,7 @@
 #include "integration/support/rig.h"
 #include "safety/permit.h"
 #include "unity.h"
+#include "unit/support/commands.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -173,38 +174,41 @@ static void command(void)
                                              COMMAND_ENABLE_AXIS,  COMMAND_DISABLE_AXIS};
     static const command_kind_t motions[] = {COMMAND_ALIGN, COMMAND_INSERT, COMMAND_POSE,
                                              COMMAND_RELEASE, COMMAND_TAKE};
-    command_t one = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = 1U + random_below(8U)};
+    command_t one = {.kind = (uint32_t)COMMAND_WORKPHASE,
+                     .as.workphase = {.workphase = 1U + random_below(8U)}};
     switch (random_below(9U)) {
     case 0:
-        one.argument = (uint32_t)WORKPHASE_START_UP;
+        one.as.workphase.workphase = (uint32_t)WORKPHASE_START_UP;
         break;
     case 1:
         one = (command_t){.kind = (uint32_t)COMMAND_JOG,
-                          .argument = random_below(robot_neuro.axis_count),
-                          .value = (int32_t)random_below(2000U)};
+                          .as.jog = {.axis = random_below(robot_neuro.axis_count),
+                                     .to_ticks = (int32_t)random_below(2000U)}};
         break;
     case 2:
-        one.kind = (uint32_t)COMMAND_REGISTRATION;
-        rigid_set_identity(&one.pose);
+        one = (command_t){.kind = (uint32_t)COMMAND_REGISTRATION};
+        rigid_set_identity(&one.as.registration.pose);
         break;
     case 3:
-        one.kind = (uint32_t)COMMAND_TARGET;
-        one.pose = rig_pose(5000000, (random_below(3U) == 0U) ? 900000000 : 190000000, 60000000);
+        one = (command_t){.kind = (uint32_t)COMMAND_TARGET};
+        one.as.pose.pose =
+            rig_pose(5000000, (random_below(3U) == 0U) ? 900000000 : 190000000, 60000000);
         break;
     case 4:
-        one.kind = (uint32_t)COMMAND_RETRACT;
+        one = (command_t){.kind = (uint32_t)COMMAND_RETRACT};
         break;
     case 5:
         one = (command_t){.kind = (uint32_t)COMMAND_RESTORE,
-                          .argument = 1U << random_below(robot_neuro.axis_count)};
+                          .as.positions = {.axes = 1U << random_below(robot_neuro.axis_count)}};
         break;
     case 6:
-        one.kind = (uint32_t)of_axis[random_below(sizeof of_axis / sizeof of_axis[0])];
-        one.argument = random_below(robot_neuro.axis_count);
+        one = (command_t){.kind =
+                              (uint32_t)of_axis[random_below(sizeof of_axis / sizeof of_axis[0])]};
+        one.as.axis.axis = random_below(robot_neuro.axis_count);
         break;
     case 7:
-        one.kind = (uint32_t)motions[random_below(sizeof motions / sizeof motions[0])];
-        one.argument = random_below(POSE_NAME_COUNT);
+        one = commands_of_number(motions[random_below(sizeof motions / sizeof motions[0])],
+                                 random_below(POSE_NAME_COUNT));
         break;
     default:
         break;

@@ -15,6 +15,8 @@
 #include "dialect/workphase_dialect.h"
 #include "interface/command.h"
 #include "interface/snapshot.h"
+#include "procedure/command_kinds.h"
+#include "unit/support/commands.h"
 #include "unit/support/igtl_peer.h"
 #include "unity.h"
 
@@ -87,7 +89,7 @@ static inline void expect_command(command_kind_t kind, uint32_t argument)
 {
     TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
     TEST_ASSERT_EQUAL_UINT32(kind, command.kind);
-    TEST_ASSERT_EQUAL_UINT32(argument, command.argument);
+    TEST_ASSERT_EQUAL_UINT32(argument, commands_number(&command));
     TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_IGTL, command.source);
 }
 
@@ -126,7 +128,7 @@ static inline void write_double(double value, uint8_t bytes[8])
 static inline void show_authority(const command_t *asked)
 {
     const bool is_its = (asked->kind == (uint32_t)COMMAND_WORKPHASE)
-                            ? !igtl_requests_is_urgent(asked)
+                            ? !command_kinds_is_stop(asked)
                             : (asked->kind != (uint32_t)COMMAND_NEEDLE);
 
     if (asked->kind == (uint32_t)COMMAND_RELEASE) {
@@ -146,7 +148,11 @@ static inline void answer_to(const command_t *asked, answer_kind_t kind, status_
     answer_t answer = {.id = asked->id,
                        .source = asked->source,
                        .command = asked->kind,
-                       .argument = asked->argument,
+                       .asked = (uint32_t)command_kinds_workphase(asked),
+                       .checksum = (asked->kind == (uint32_t)COMMAND_LIST_END) ||
+                                           (asked->kind == (uint32_t)COMMAND_PROGRAM_END)
+                                       ? asked->as.list.checksum
+                                       : 0U,
                        .kind = (uint32_t)kind,
                        .status = (uint32_t)status,
                        .is_final = is_final,
@@ -172,7 +178,7 @@ static inline void expect_released(uint32_t peer)
 /** The controller goes into the workphase that was asked for. */
 static inline void accept(uint32_t is_final)
 {
-    snapshot.workphase = command.argument;
+    snapshot.workphase = (uint32_t)command_kinds_workphase(&command);
     answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, is_final);
 }
 

@@ -34,8 +34,8 @@ function everyOne(pattern: string[], axes: string[]): string[] {
 /** Those that need no number but ones that the module offers. */
 export function inputsOf(vocabulary: Vocabulary, axes: string[]): string[] {
   const workphases = [...vocabulary.words.keys()]
-    .filter((word) => word.startsWith("argument "))
-    .map((word) => `WORKPHASE ${word.replace(" ", "=")}`);
+    .filter((word) => word.startsWith("WORKPHASE.workphase "))
+    .map((word) => word.replace(".", " ").replace(/ (?=[A-Z_]+$)/, "="));
   const orders = vocabulary.orders.flatMap((order) => everyOne(order, axes));
   return [...orders, ...workphases, ...vocabulary.commands.keys()];
 }

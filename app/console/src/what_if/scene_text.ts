@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is done to a robot, as a text that fits the fragment of a link:
 //
-//   robot=neuro&seed=7&inputs=100:WORKPHASE,argument=START_UP;200:pedal,press
+//   robot=neuro&seed=7&inputs=100:WORKPHASE,workphase=START_UP;200:pedal,press
 //
 // An input has its cycle and its words: an order of the simulated box, or the kind of a command and what its fields are,
-// of several numbers with slashes between them. Which there are the module of the robot says (site/watch.h).
+// of several numbers with slashes between them. A kind has fields of its own beside those that all have. Which there are the module of the robot says (site/watch.h).
 
 export interface Input {
   /** It is done before this cycle, of which the first is 0. */
@@ -29,6 +29,7 @@ export interface Vocabulary {
   /** The patterns of orders, by words. */
   orders: string[][];
   commands: Map<string, number>;
+  /** Of all commands by "FIELD", of one kind by "KIND.FIELD". */
   fields: Map<string, Field>;
   /** Numbers of the words of a field, by "FIELD WORD". */
   words: Map<string, number>;
@@ -100,6 +101,21 @@ function isOrder(words: string[], vocabulary: Vocabulary): boolean {
   );
 }
 
+/** How the vocabulary names a field of commands of a kind; undefined: they have none of this name. */
+function fieldOf(
+  kind: string,
+  name: string,
+  vocabulary: Vocabulary,
+): string | undefined {
+  return [name, `${kind}.${name}`].find((one) => vocabulary.fields.has(one));
+}
+
+function fieldsOf(kind: string, vocabulary: Vocabulary): string[] {
+  return [...vocabulary.fields.keys()]
+    .filter((name) => !name.includes(".") || name.startsWith(`${kind}.`))
+    .map((name) => name.replace(`${kind}.`, ""));
+}
+
 /** The numbers of a field that is given as text; null: it cannot have them. */
 function valuesOf(
   name: string,
@@ -116,6 +132,7 @@ function valuesOf(
 }
 
 function checkFields(
+  kind: string,
   fields: string[],
   place: number,
   vocabulary: Vocabulary,
@@ -123,8 +140,9 @@ function checkFields(
   const seen = new Set<string>();
   for (const field of fields) {
     const [name = "", value = "", ...more] = field.split("=");
-    if (!vocabulary.fields.has(name) || more.length > 0) {
-      const names = [...vocabulary.fields.keys()].join(", ");
+    const known = fieldOf(kind, name, vocabulary);
+    if (known === undefined || more.length > 0) {
+      const names = fieldsOf(kind, vocabulary).join(", ");
       throw new SceneError(
         place,
         `“${field}” is not FIELD=VALUE with one of ${names}.`,
@@ -133,7 +151,7 @@ function checkFields(
     if (seen.has(name)) {
       throw new SceneError(place, `${name} is given twice.`);
     }
-    if (valuesOf(name, value, vocabulary) === null) {
+    if (valuesOf(known, value, vocabulary) === null) {
       const at = place + name.length + 1;
       throw new SceneError(at, `“${value}” is nothing that ${name} can be.`);
     }
@@ -157,7 +175,7 @@ export function readInput(
   const [kind = "", ...fields] = words;
   const behind = place + colon + 1;
   if (vocabulary.commands.has(kind)) {
-    checkFields(fields, behind + kind.length + 1, vocabulary);
+    checkFields(kind, fields, behind + kind.length + 1, vocabulary);
   } else if (!isOrder(words, vocabulary)) {
     throw new SceneError(
       behind,
@@ -230,8 +248,9 @@ export function commandOf(
   const words = new Map<number, number>();
   for (const field of fields) {
     const [name = "", value = ""] = field.split("=");
-    const offset = vocabulary.fields.get(name)?.offset ?? 0;
-    valuesOf(name, value, vocabulary)?.forEach((one, at) =>
+    const known = fieldOf(kind, name, vocabulary) ?? "";
+    const offset = vocabulary.fields.get(known)?.offset ?? 0;
+    valuesOf(known, value, vocabulary)?.forEach((one, at) =>
       words.set(offset + at, one),
     );
   }
