@@ -38,7 +38,8 @@ uint32_t box_clock_look(box_clock_t *self, const uint64_t *wanted_us, uint64_t w
                                          : (world_us / self->time.slowness);
     self->looked_us = world_us;
     const uint64_t stride_us = self->now_us - before_us;
-    return (stride_us < BOX_CLOCK_STRIDE_US) ? (uint32_t)stride_us : BOX_CLOCK_STRIDE_US;
+    const uint32_t most_us = self->time.is_elastic ? BOX_CLOCK_STRIDE_US : LIMIT_BOX_LEAP_US;
+    return (stride_us < most_us) ? (uint32_t)stride_us : most_us;
 }
 
 void box_clock_hear(box_clock_t *self)

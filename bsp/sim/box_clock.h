@@ -18,7 +18,8 @@
 /** And in real time so often, as a real one samples its inputs when it is asked for them; in its
  * own time. */
 #define BOX_CLOCK_SAMPLE_US 250U
-/** The furthest that its world goes on at once: a pause of the machine pauses the world, too. */
+/** The furthest that its world goes on at once in elastic time: a pause of the machine pauses the
+ * world, too. */
 #define BOX_CLOCK_STRIDE_US 2000U
 
 /** How the box's time passes beside the world's. */
@@ -42,11 +43,12 @@ void box_clock_init(box_clock_t *self, box_time_t time, uint64_t now_us, uint64_
  * The box looks around at `world_us`. `wanted_us`: the box's time of the exchange that control asks
  * for, NULL when it asks for none.
  *
- * @return how far the world goes on, 0..BOX_CLOCK_STRIDE_US
+ * @return how far the world goes on, 0..BOX_CLOCK_STRIDE_US, in real time 0..LIMIT_BOX_LEAP_US
  *
  * @satisfies SWR-BOX-005
  * @satisfies SWR-BOX-006
  * @satisfies SWR-BOX-007
+ * @satisfies SWR-BOX-040
  */
 uint32_t box_clock_look(box_clock_t *self, const uint64_t *wanted_us, uint64_t world_us);
 

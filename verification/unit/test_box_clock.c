@@ -156,5 +156,19 @@ void test_SWR_BOX_005_in_real_time_nobody_is_waited_for(void)
     start(false, 1U);
     TEST_ASSERT_EQUAL_UINT32(1500U, look_alone(1500U));
     TEST_ASSERT_EQUAL_UINT32(500U, look_asked(0U, 500U));
-    TEST_ASSERT_EQUAL_UINT32(BOX_CLOCK_STRIDE_US, look_alone(1000000U));
+}
+
+void test_SWR_BOX_040_in_real_time_a_pause_of_the_machine_is_time_for_the_world(void)
+{
+    start(false, 1U);
+    const uint64_t start_us = box.now_us;
+    TEST_ASSERT_EQUAL_UINT32(18000U, look_asked(0U, 18000U));
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_BOX_LEAP_US, look_alone(LIMIT_BOX_LEAP_US));
+    TEST_ASSERT_EQUAL_UINT64(start_us + 18000U + LIMIT_BOX_LEAP_US, box.now_us);
+}
+
+void test_SWR_BOX_040_a_pause_that_is_longer_leaves_the_rest_out(void)
+{
+    start(false, 1U);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_BOX_LEAP_US, look_alone(LIMIT_BOX_LEAP_US + 1U));
 }
