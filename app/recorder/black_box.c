@@ -1,15 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "recorder/black_box.h"
 
-#include "common/clock.h"
-#include "common/directory.h"
-#include "common/file_series.h"
-
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #define SECOND_US UINT64_C(1000000)
 
@@ -23,51 +18,29 @@ void black_box_open(black_box_t *self, const char *directory, exchange_t *exchan
                     const recording_header_t *header)
 {
     (void)memset(self, 0, sizeof *self);
-    self->directory = directory;
     self->exchange = exchange;
-    self->header = *header;
-    self->header.run = exchange_run(exchange);
-    self->writer.file = -1;
+    run_files_init(&self->files, directory, header);
+    self->files.header.run = exchange_run(exchange);
     self->is_failing = exchange_is_recorder_failing(exchange); /* As the one before it was. */
     self->removed = exchange_cycles_removed(exchange);
     self->room.left_min = exchange_recording_left_min(exchange);
     request_checkpoint(self, 1U);
 }
 
-/* The cycle after the last one that is in the present file. */
-static uint32_t written_until(const black_box_t *self)
-{
-    return (self->writer.block.records > 0U) ? self->writer.block.cycle : self->next_cycle;
-}
-
-/* What its last block held and did not reach the disk is still in the lane. A file without a block
- * would only take the place of one that has some. */
-static void leave_file(black_box_t *self)
-{
-    const int reason = errno;
-
-    if (self->writer.blocks > 0U) {
-        self->kept_until = written_until(self);
-        self->present.end_cycle = self->kept_until;
-        self->present.size = self->writer.size;
-        kept_files_add(&self->earlier, &self->present);
-    } else {
-        (void)unlink(self->path);
-    }
-    errno = reason;
-}
-
 static void tell(const black_box_t *self)
 {
     exchange_note_recorder(self->exchange, self->is_failing, self->removed);
     exchange_note_recording_left(self->exchange, self->room.left_min);
+    if (run_files_is_open(&self->files)) {
+        exchange_note_file(self->exchange, EXCHANGE_FILE_RECORDING, self->files.number);
+    }
 }
 
 /* Goes back to the first cycle that is in no file. */
 static void go_back(black_box_t *self)
 {
     exchange_retake_cycles(self->exchange);
-    self->next_cycle = self->kept_until;
+    run_files_go_back(&self->files);
 }
 
 /*
@@ -82,7 +55,7 @@ static void fail(black_box_t *self, uint64_t now_us)
             stderr,
             "recorder: nothing can be recorded in %s (%s); free space there, or make it a "
             "folder that can be written.\n",
-            self->directory, strerror(errno));
+            self->files.directory, strerror(errno));
     }
     self->is_failing = true;
     self->retry_us = now_us + BLACK_BOX_RETRY_US;
@@ -93,36 +66,13 @@ static void fail(black_box_t *self, uint64_t now_us)
 /* A block has reached the disk. */
 static void recover(black_box_t *self)
 {
-    if (self->is_failing && (self->writer.file >= 0) && (self->writer.blocks > 0U)) {
-        (void)fprintf(stderr, "recorder: recording goes on in %s.\n", self->path);
+    const run_files_t *const files = &self->files;
+
+    if (self->is_failing && run_files_is_open(files) && (files->writer.blocks > 0U)) {
+        (void)fprintf(stderr, "recorder: recording goes on in %s.\n", files->path);
         self->is_failing = false;
         tell(self);
     }
-}
-
-/* Goes on after the newest there is, whoever wrote it. */
-static bool open_next(black_box_t *self)
-{
-    bool is_open;
-
-    if (self->number == 0U) {
-        self->number = file_series_newest(&file_series_recordings, self->directory);
-    }
-    do {
-        self->number++;
-        file_series_path(&file_series_recordings, self->directory, self->number,
-                         self->header.started_us, self->path);
-        is_open = recording_writer_open(&self->writer, self->path, &self->header);
-    } while (!is_open && (errno == EEXIST));
-    return is_open;
-}
-
-/* Returns the cycles of those that are gone. */
-static uint32_t forget_gone(black_box_t *self)
-{
-    uint32_t *const kept_until = (self->writer.file < 0) ? &self->kept_until : NULL;
-
-    return kept_files_forget_gone(&self->earlier, self->directory, kept_until);
 }
 
 /*
@@ -132,7 +82,7 @@ static uint32_t forget_gone(black_box_t *self)
  */
 static void look_for_earlier(black_box_t *self, uint64_t now_us)
 {
-    const uint32_t cycles = forget_gone(self);
+    const uint32_t cycles = run_files_forget_gone(&self->files);
 
     if (cycles != 0U) {
         (void)fprintf(stderr,
@@ -145,44 +95,17 @@ static void look_for_earlier(black_box_t *self, uint64_t now_us)
     self->looked_us = now_us;
 }
 
-static void note_present(black_box_t *self, uint32_t cycle)
-{
-    self->present = (kept_file_t){.started_us = self->header.started_us,
-                                  .number = self->number,
-                                  .first_cycle = cycle,
-                                  .kept_before = self->kept_until};
-    kept_file_identify(&self->present, self->writer.file);
-}
-
-/* Old recordings make room only for one that exists: a failed attempt costs none of them. Those
- * that make room are not counted. */
 static void begin_file(black_box_t *self, uint32_t cycle, uint64_t now_us)
 {
     look_for_earlier(self, now_us);
-    (void)directory_make(self->directory);
-    self->header.started_us = clock_utc_us();
-    if (!open_next(self)) {
+    if (!run_files_begin(&self->files, cycle, now_us)) {
         fail(self, now_us);
-        return;
     }
-    exchange_note_file(self->exchange, EXCHANGE_FILE_RECORDING, self->number);
-    self->others_bytes =
-        file_series_remove_oldest(&file_series_recordings, self->directory, self->path);
-    (void)forget_gone(self);
-    note_present(self, cycle);
-    self->opened_us = now_us;
-    self->flushed_us = now_us;
-    recording_writer_note_loss(&self->writer, cycle - self->kept_until);
 }
 
 static void end_file(black_box_t *self, uint64_t now_us)
 {
-    if (self->writer.file < 0) {
-        return;
-    }
-    const bool is_closed = recording_writer_close(&self->writer);
-    leave_file(self);
-    if (!is_closed) {
+    if (!run_files_end(&self->files)) {
         fail(self, now_us);
     }
 }
@@ -190,7 +113,7 @@ static void end_file(black_box_t *self, uint64_t now_us)
 /* Cycles missing before `record`; a checkpoint is of the cycle after it. */
 static uint32_t missing_before(const black_box_t *self, const cycle_record_t *record)
 {
-    return self->has_cycle ? (record->cycle - self->next_cycle) : 0U;
+    return self->files.has_cycle ? (record->cycle - self->files.next_cycle) : 0U;
 }
 
 /* A new file begins at a checkpoint that was due, and after a loss. */
@@ -198,15 +121,15 @@ static void change_file(black_box_t *self, const cycle_record_t *record, uint32_
                         uint64_t now_us)
 {
     const bool is_due = (record->kind == CYCLE_RECORD_CHECKPOINT) &&
-                        ((now_us - self->opened_us) >= BLACK_BOX_FILE_US);
+                        ((now_us - self->files.opened_us) >= BLACK_BOX_FILE_US);
 
     if ((missing != 0U) || is_due) {
         end_file(self, now_us);
     }
-    if ((self->writer.file < 0) && (now_us >= self->retry_us)) {
+    if (!run_files_is_open(&self->files) && (now_us >= self->retry_us)) {
         begin_file(self, record->cycle, now_us);
     }
-    if ((missing != 0U) && (self->writer.file >= 0)) {
+    if ((missing != 0U) && run_files_is_open(&self->files)) {
         (void)fprintf(stderr, "recorder: %" PRIu32 " cycles were lost before cycle %" PRIu32 ".\n",
                       missing, record->cycle);
         if (record->kind != (uint32_t)CYCLE_RECORD_CHECKPOINT) {
@@ -218,24 +141,12 @@ static void change_file(black_box_t *self, const cycle_record_t *record, uint32_
 /* Of a file that was begun. */
 static void store(black_box_t *self, const cycle_record_t *record, uint64_t now_us)
 {
-    const uint32_t blocks = self->writer.blocks;
-    const bool is_stored =
-        (record->kind == CYCLE_RECORD_CHECKPOINT)
-            ? recording_writer_append_checkpoint(&self->writer, record, self->rows)
-            : recording_writer_append(&self->writer, record);
-    if (!is_stored) {
-        leave_file(self);
+    if (!run_files_store(&self->files, record, self->rows, now_us)) {
         fail(self, now_us);
         return;
     }
-    if (self->writer.blocks != blocks) {
-        self->flushed_us = now_us;
-    }
     if (record->kind == CYCLE_RECORD_CHECKPOINT) {
         self->requested_us = 0U;
-        self->next_cycle = record->cycle;
-    } else {
-        self->next_cycle = record->cycle + 1U;
     }
     recover(self);
 }
@@ -258,7 +169,8 @@ static bool has_rows(black_box_t *self, const cycle_record_t *record, uint64_t n
  */
 static bool is_passed(const black_box_t *self, const cycle_record_t *record)
 {
-    return self->has_cycle && ((record->cycle - self->next_cycle) > (uint32_t)INT32_MAX);
+    return self->files.has_cycle &&
+           ((record->cycle - self->files.next_cycle) > (uint32_t)INT32_MAX);
 }
 
 static void record_one(black_box_t *self, const cycle_record_t *record, uint64_t now_us)
@@ -268,48 +180,21 @@ static void record_one(black_box_t *self, const cycle_record_t *record, uint64_t
     }
     const uint32_t missing = missing_before(self, record);
 
-    if (!self->has_cycle) {
-        self->kept_until = record->cycle; /* What came before was another's. */
-        self->next_cycle = record->cycle;
-        self->has_cycle = true;
-    }
+    run_files_expect(&self->files, record->cycle);
     change_file(self, record, missing, now_us);
-    if (self->writer.file >= 0) {
+    if (run_files_is_open(&self->files)) {
         store(self, record, now_us);
     }
 }
 
-/* Closing it writes once more, where a shortened file would get a hole. */
-static void close_gone(black_box_t *self)
-{
-    off_t size = 0;
-    const bool is_there = kept_file_is_at(&self->present, self->path, &size);
-
-    (void)recording_writer_close(&self->writer);
-    if (is_there) {
-        (void)!truncate(self->path, size);
-    }
-}
-
-/* What was written into a removed file is nowhere; what was not yet is in the lane. */
-static void give_up_file(black_box_t *self)
-{
-    const uint32_t next_cycle = written_until(self);
-
-    close_gone(self);
-    exchange_retake_cycles(self->exchange);
-    self->removed += next_cycle - self->present.first_cycle;
-    self->next_cycle = next_cycle;
-}
-
 static void look_for_file(black_box_t *self, uint64_t now_us)
 {
-    self->present.size = self->writer.size;
-    if ((self->writer.file >= 0) && kept_file_is_gone(&self->present, self->directory)) {
+    if (run_files_is_present_gone(&self->files)) {
         (void)fprintf(stderr,
                       "recorder: %s was removed, moved or shortened; a new recording is begun.\n",
-                      self->path);
-        give_up_file(self);
+                      self->files.path);
+        self->removed += run_files_give_up(&self->files);
+        exchange_retake_cycles(self->exchange);
         request_checkpoint(self, now_us);
     }
 }
@@ -318,17 +203,17 @@ static void look_for_file(black_box_t *self, uint64_t now_us)
  * can; a checkpoint is asked for until it comes. */
 static void keep_up(black_box_t *self, uint64_t now_us)
 {
-    const bool is_due = self->is_failing || ((now_us - self->flushed_us) >= SECOND_US);
-    if ((self->writer.file >= 0) && is_due) {
-        self->flushed_us = now_us;
-        if (!recording_writer_flush(&self->writer)) {
-            leave_file(self);
+    run_files_t *const files = &self->files;
+    const bool is_due = self->is_failing || ((now_us - files->flushed_us) >= SECOND_US);
+
+    if (run_files_is_open(files) && is_due) {
+        if (!run_files_flush(files, now_us)) {
             fail(self, now_us);
         }
         recover(self);
     }
     const bool is_file_old =
-        (self->writer.file >= 0) && ((now_us - self->opened_us) >= BLACK_BOX_FILE_US);
+        run_files_is_open(files) && ((now_us - files->opened_us) >= BLACK_BOX_FILE_US);
     const bool is_awaited =
         (self->requested_us != 0U) && ((now_us - self->requested_us) >= SECOND_US);
     if (is_awaited || (is_file_old && (self->requested_us == 0U))) {
@@ -360,8 +245,9 @@ static void repair_lane(black_box_t *self, uint64_t now_us)
  */
 static void release_written(black_box_t *self)
 {
-    const bool is_written =
-        (self->writer.file >= 0) ? (self->writer.block.records == 0U) : !self->is_failing;
+    const bool is_written = run_files_is_open(&self->files)
+                                ? (self->files.writer.block.records == 0U)
+                                : !self->is_failing;
 
     if (is_written) {
         exchange_release_cycles(self->exchange, exchange_cycles_taken(self->exchange));
@@ -373,7 +259,7 @@ static void release_written(black_box_t *self)
 static bool take_one(black_box_t *self, uint64_t now_us)
 {
     const uint32_t before = exchange_cycles_taken(self->exchange);
-    const uint32_t blocks = self->writer.blocks;
+    const uint32_t blocks = self->files.writer.blocks;
 
     if (!exchange_take_cycle(self->exchange, &self->record)) {
         return false;
@@ -383,7 +269,7 @@ static bool take_one(black_box_t *self, uint64_t now_us)
     if (now_us < self->retry_us) {
         return false;
     }
-    if (self->writer.blocks != blocks) {
+    if (self->files.writer.blocks != blocks) {
         exchange_release_cycles(self->exchange, before);
     }
     release_written(self);
@@ -393,7 +279,7 @@ static bool take_one(black_box_t *self, uint64_t now_us)
 /* With nothing in the lane nobody knows whether it could be written: control hands over more. */
 static void try_anew(black_box_t *self, uint64_t now_us)
 {
-    if (self->is_failing && (self->writer.file < 0) && (now_us >= self->retry_us)) {
+    if (self->is_failing && !run_files_is_open(&self->files) && (now_us >= self->retry_us)) {
         self->is_failing = false;
     }
 }
@@ -421,9 +307,9 @@ void black_box_drain(black_box_t *self, uint64_t now_us)
     if (now_us >= self->retry_us) {
         take_all(self, now_us);
     }
-    if (self->writer.file >= 0) {
-        recording_room_look(&self->room, self->directory, self->others_bytes, self->writer.size,
-                            now_us);
+    if (run_files_is_open(&self->files)) {
+        recording_room_look(&self->room, self->files.directory, self->files.others_bytes,
+                            self->files.writer.size, now_us);
     }
     tell(self); /* Again: a neighbour may have damaged it. */
 }
@@ -433,9 +319,9 @@ static bool has_last_cycle(const black_box_t *self)
 {
     snapshot_t snapshot;
 
-    return exchange_has_control_ended(self->exchange) && self->has_cycle &&
+    return exchange_has_control_ended(self->exchange) && self->files.has_cycle &&
            exchange_read_snapshot(self->exchange, &snapshot) &&
-           ((snapshot.cycle + 1U) == self->next_cycle);
+           ((snapshot.cycle + 1U) == self->files.next_cycle);
 }
 
 /* What a control that still runs has handed over is the next recorder's. */
@@ -447,14 +333,14 @@ static uint32_t count_unrecorded(const black_box_t *self)
     if (!is_end || !exchange_read_snapshot(self->exchange, &snapshot)) {
         return 0U;
     }
-    const uint32_t count = (snapshot.cycle + 1U) - self->kept_until;
+    const uint32_t count = (snapshot.cycle + 1U) - self->files.kept_until;
     return (count <= (uint32_t)INT32_MAX) ? count : 0U;
 }
 
 uint32_t black_box_close(black_box_t *self)
 {
     if (has_last_cycle(self)) {
-        recording_writer_note_run_end(&self->writer);
+        recording_writer_note_run_end(&self->files.writer);
     }
     end_file(self, 0U);
     release_written(self);

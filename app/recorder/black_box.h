@@ -1,27 +1,25 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The black box: a series of recordings in one directory, each beginning with a checkpoint where
- * possible, so that it can be replayed without those before it. Old ones are removed so that at
- * most LIMIT_RECORDINGS and about LIMIT_RECORDINGS_MB stay. While the disk is full or the
- * folder cannot be written, control is told and hands over nothing; recording goes on with what
- * waits in the lane. When the recorder cannot keep up, the lane of cycles fills: in elastic time
- * control waits for it, otherwise what was lost is said and counted in the next recording. A record
- * stays in the lane until it is in the file. The cycles of a file that is removed, moved, replaced
- * or shortened by another are counted, whichever file of this black box it is.
+ * The black box: takes every cycle out of its lane into recordings, each of which begins with a
+ * checkpoint where possible, so that it can be replayed without those before it. While the disk is
+ * full or the folder cannot be written, control is told and hands over nothing; recording goes on
+ * with what waits in the lane. When the recorder cannot keep up, the lane of cycles fills: in
+ * elastic time control waits for it, otherwise what was lost is said and counted in the next
+ * recording. A record stays in the lane until it is in the file. The cycles of a file that is
+ * removed, moved, replaced or shortened by another are counted, whichever file of this black box it
+ * is.
  */
 #ifndef BORESIGHT_BLACK_BOX_H
 #define BORESIGHT_BLACK_BOX_H
 
-#include "common/file_series.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_cycles.h"
 #include "exchange/exchange_files.h"
 #include "exchange/exchange_rows.h"
 #include "limits/requirement_limits.h"
-#include "recorder/kept_files.h"
 #include "recorder/recording_room.h"
-#include "recording/recording_writer.h"
+#include "recorder/run_files.h"
 
 #include <stdbool.h>
 
@@ -29,26 +27,14 @@
 #define BLACK_BOX_RETRY_US ((uint64_t)LIMIT_RECORDER_RETRY_US) /**< Between attempts to write. */
 
 typedef struct {
-    const char *directory; /**< Lives as long as the black box. */
     exchange_t *exchange;
-    recording_header_t header;
-    recording_writer_t writer;
-    char path[FILE_SERIES_PATH_SIZE]; /**< Of the newest file tried. */
-    uint32_t number;       /**< Of the newest name tried; 0: the directory was not looked at. */
-    uint64_t opened_us;    /**< When the present file was begun. */
+    run_files_t files;
     uint64_t requested_us; /**< When a checkpoint was last asked for; 0 when none is awaited. */
     uint64_t retry_us;     /**< Not before then is another file tried. */
-    uint64_t flushed_us;   /**< When the last block was written. */
-    uint32_t next_cycle;
-    uint32_t kept_until; /**< The cycle after the last one that an earlier file has. */
-    uint32_t removed;    /**< Cycles of files that others have removed or shortened. */
-    bool has_cycle;      /**< next_cycle is known. */
-    bool is_failing;     /**< The last attempt to write failed, and it was said. */
-    uint64_t damaged_us; /**< When damage of the lane was last found; 0: never. */
-    uint64_t looked_us;  /**< When the earlier files were last looked at. */
-    kept_file_t present;
-    kept_files_t earlier;  /**< Written before the present one. */
-    uint64_t others_bytes; /**< Of all recordings but the present one, when it was begun. */
+    uint32_t removed;      /**< Cycles of files that others have removed or shortened. */
+    bool is_failing;       /**< The last attempt to write failed, and it was said. */
+    uint64_t damaged_us;   /**< When damage of the lane was last found; 0: never. */
+    uint64_t looked_us;    /**< When the earlier files were last looked at. */
     recording_room_t room;
     cycle_record_t record;                        /**< The present one. */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Of the newest checkpoint. */

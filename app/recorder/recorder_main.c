@@ -96,9 +96,6 @@ static void look_at_snapshot(const exchange_t *exchange, bool is_end)
 static void drain(exchange_t *exchange)
 {
     black_box_drain(&black_box, clock_monotonic_us());
-    if (black_box.writer.file >= 0) { /* Again: a neighbour may have damaged it. */
-        exchange_note_file(exchange, EXCHANGE_FILE_RECORDING, black_box.number);
-    }
     event_log_drain(&event_log);
     sweep_keeper_drain(&sweep_keeper, exchange);
     exchange_beat(exchange, EXCHANGE_RECORDER);

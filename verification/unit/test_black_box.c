@@ -540,10 +540,10 @@ void test_SWR_TRAJ_017_a_checkpoint_whose_rows_are_gone_is_asked_for_again(void)
 /* The one before was killed. */
 static void start_another(void)
 {
-    (void)close(black_box.writer.file); /* As the kernel does, without what waited. */
-    (void)ZSTD_freeCCtx(black_box.writer.compressor);
-    free(black_box.writer.output);
-    black_box.writer = (recording_writer_t){.file = -1};
+    (void)close(black_box.files.writer.file); /* As the kernel does, without what waited. */
+    (void)ZSTD_freeCCtx(black_box.files.writer.compressor);
+    free(black_box.files.writer.output);
+    black_box.files.writer = (recording_writer_t){.file = -1};
     exchange->is_taking = false;
     black_box_open(&black_box, folder, exchange, &header);
 }
@@ -564,6 +564,21 @@ void test_SWR_REC_023_what_a_killed_recorder_had_not_written_is_in_the_file_of_t
     TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
     TEST_ASSERT_EQUAL_UINT64(10U, reader.records);
     TEST_ASSERT_EQUAL_UINT32(0U, reader.cycles_lost);
+}
+
+/* LIM-030: removed before it was there, and while it is. */
+void test_SWR_REC_033_a_recording_of_the_recorder_before_is_removed_uncounted(void)
+{
+    record_cycles(0U, 10U);
+    record_cycles(13U, 20U);
+    in_folder("rm *-000001-*.bsr");
+    start_another();
+    record_cycles(20U, 30U);
+    in_folder("rm *-000002-*.bsr");
+    now_us += SECOND_US;
+    black_box_drain(&black_box, now_us);
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_cycles_removed(exchange));
+    expect_newest(1U, 11U, 0U);
 }
 
 void test_SWR_REC_023_a_block_that_is_full_is_released_while_the_next_one_waits(void)
