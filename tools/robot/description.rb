@@ -91,6 +91,17 @@ module Robot
       self['needle'] == 'along'
     end
 
+    # @satisfies SWR-AXIS-060
+    def check_home_time
+      travel = self['maximum_ticks'] - self['minimum_ticks']
+      percent = Limit.of('home_time_least_percent')
+      least = Rational(travel * 10 * percent, self['home_speed_ticks_per_s']).ceil
+      return if self['limit_switch'] == 'none' || self['home_time_ms'] >= least
+
+      refuse('home_time_ms', "is #{self['home_time_ms']}; expected at least #{least}, " \
+                             "#{percent} percent of what the travel takes at home_speed_ticks_per_s")
+    end
+
     private
 
     def read_unit
@@ -306,6 +317,7 @@ module Robot
         if needle['minimum_ticks'].negative?
       needle.refuse('maximum_ticks', "is deeper than #{LARGEST_DEPTH_MM} mm; expected less") \
         if needle.units(needle['maximum_ticks']) > LARGEST_DEPTH_MM
+      @axes.each(&:check_home_time)
     end
 
     def check_needle(axis)

@@ -365,7 +365,14 @@ class TestRobotCompiler < Minitest::Test
     assert_refused(with('home_speed_ticks_per_s: 196', 'home_speed_ticks_per_s: 197'),
                    'axes[0].home_speed_ticks_per_s: is 197; expected at most 196, 25 percent of speed_ticks_per_s (787)',
                    at: 'home_speed_ticks_per_s: 197')
-    assert_equal 0, compile(with('home_speed_ticks_per_s: 196', 'home_speed_ticks_per_s: 100')).first
+    assert_equal 0, compile(with('home_speed_ticks_per_s: 196', 'home_speed_ticks_per_s: 195')).first
+  end
+
+  def test_SWR_AXIS_060_less_time_than_homing_takes_over_all_of_the_travel_is_refused
+    assert_refused(with('home_time_ms: 75000', 'home_time_ms: 72818'),
+                   'axes[0].home_time_ms: is 72818; expected at least 72819, ' \
+                   '125 percent of what the travel takes at home_speed_ticks_per_s', at: 'home_time_ms: 72818')
+    assert_equal 0, compile(with('home_time_ms: 75000', 'home_time_ms: 72819')).first
   end
 
   def test_SWR_ROBOT_001_two_axes_on_one_slot_are_refused
