@@ -53,8 +53,8 @@ STRAIGHT_gcc := -fpeel-loops --param max-inline-insns-single=200
 STRAIGHT_arm := $(STRAIGHT_gcc)
 STRAIGHT_static := $(STRAIGHT_gcc)
 STRAIGHT := $(STRAIGHT_$(CONFIG))
-# Coverage is that of the core and the charts; around them it would only take time.
-COUNTED_gcov := -O0 --coverage
+# Coverage is that of the core and the charts; around them it would only take time. No debugger looks at it.
+COUNTED_gcov := -O0 -g0 --coverage
 COUNTED := $(COUNTED_$(CONFIG))
 WARNINGS := -std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum \
     -Wcast-qual -Wmissing-prototypes
