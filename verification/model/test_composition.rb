@@ -35,8 +35,14 @@ class TestComposition < Minitest::Test
     flunk "#{Composition::FILE}: #{e.message}"
   end
 
-  def explore(axes, kind, what = composition(axes), asked: [], &mutate)
-    in_words { Dir.mktmpdir { |folder| Explorer.new(what).run(folder, kind: kind, asked: asked, &mutate) } }
+  def explore(axes, kind, what = composition(axes), **options, &mutate)
+    in_words { Dir.mktmpdir { |folder| Explorer.new(what).run(folder, kind: kind, **options, &mutate) } }
+  end
+
+  # Explores until it is found.
+  def assert_found(finding, axes, what = composition(axes), **options, &mutate)
+    report = explore(axes, 'gcc', what, wanted: finding, **options, &mutate)
+    assert_match finding, report.findings.join("\n")
   end
 
   # With who commands, and what the armed order needs.
@@ -100,10 +106,9 @@ class TestComposition < Minitest::Test
   end
 
   def test_SWR_CHART_012_axes_that_are_not_alike_are_found
-    report = explore(2, 'gcc', two_axes_in_short) do |name, source|
+    assert_found(/^the axes are not alike: .*card\./, 2, two_axes_in_short) do |name, source|
       name == 'composition' ? source.gsub(', true},', ', false},') : source
     end
-    assert_match(/^the axes are not alike: .*card\./, report.findings.join("\n"))
   end
 
   {
@@ -144,7 +149,7 @@ class TestComposition < Minitest::Test
 
   def test_SWR_CHART_012_a_composition_that_lacks_something_of_the_controller_is_found
     lacking = changed('  - {tell: pedal.differ}', "  - {tell: pedal.differ, when: In('pedal.fault')}")
-    assert_match(/^not reached: /, explore(1, 'gcc', lacking, asked: controller_run).findings.join("\n"))
+    assert_found(/^not reached: /, 1, lacking, asked: controller_run)
   end
 
   # Of this one the permit is the same: there are others whenever it stands.
@@ -152,7 +157,7 @@ class TestComposition < Minitest::Test
     seen = ControllerRun.seen(commands, episodes: 40) do |code|
       code.sub(/(?<=is_pedal_unproven = ).*(?=,)/, 'false')
     end
-    assert_match(/^other reasons: /, explore(1, 'gcc', asked: seen).findings.join("\n"))
+    assert_found(/^other reasons: /, 1, asked: seen)
   end
 
   def test_SWR_CHART_034_a_reason_that_is_another_one_is_found
@@ -227,14 +232,13 @@ class TestComposition < Minitest::Test
     'arming does renew_pedal, tell: [need.armed]' => /^COMP-I31/
   }.each do |row, finding|
     define_method("test_SWR_CHART_012_without_#{row[/\w+ \w+ \w+/].tr(' ', '_')}_#{row[/(?<=\[)\w+/]}_a_property_is_violated") do
-      report = explore(1, 'gcc', changed(row, row.sub(/\[.*\]/, '[plan.forget]'), commands: true))
-      assert_match finding, report.findings.join("\n")
+      assert_found(finding, 1, changed(row, row.sub(/\[.*\]/, '[plan.forget]'), commands: true))
     end
   end
 
   def test_SWR_CHART_012_a_motion_of_all_axes_that_is_armed_without_one_is_found
     lacking = changed("any && (!In('need.asking') || In('axis_N.homed'))", 'any', commands: true)
-    assert_match(/^COMP-I26\.1: .*need\.ask_mo/, explore(1, 'gcc', lacking).findings.join("\n"))
+    assert_found(/^COMP-I26\.1: .*need\.ask_mo/, 1, lacking)
   end
 
   # What the controller might forget, and the property that shows it with the shortest way there.
@@ -246,21 +250,18 @@ class TestComposition < Minitest::Test
     'axis_N hears failed, tell: [plan.forget, arming.fault]' => /^COMP-I09\.1: .*axis_1\.failed$/
   }.each do |row, finding|
     define_method("test_SWR_CHART_012_without_#{row[/\w+ \w+ \w+/].tr(' ', '_')}_a_property_is_violated") do
-      report = explore(1, 'gcc', changed(row, row.sub(/\[.*\]/, '[plan.forget]')))
-      assert_match finding, report.findings.join("\n")
+      assert_found(finding, 1, changed(row, row.sub(/\[.*\]/, '[plan.forget]')))
     end
   end
 
   def test_SWR_CHART_012_a_permit_that_forgets_the_pedal_is_found
     forgetful = changed("is_pedal_pressed: In('pedal.pressed')", "is_pedal_pressed: \"!In('pedal.unproven')\"")
-    report = explore(1, 'gcc', forgetful)
-    assert_match(/permit_decide\(\) is not the permit: .*pedal/, report.findings.join("\n"))
+    assert_found(/permit_decide\(\) is not the permit: .*pedal/, 1, forgetful)
   end
 
   def test_SWR_CHART_012_a_chart_compiled_wrongly_is_found_with_the_way_there
-    report = explore(1, 'gcc') do |name, source|
+    assert_found(/\Adifference: .*request_start_up.*, estop\.opened$/, 1) do |name, source|
       name == 'estop_latch' ? source.sub('(self, ESTOP_LATCH_STATE_PULLED)', '(self, ESTOP_LATCH_STATE_CLEAR)') : source
     end
-    assert_match(/\Adifference: .*request_start_up.*, estop\.opened\z/, report.findings.first)
   end
 end

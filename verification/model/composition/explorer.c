@@ -456,6 +456,7 @@ static uint32_t configurations(void)
 int main(int count, char **arguments)
 {
     turn_t turn;
+    (void)setvbuf(stdout, NULL, _IOLBF, BUFSIZ); /* A finding is read before all is explored. */
     for (uint32_t i = 0U; i < MEMBERS; i++) {
         fill_cells(i);
     }

@@ -26,15 +26,16 @@ class Explorer
     @program = CompositionProgram.new(composition)
   end
 
-  # asked: what the controller came into; the block may change the C of a chart and that of the composition.
-  def run(folder, kind: 'gcc', asked: [], &mutate)
+  # asked: what the controller came into; wanted: a finding after which nothing more is explored, and the report has no
+  # numbers; the block may change the C of a chart and that of the composition.
+  def run(folder, kind: 'gcc', asked: [], wanted: nil, &mutate)
     @program.write(folder, &mutate)
     explorer = File.join(folder, 'explorer')
     objects = Dir["#{folder}/*_chart.c"].sort.push(*PARTS).map { |source| object(source, folder, kind) }
     compile(kind, '-O3', '-I', folder, "#{HERE}/explorer.c", *objects, '-o', explorer)
     lines = ControllerRun.part(asked, @composition).map { |numbers| "#{numbers.join(' ')}\n" }
     File.write("#{explorer}.asked", lines.join)
-    read(*Open3.capture2e(*CompiledChart::KINDS.fetch(kind).last, explorer, "#{explorer}.asked"))
+    report(*explored([*CompiledChart::KINDS.fetch(kind).last, explorer, "#{explorer}.asked"], wanted))
   end
 
   private
@@ -57,10 +58,26 @@ class Explorer
     raise CompiledChart::Failed, output unless status.success?
   end
 
-  def read(output, status)
-    raise CompiledChart::Failed, output unless [0, 1].include?(status.exitstatus)
+  # Its lines, and how it ended; nil if it was not let to its end.
+  def explored(command, wanted)
+    Open3.popen2e(*command) do |_input, output, process|
+      lines = []
+      output.each_line(chomp: true) do |line|
+        lines << line
+        next unless wanted&.match?(line)
 
-    *findings, configurations, explored, pairs, explored_pairs, told, digest = output.lines(chomp: true)
+        Process.kill('KILL', process.pid)
+        return [lines, nil]
+      end
+      [lines, process.value.exitstatus]
+    end
+  end
+
+  def report(lines, exit_code)
+    return Report.new(*[nil] * 6, lines) unless exit_code
+    raise CompiledChart::Failed, lines.join("\n") unless [0, 1].include?(exit_code)
+
+    *findings, configurations, explored, pairs, explored_pairs, told, digest = lines
     numbers = [configurations, explored, pairs, explored_pairs, told].map { |line| line.split.last.to_i }
     Report.new(*numbers, digest.split.last, findings)
   end
