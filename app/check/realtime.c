@@ -9,6 +9,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
@@ -40,6 +41,14 @@ static uint32_t acquire_memory(void)
 uint32_t realtime_acquire(void)
 {
     return acquire_priority() | acquire_core() | acquire_memory();
+}
+
+void realtime_give_way(void)
+{
+    const struct sched_param parameter = {.sched_priority = 0};
+
+    (void)sched_setscheduler(0, SCHED_OTHER, &parameter);
+    (void)prctl(PR_SET_TIMERSLACK, 1000UL, 0UL, 0UL, 0UL);
 }
 
 void realtime_tell(uint32_t rights)

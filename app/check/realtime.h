@@ -17,6 +17,13 @@
 uint32_t realtime_acquire(void);
 
 /**
+ * Gives SCHED_FIFO back, for a process that leaves no core idle.
+ *
+ * @satisfies SWR-BOX-043
+ */
+void realtime_give_way(void);
+
+/**
  * Says on standard error, one sentence each, which rights were refused and what to do about it.
  *
  * @satisfies SWR-CTRL-002

@@ -156,12 +156,17 @@ static uint32_t longest_stage(void)
     return longest;
 }
 
+/*
+ * The programs live in the world's time, whatever the board's.
+ *
+ * @satisfies SWR-BOX-042
+ */
 static uint32_t silent_sources(void)
 {
     const uint32_t beats[COMMAND_SOURCE_COUNT] = {
         [COMMAND_SOURCE_IGTL] = exchange_beats(exchange, EXCHANGE_IGTL),
         [COMMAND_SOURCE_HTTP] = exchange_beats(exchange, EXCHANGE_HTTP)};
-    return sources_listen(&sources, beats, inputs.elapsed_us);
+    return sources_listen(&sources, beats, inputs.elapsed_us / board.speedup);
 }
 
 /** @satisfies SWR-CHECK-008 */
@@ -294,6 +299,7 @@ static void begin_figures(uint32_t rights)
     published.computer = computer.lacks;
     published.is_elastic = board.is_elastic ? 1U : 0U;
     published.slowness = board.slowness;
+    published.speedup = board.speedup;
     published.speed_permille = 1000U / board.slowness;
     told_board_ns = bsp_reached_ns();
     told_world_ns = realtime_now_ns();
@@ -461,6 +467,9 @@ static int control(const char *const values[])
         const uint32_t rights = realtime_acquire();
         exchange_touch(exchange);
         begin_figures(rights);
+        if (board.speedup > 1U) {
+            realtime_give_way();
+        }
         code = run() ? REST_EXIT : EXIT_SUCCESS;
         if (code == REST_EXIT) {
             (void)snprintf(why, sizeof why, "asked to end at rest");

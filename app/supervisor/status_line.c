@@ -106,12 +106,17 @@ static void add_links(status_parts_t *parts, const robot_t *robot, const snapsho
                      (unsigned)live, (unsigned)named);
 }
 
-/** @satisfies SWR-SUP-005 */
+/**
+ * @satisfies SWR-SUP-005
+ * @satisfies SWR-BOX-044
+ */
 static void add_time(status_parts_t *parts, const loop_figures_t *loop, bool is_silent)
 {
     const unsigned percent = is_silent ? 0U : ((loop->speed_permille + 5U) / 10U);
 
-    if (loop->is_elastic != 0U) {
+    if (loop->speedup > 1U) {
+        status_parts_add(parts, STATUS_PLAIN, "fast time %u %%", percent);
+    } else if (loop->is_elastic != 0U) {
         status_parts_add(parts, STATUS_PLAIN, "elastic time %u %%", percent);
     } else {
         status_parts_add(parts, STATUS_PLAIN, "real time %u %%, loop p99 %u us, worst %u us",

@@ -45,6 +45,7 @@ typedef struct {
     bool is_elastic;
     bool is_simulated; /**< No robot is connected: nobody is hurt by a late cycle. */
     uint32_t slowness; /**< Its time passes so many times slower, at best; 1 on a real board. */
+    uint32_t speedup;  /**< And up to so many times faster; 1 on a real board. */
     uint32_t dialect;  /**< card_dialect_t of all cards. */
     /** Most by which the time between two samples of a card may be wrong, as the board measures
      * it. */

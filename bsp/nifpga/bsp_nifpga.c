@@ -71,6 +71,7 @@ static void identify(bsp_identity_t *identity, const address_t *address, const b
                                  .power_on = any_number(),
                                  .was_used = true,
                                  .slowness = 1U,
+                                 .speedup = 1U,
                                  .dialect = (uint32_t)CARD_DIALECT_AIM32};
     (void)snprintf(identity->firmware, sizeof identity->firmware, "%s", bitfile->signature);
     (void)snprintf(identity->accepted, sizeof identity->accepted, "%s", address->accepted);

@@ -42,6 +42,7 @@ static void identify(bsp_identity_t *identity)
                                  .power_on = number | 1U,
                                  .was_used = true,
                                  .slowness = slowness,
+                                 .speedup = 1U,
                                  .sample_error_us = LIMIT_SAMPLE_ERROR_SPI_US};
 }
 

@@ -3,9 +3,9 @@
  * @file
  * The clock of the simulated box: how far its world goes on each time the box looks around. In real
  * time it follows the world's clock. In elastic time it goes on when control asks for an exchange,
- * just as far as control has come; control keeps the pace. Left alone for LIMIT_ELASTIC_PATIENCE_US
- * it goes on by itself, so that the cards notice that control is stuck or gone; control that waits
- * tells it so. No I/O; the world's time is handed in.
+ * just as far as control has come; control keeps the pace, which may be fast. Left alone for
+ * LIMIT_ELASTIC_PATIENCE_US it goes on by itself, so that the cards notice that control is stuck or
+ * gone; control that waits tells it so. No I/O; the world's time is handed in.
  */
 #ifndef BORESIGHT_BOX_CLOCK_H
 #define BORESIGHT_BOX_CLOCK_H
@@ -26,6 +26,7 @@
 typedef struct {
     bool is_elastic;   /**< It waits for control. */
     uint32_t slowness; /**< It passes so many times slower, at best. */
+    uint32_t speedup;  /**< It passes up to so many times faster; 1 unless it is elastic. */
 } box_time_t;
 
 /** State of the clock. */
@@ -48,7 +49,7 @@ void box_clock_init(box_clock_t *self, box_time_t time, uint64_t now_us, uint64_
  * @satisfies SWR-BOX-005
  * @satisfies SWR-BOX-006
  * @satisfies SWR-BOX-007
- * @satisfies SWR-BOX-040
+ * @satisfies SWR-BOX-048
  */
 uint32_t box_clock_look(box_clock_t *self, const uint64_t *wanted_us, uint64_t world_us);
 

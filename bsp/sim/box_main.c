@@ -21,7 +21,7 @@
 #define EXIT_CANNOT_START 3
 #define PRIORITY 70
 
-enum { ROBOT = 0, BOX, SEED, SLOW, REAL_TIME, OPTIONS };
+enum { ROBOT = 0, BOX, SEED, SLOW, FAST, REAL_TIME, OPTIONS };
 
 static const command_option_t options[OPTIONS] = {
     [ROBOT] = {"robot", "NAME", .says = "whose cards it has; default " ROBOT_NAMES_DEFAULT},
@@ -30,6 +30,8 @@ static const command_option_t options[OPTIONS] = {
     [SEED] = {"seed", "NUMBER", .says = "of what it does by chance; default 1", .most = UINT32_MAX},
     [SLOW] = {"slow", "NUMBER", .says = "its time passes so many times slower; default 1",
               .least = 1U, .most = LIMIT_BOX_SLOWEST},
+    [FAST] = {"fast", "NUMBER", .says = "its time passes up to so many times faster; default 1",
+              .least = 1U, .most = LIMIT_BOX_FASTEST},
     [REAL_TIME] = {"real-time", NULL, .says = "it waits for nobody, as a real one"},
 };
 static const command_line_t command_line = {
@@ -77,14 +79,19 @@ static void share_core_with_control(void)
     (void)sched_setaffinity(0, sizeof set, &set);
 }
 
-static bool ask_for_real_time(void)
+/*
+ * Fast time leaves no core idle, so it takes none from other programs.
+ *
+ * @satisfies SWR-BOX-043
+ */
+static bool ask_for_real_time(box_time_t time)
 {
     const struct sched_param parameters = {.sched_priority = PRIORITY};
 
     share_core_with_control();
     (void)prctl(PR_SET_TIMERSLACK, 1000UL, 0UL, 0UL, 0UL);
     (void)mlockall(MCL_CURRENT | MCL_FUTURE);
-    return sched_setscheduler(0, SCHED_FIFO, &parameters) == 0;
+    return (time.speedup == 1U) && (sched_setscheduler(0, SCHED_FIFO, &parameters) == 0);
 }
 
 static void publish_inputs(wire_t *wire)
@@ -242,13 +249,19 @@ static int serve(const char *name, const robot_t *robot, uint32_t seed, box_time
     }
     wire_store(&port.wire->robot_crc, robot->crc);
     publish_bench(port.wire);
-    const bool is_real_time = ask_for_real_time();
+    const bool is_real_time = ask_for_real_time(time);
     (void)printf("boresight-box: ready as \"%s\", robot %s, seed %u, %s\n", name, robot->name,
                  (unsigned)seed, is_real_time ? "SCHED_FIFO 70" : "without real-time scheduling");
     (void)fflush(stdout);
     run(port.wire, time);
     wire_close(&port, WIRE_END_BOX);
     return EXIT_SUCCESS;
+}
+
+/** @satisfies SWR-BOX-041 */
+static bool is_one_pace(box_time_t time)
+{
+    return (time.speedup == 1U) || (time.is_elastic && (time.slowness == 1U));
 }
 
 int main(int count, char **words)
@@ -267,6 +280,12 @@ int main(int count, char **words)
                                    robot_names_list());
     }
     const box_time_t time = {.is_elastic = values[REAL_TIME] == NULL,
-                             .slowness = number_of(values[SLOW], 1U)};
+                             .slowness = number_of(values[SLOW], 1U),
+                             .speedup = number_of(values[FAST], 1U)};
+    if (!is_one_pace(time)) {
+        return command_line_refuse(&command_line,
+                                   "--fast is of no use with --real-time, where the box keeps the "
+                                   "world's time, nor with --slow; give one of them.");
+    }
     return serve(name_of(values[BOX]), robot, number_of(values[SEED], 1U), time);
 }

@@ -38,6 +38,7 @@ static void identify(bsp_identity_t *identity)
                          .is_elastic = board_time.is_elastic,
                          .is_simulated = true,
                          .slowness = board_time.slowness,
+                         .speedup = board_time.speedup,
                          .sample_error_us = LIMIT_SAMPLE_ERROR_SIM_US};
 }
 
@@ -49,7 +50,8 @@ bool bsp_open(const char *address, bsp_identity_t *identity, char *error, uint32
     last_beat = wire_load(&port.wire->beat);
     beat_age = 0U;
     board_time = (box_time_t){.is_elastic = wire_load(&port.wire->is_elastic) != 0U,
-                              .slowness = wire_load(&port.wire->slowness)};
+                              .slowness = wire_load(&port.wire->slowness),
+                              .speedup = wire_load(&port.wire->speedup)};
     elastic_us = wire_load_time(port.wire);
     paced_ns = wire_now_ns();
     was_answered = true;
@@ -108,7 +110,9 @@ static void ask(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_
     wire->wanted_us = elastic_us;
     (void)memcpy(wire->frames, frames, sizeof wire->frames);
     wire_store(&wire->request, wire_load(&wire->request) + 1U);
-    wire_wake_box(wire);
+    if (board_time.speedup == 1U) { /* Else the box is woken once in a cycle, by the call. */
+        wire_wake_box(wire);
+    }
 }
 
 static void begin(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES])
@@ -286,14 +290,18 @@ static void keep_pace(uint64_t sleep_ns)
 
     paced_ns += sleep_ns;
     paced_ns = ((paced_ns + sleep_ns) < now_ns) ? now_ns : paced_ns;
-    sleep_until_world_ns(paced_ns);
+    if (paced_ns > now_ns) {
+        sleep_until_world_ns(paced_ns);
+    }
 }
 
+/** @satisfies SWR-BOX-040 */
 static void sleep_elastic(uint64_t deadline_us)
 {
     if (deadline_us > elastic_us) {
         const uint32_t number = call_box(deadline_us);
-        keep_pace((deadline_us - elastic_us) * NS_PER_US * board_time.slowness);
+        keep_pace(((deadline_us - elastic_us) * NS_PER_US * board_time.slowness) /
+                  board_time.speedup);
         (void)await_patiently(&port.wire->come, number);
         elastic_us = deadline_us;
     }

@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 /* "BBX" and the layout's version. */
-#define WIRE_MAGIC 0x42425808U
+#define WIRE_MAGIC 0x42425809U
 
 #define NS_PER_S UINT64_C(1000000000)
 #define BENCH_PATIENCE_US 10000U
@@ -184,7 +184,8 @@ static bool would_change_time(const wire_port_t *port, box_time_t time)
 {
     return is_held(port, WIRE_END_CONTROL) &&
            (((wire_load(&port->wire->is_elastic) != 0U) != time.is_elastic) ||
-            (wire_load(&port->wire->slowness) != time.slowness));
+            (wire_load(&port->wire->slowness) != time.slowness) ||
+            (wire_load(&port->wire->speedup) != time.speedup));
 }
 
 static bool set_path(wire_port_t *port, const char *name, char *error, uint32_t error_size)
@@ -270,6 +271,7 @@ static void reset_wire(wire_t *wire, box_time_t time)
     wire_store(&wire->inputs, 0U);
     wire_store(&wire->is_elastic, time.is_elastic ? 1U : 0U);
     wire_store(&wire->slowness, time.slowness);
+    wire_store(&wire->speedup, time.speedup);
     wire_store(&wire->power_on, new_power_on());
     wire_store(&wire->is_used, 0U);
     wire_store(&wire->come, wire_load(&wire->call));
@@ -305,7 +307,7 @@ bool wire_serve(wire_port_t *port, const char *name, box_time_t time, char *erro
         (void)snprintf(
             error, error_size,
             "the control process of \"%s\" lives in another time; stop it first, or give "
-            "--slow and --real-time as before",
+            "--slow, --fast and --real-time as before",
             name);
     } else {
         reset_wire(port->wire, time);

@@ -34,7 +34,8 @@ typedef struct {
     uint32_t wake;       /**< Grows with each thing for the box to do; the box sleeps on it. */
     uint32_t beat;       /**< Grows each time the box has looked around, at least every 1.5 ms. */
     uint32_t is_elastic; /**< box_time_t of the box: 0 or 1 */
-    uint32_t slowness;   /**< and 1 .. LIMIT_BOX_SLOWEST. */
+    uint32_t slowness;   /**< and 1 .. LIMIT_BOX_SLOWEST */
+    uint32_t speedup;    /**< and 1 .. LIMIT_BOX_FASTEST. */
     uint32_t power_on;   /**< As bsp_identity_t. */
     uint32_t is_used;    /**< 1 after the first exchange that may have moved something. */
     uint32_t robot_crc;  /**< Of the description of the robot that is simulated. */

@@ -22,7 +22,7 @@ static uint64_t chance; /* Never 0. */
 /* Always punctual: time does not pass but by cycles. */
 static void publish_figures(void)
 {
-    const loop_figures_t figures = {.slowness = 1U, .speed_permille = 1000U};
+    const loop_figures_t figures = {.slowness = 1U, .speedup = 1U, .speed_permille = 1000U};
     exchange_publish_loop(exchange, &figures);
 }
 

@@ -14,7 +14,7 @@ class TestBuiltBoards < SystemTest
   def test_SWR_TOOL_016_a_board_that_was_built_beside_has_its_own_options_and_support
     help = Open3.capture2e(File.join(PROGRAMS, 'boresight'), '--help').first
     assert_match(/^  --wiring TEXT +how the box is wired/, help)
-    refute_match(/--slow|--real-time/, help)
+    refute_match(/--slow|--fast|--real-time/, help)
     names = Open3.capture2e('nm', File.join(PROGRAMS, 'boresight-control')).first
     assert_match(/U gpiod_line_get_value/, names)
     refute_match(/ wire_attach/, names)

@@ -40,6 +40,66 @@ class TestElasticTime < SystemTest
     assert_operator (last - first) * 0.001 * slowness, :<=, Boresight.now - began + (0.002 * slowness)
   end
 
+  # The fewest whose workflow is worth it; the machine decides whether it comes so far.
+  SPEEDUP = 20
+
+  def cycles_in(seconds)
+    began = Boresight.now
+    first = boresight.status['cycle']
+    sleep seconds
+    last = boresight.status['cycle']
+    (last - first) / (Boresight.now - began)
+  end
+
+  # Other programs may hold it up for a while.
+  def test_SWR_BOX_040_a_motion_in_fast_time_is_faster_and_is_recorded_without_a_gap
+    boresight(arguments: ['--fast', SPEEDUP.to_s])
+    boresight.home
+    wait_until('time passes faster than that of the world') { cycles_in(0.5) > 1100 }
+    assert_empty trouble
+    assert_equal [0, 0], boresight.status['counts'].values_at('overruns', 'cycles_lost')
+    Process.kill('TERM', boresight.pid)
+    boresight.wait_for_end
+    text, code = replay(boresight.recording_files.last)
+    assert_equal 0, code, text
+    assert_match(/^(\d+) of \1 cycles replayed, every output equal$/, text)
+  end
+
+  def test_SWR_BOX_040_fast_time_is_no_faster_than_it_was_told
+    boresight(arguments: %w[--fast 2])
+    began = Boresight.now
+    first = boresight.status['cycle']
+    last = boresight.wait_until('some cycles have run') { boresight.status['cycle'].then { |now| now if now > first + 1000 } }
+    assert_operator (last - first) * 0.001 / 2, :<=, Boresight.now - began + 0.001
+  end
+
+  # As the kernel tells it: 0 is SCHED_OTHER.
+  def policy_of(program)
+    File.read("/proc/#{boresight.pid_of(program)}/stat").split[40].to_i
+  end
+
+  def test_SWR_BOX_043_fast_time_leaves_other_programs_their_share
+    boresight(arguments: ['--fast', SPEEDUP.to_s])
+    assert_equal([0, 0], PROGRAMS.map { |program| policy_of(program) })
+  end
+
+  def test_SWR_BOX_044_the_speedup_is_told
+    boresight(arguments: ['--fast', SPEEDUP.to_s])
+    assert_equal SPEEDUP, boresight.status.dig('time', 'speedup')
+    wait_until('the status line says so') { boresight.output.match?(/\bfast time \d+ %/) }
+    wait_until('it says how fast') { boresight.status.dig('time', 'speed_percent') > 110 }
+  end
+
+  def test_SWR_BOX_041_fast_time_with_another_pace_is_refused_with_the_reason
+    [%w[--fast 2 --real-time], %w[--fast 2 --slow 2]].each do |words|
+      refused = Boresight.new(arguments: words)
+      refused.launch
+      assert_equal 3, refused.wait_for_end
+      assert_match(/--fast is of no use with --real-time, where .*, nor with --slow; give one of them\./, refused.output)
+      refused.kill_all
+    end
+  end
+
   def test_SWR_BOX_007_the_cards_notice_a_control_that_is_stuck
     boresight.press_and_command('START_UP')
     wait_until('an axis is driven') { boresight.driven_axes.any? }

@@ -219,6 +219,7 @@ class TestSupervisor < SystemTest
 
   def test_SWR_SUP_007_wrong_options_of_the_board_are_named
     { %w[--slow 0] => /"0" is no number for --slow; give one from 1 to 100/, %w[--slow 101] => /"101" is no number for --slow/,
+      %w[--fast 101] => /"101" is no number for --fast; give one from 1 to 100/, %w[--box b --fast 2] => /--fast is of no use with --box/,
       %w[--slow] => /--slow lacks its value, NUMBER/, %w[--box a/b] => %r{"a/b" is no name for --box},
       %w[--box b --slow 2] => /--slow is of no use with --box/ }.each do |words, sentence|
       assert_refuses(Boresight.new(arguments: words), 2, sentence)
@@ -228,7 +229,7 @@ class TestSupervisor < SystemTest
   def test_SWR_SUP_007_the_usage_names_the_options_of_the_board
     text, status = Open3.capture2e(Boresight.program('boresight'), '--help')
     assert status.success?
-    assert_match(/^  --box NAME .*\n  --slow NUMBER .*\n  --real-time /, text)
+    assert_match(/^  --box NAME .*\n  --slow NUMBER .*\n  --fast NUMBER .*\n  --real-time /, text)
   end
 
   def test_SWR_ROBOT_016_an_unknown_robot_is_refused_with_the_names_of_those_there_are

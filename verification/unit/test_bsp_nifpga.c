@@ -139,6 +139,7 @@ void test_SWR_NI_008_the_box_says_what_it_is_and_who_accepts_its_cards(void)
     TEST_ASSERT_TRUE(identity.was_used);
     TEST_ASSERT_NOT_EQUAL(0U, identity.power_on);
     TEST_ASSERT_EQUAL_UINT32(1U, identity.slowness);
+    TEST_ASSERT_EQUAL_UINT32(1U, identity.speedup);
 }
 
 void test_SWR_NI_008_without_a_name_nobody_accepts(void)

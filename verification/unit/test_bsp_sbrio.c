@@ -740,6 +740,7 @@ void test_SWR_STORE_001_a_box_that_cannot_tell_its_power_on_is_another_one_each_
     TEST_ASSERT_TRUE(identity.was_used);
     TEST_ASSERT_FALSE(identity.is_elastic);
     TEST_ASSERT_EQUAL_UINT32(1U, identity.slowness);
+    TEST_ASSERT_EQUAL_UINT32(1U, identity.speedup);
     TEST_ASSERT_EQUAL_UINT32(BSP_HAS_EDGE_LATCH | BSP_HAS_DRIVES_OFF | BSP_HAS_LAMPS,
                              identity.abilities);
     bsp_close();

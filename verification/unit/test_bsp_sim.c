@@ -30,7 +30,7 @@ static char name[40];
 static char error[200];
 static wire_port_t served;
 static bool is_serving;
-static const box_time_t real_time = {.is_elastic = false, .slowness = 1U};
+static const box_time_t real_time = {.is_elastic = false, .slowness = 1U, .speedup = 1U};
 static bsp_identity_t identity;
 static bsp_exchange_t result; /* Of the last exchange. */
 static uint8_t sent[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
@@ -57,11 +57,16 @@ static void stop_serving(void)
     is_serving = false;
 }
 
-static void serve_anew(bool is_elastic, uint32_t slowness)
+static void serve_in(box_time_t time)
 {
     stop_serving();
-    is_serving = wire_serve(&served, name, (box_time_t){is_elastic, slowness}, error, sizeof error);
+    is_serving = wire_serve(&served, name, time, error, sizeof error);
     TEST_ASSERT_TRUE_MESSAGE(is_serving, error);
+}
+
+static void serve_anew(bool is_elastic, uint32_t slowness)
+{
+    serve_in((box_time_t){is_elastic, slowness, 1U});
 }
 
 static void start(uint32_t send)
@@ -477,12 +482,17 @@ static void *obey(void *unused)
     return NULL;
 }
 
-static void open_obeying(uint32_t count, uint32_t slowness)
+static void open_obeying_in(uint32_t count, box_time_t time)
 {
-    serve_anew(true, slowness);
+    serve_in(time);
     TEST_ASSERT_TRUE(bsp_open(name, &identity, error, sizeof error));
     calls = count;
     TEST_ASSERT_EQUAL_INT(0, pthread_create(&obeying, NULL, obey, NULL));
+}
+
+static void open_obeying(uint32_t count, uint32_t slowness)
+{
+    open_obeying_in(count, (box_time_t){true, slowness, 1U});
 }
 
 static void close_obeying(void)
@@ -518,6 +528,46 @@ void test_SWR_BOX_006_elastic_time_is_never_faster_than_the_worlds_divided_by_th
     }
     TEST_ASSERT_TRUE(wire_now_ns() - world_ns >= UINT64_C(19) * 3U * 1000000U);
     close_obeying();
+}
+
+#define SPEEDUP 10U
+#define FAST_SLEEPS 500U
+
+static const box_time_t fast = {.is_elastic = true, .slowness = 1U, .speedup = SPEEDUP};
+
+/* As long in the box' time, from the opening, in which the pace begins. @return world's time, ns */
+static uint64_t sleep_fast(void)
+{
+    const uint64_t world_ns = wire_now_ns();
+
+    open_obeying_in(FAST_SLEEPS, fast);
+    const uint64_t start_ns = bsp_now_ns();
+    for (uint32_t i = 1U; i <= FAST_SLEEPS; i++) {
+        bsp_sleep_until_ns(start_ns + i * UINT64_C(1000000));
+        TEST_ASSERT_EQUAL_UINT64(start_ns / 1000U + i * 1000U, wire_load_time(served.wire));
+    }
+    const uint64_t passed_ns = wire_now_ns() - world_ns;
+    close_obeying();
+    return passed_ns;
+}
+
+void test_SWR_BOX_040_fast_time_is_never_faster_than_the_worlds_times_the_speedup(void)
+{
+    TEST_ASSERT_TRUE(sleep_fast() >= (FAST_SLEEPS - 1U) * UINT64_C(1000000) / SPEEDUP);
+    TEST_ASSERT_EQUAL_UINT32(SPEEDUP, identity.speedup);
+}
+
+/* Other programs of the machine may hold it up: the fastest of some counts. */
+void test_SWR_BOX_040_fast_time_is_faster_than_the_worlds(void)
+{
+    const uint64_t half_ns = FAST_SLEEPS * UINT64_C(500000);
+    uint64_t least_ns = UINT64_MAX;
+
+    for (uint32_t i = 0U; (i < 20U) && (least_ns >= half_ns); i++) {
+        const uint64_t passed_ns = sleep_fast();
+        least_ns = (passed_ns < least_ns) ? passed_ns : least_ns;
+    }
+    TEST_ASSERT_TRUE(least_ns < half_ns);
 }
 
 void test_SWR_BOX_006_elastic_time_does_not_hurry_after_a_pause(void)
@@ -581,7 +631,7 @@ void test_SWR_BOX_006_a_box_that_stops_answering_is_waited_for_once(void)
 
 void test_SWR_BOX_006_a_box_of_another_time_is_refused_while_control_lives_in_the_old_one(void)
 {
-    const box_time_t slow = {.is_elastic = true, .slowness = 50U};
+    const box_time_t slow = {.is_elastic = true, .slowness = 50U, .speedup = 1U};
 
     serve_anew(true, 1U);
     TEST_ASSERT_TRUE(bsp_open(name, &identity, error, sizeof error));
@@ -589,6 +639,8 @@ void test_SWR_BOX_006_a_box_of_another_time_is_refused_while_control_lives_in_th
     is_serving = wire_serve(&served, name, slow, error, sizeof error);
     TEST_ASSERT_FALSE(is_serving);
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "lives in another time"), error);
+    is_serving = wire_serve(&served, name, fast, error, sizeof error);
+    TEST_ASSERT_FALSE(is_serving);
     bsp_close();
     is_serving = wire_serve(&served, name, slow, error, sizeof error);
     TEST_ASSERT_TRUE_MESSAGE(is_serving, error);

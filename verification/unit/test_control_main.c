@@ -71,6 +71,8 @@ typedef struct {
     uint32_t cycles_lost;   /* As the controller was told in the last cycle. */
     uint32_t late_stage[2]; /* As it was told in the last two cycles, */
     uint32_t elapsed_us[2]; /* the same. */
+    uint32_t silent_us;     /* For which it has not heard http, in the last cycle. */
+    uint32_t ways_given;    /* How often it gave its real-time priority back. */
     uint64_t stood_ns;      /* The world's time in which control let the board stand still. */
 } record_t;
 
@@ -84,6 +86,7 @@ static bool is_board_there;
 static bool is_wire_good;
 static bool is_simulated;
 static bool is_elastic;
+static uint32_t speedup;
 static uint32_t read_in; /* The cycle in which the recorder reads all that waits. */
 static card_dialect_t dialect;
 static const char *accepted;
@@ -250,6 +253,7 @@ static void step(controller_t *self, const robot_t *robot, const controller_inpu
     } else if (self->cycle == LAST_CYCLE) {
         record->frames_received = given->frames_received;
         record->unfit = given->unfit;
+        record->silent_us = sources.silent_us[COMMAND_SOURCE_HTTP];
         record->is_recorder_failing = given->is_recorder_failing;
         record->lacks_black_box = given->lacks_black_box;
         record->recording_left_min = given->recording_left_min;
@@ -313,6 +317,7 @@ static bool open_board(const char *box, bsp_identity_t *identity, char *error, u
                                  .is_elastic = is_elastic,
                                  .is_simulated = is_simulated,
                                  .slowness = 1U,
+                                 .speedup = speedup,
                                  .dialect = (uint32_t)dialect};
     (void)snprintf(identity->accepted, sizeof identity->accepted, "%s", accepted);
     if (!is_board_there) {
@@ -365,6 +370,12 @@ static uint32_t acquire(int calls)
     return RIGHTS;
 }
 
+static void give_way(int calls)
+{
+    (void)calls;
+    record->ways_given++;
+}
+
 static bool stay_awake(const char *root, int calls)
 {
     (void)calls;
@@ -401,6 +412,7 @@ void setUp(void)
     is_wire_good = true;
     is_simulated = true;
     is_elastic = true;
+    speedup = 1U;
     read_in = NEVER;
     dialect = CARD_DIALECT_OWN;
     accepted = "";
@@ -431,6 +443,7 @@ void setUp(void)
     list_count = WITHOUT_LIST;
     realtime_acquire_Stub(acquire);
     realtime_stay_awake_Stub(stay_awake);
+    realtime_give_way_Stub(give_way);
     computer_begin_Stub(begin_computer);
     computer_look_Stub(look_at_computer);
     computer_tell_wake_up_Stub(tell_wake_up);
@@ -760,6 +773,35 @@ void test_SWR_CHECK_007_only_a_real_boards_computer_is_kept_from_deep_sleep(void
     is_simulated = false;
     (void)control_ends(BY_SIGNAL, SIGTERM);
     TEST_ASSERT_EQUAL_UINT32(1U, record->awake);
+}
+
+#define SPEEDUP 10U
+
+void test_SWR_BOX_042_in_fast_time_programs_are_silent_by_the_worlds_time(void)
+{
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32((LAST_CYCLE + 1U) * LIMIT_CYCLE_US, record->silent_us);
+    speedup = SPEEDUP;
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32(((LAST_CYCLE + 1U) * LIMIT_CYCLE_US) / SPEEDUP, record->silent_us);
+}
+
+void test_SWR_BOX_043_only_in_fast_time_control_gives_its_priority_back(void)
+{
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32(0U, record->ways_given);
+    speedup = SPEEDUP;
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32(1U, record->ways_given);
+}
+
+void test_SWR_BOX_044_the_figures_have_the_speedup(void)
+{
+    loop_figures_t told = {0};
+    speedup = SPEEDUP;
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_TRUE(exchange_read_loop(segment, &told));
+    TEST_ASSERT_EQUAL_UINT32(SPEEDUP, told.speedup);
 }
 
 static void expect_accepted(const char *person, uint32_t is_accepted, const char *expected)

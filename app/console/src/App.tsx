@@ -121,6 +121,7 @@ function Toolbar({
           <Command
             operation={operation}
             authority={view.robot.status.authority}
+            speedup={view.robot.status.time.speedup}
           />
           <Losses
             operation={operation}

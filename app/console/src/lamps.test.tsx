@@ -110,7 +110,7 @@ test.each([
 ] as const)(
   "SWR-CON-002 tells since when, and that time passes at %i %%",
   (speed_percent, expected) => {
-    const time = { is_elastic: true, slowness: 8, speed_percent };
+    const time = { is_elastic: true, slowness: 8, speedup: 1, speed_percent };
     expect(lampOf("Since start", { cycle: 3_725_500, time })).toEqual({
       label: "Since start",
       word: "1:02:05",
@@ -118,6 +118,19 @@ test.each([
     });
   },
 );
+
+test("SWR-BOX-044 fast time is told even while it passes no faster", () => {
+  const time = {
+    is_elastic: true,
+    slowness: 1,
+    speedup: 10,
+    speed_percent: 100,
+  };
+  expect(lampOf("Since start", { cycle: 0, time })).toMatchObject({
+    level: "attention",
+    detail: "100\u00a0%",
+  });
+});
 
 test("SWR-SUP-012 a recorder that runs and records nothing is a fault", () => {
   const { counts, processes } = makeStatus();

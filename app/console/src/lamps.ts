@@ -137,7 +137,7 @@ function cardsLamp(cards: readonly Card[]): LampProperties {
   };
 }
 
-/** A slow simulation must not be taken for a slow robot. */
+/** A slow simulation must not be taken for a slow robot, nor a fast one for a fast robot. */
 const SLOW_PERCENT = 95;
 
 function timeLamp({ cycle, time }: Status): LampProperties {
@@ -146,7 +146,7 @@ function timeLamp({ cycle, time }: Status): LampProperties {
     label: "Since start",
     word: formatCycles(cycle),
   };
-  return percent < SLOW_PERCENT
+  return percent < SLOW_PERCENT || time.speedup > 1
     ? { ...lamp, level: "attention", detail: `${percent}\u00a0%` }
     : { ...lamp, level: "normal" };
 }

@@ -145,6 +145,16 @@ test("SWR-CON-014 what a page has it renews by itself until it gives it up", asy
   expect(acts().slice(3)).toEqual(["DELETE authority"]);
 });
 
+test("SWR-BOX-045 in fast time it renews as many times as often", async () => {
+  await show(makeAuthority());
+  shown.rerender(
+    <Command operation={operation} authority={makeAuthority()} speedup={10} />,
+  );
+  await press("Take command");
+  await pass(RENEW_MS);
+  expect(acts().length).toBe(11);
+});
+
 test("SWR-CON-014 a renewal that is refused is the last", async () => {
   await show(makeAuthority());
   await press("Take command");

@@ -72,9 +72,11 @@ function Way({ own, authority }: { own: PageAuthority; authority: Authority }) {
 export function Command({
   operation,
   authority,
+  speedup,
 }: {
   operation: Operation;
   authority: Authority;
+  speedup?: number;
 }) {
   const { session, authority: own } = operation;
   const problem = useSyncExternalStore(own.subscribe, own.getProblem);
@@ -83,7 +85,7 @@ export function Command({
     own.start();
     return () => own.stop();
   }, [own]);
-  useEffect(() => own.notice(authority), [own, authority]);
+  useEffect(() => own.notice(authority, speedup), [own, authority, speedup]);
   if (!mayCommand(view.session)) {
     return null;
   }

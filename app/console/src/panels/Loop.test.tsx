@@ -8,14 +8,35 @@ import { Loop } from "./Loop";
 afterEach(cleanup);
 
 test("SWR-SUP-005 elastic time is named with its speed", () => {
-  const time = { is_elastic: true, slowness: 1, speed_percent: 41.26 };
+  const time = {
+    is_elastic: true,
+    slowness: 1,
+    speedup: 1,
+    speed_percent: 41.26,
+  };
   render(<Loop status={makeStatus({ time })} />);
   expect(screen.getByText("elastic, 41.3 % speed")).toBeTruthy();
   expect(screen.queryByText(/Wake-up/)).toBeNull();
 });
 
+test("SWR-BOX-044 fast time is named with its speed", () => {
+  const time = {
+    is_elastic: true,
+    slowness: 1,
+    speedup: 10,
+    speed_percent: 850,
+  };
+  render(<Loop status={makeStatus({ time })} />);
+  expect(screen.getByText("fast, 850.0 % speed")).toBeTruthy();
+});
+
 test("SWR-SUP-005 real time is named with its speed and its punctuality", () => {
-  const time = { is_elastic: false, slowness: 5, speed_percent: 20 };
+  const time = {
+    is_elastic: false,
+    slowness: 5,
+    speedup: 1,
+    speed_percent: 20,
+  };
   render(<Loop status={makeStatus({ time })} />);
   expect(screen.getByText("real, 20.0 % speed")).toBeTruthy();
   expect(screen.getByText(/Wake-up, 99 %/)).toBeTruthy();

@@ -10,9 +10,16 @@ function rightsText({ fifo, core, memory }: Status["loop"]["rights"]): string {
   return missing.length === 0 ? "all granted" : `without ${missing.join(", ")}`;
 }
 
-/** @satisfies SWR-SUP-005 */
-function timeText({ is_elastic, speed_percent }: Status["time"]): string {
-  const kind = is_elastic ? "elastic" : "real";
+/**
+ * @satisfies SWR-SUP-005
+ * @satisfies SWR-BOX-044
+ */
+function timeText({
+  is_elastic,
+  speedup,
+  speed_percent,
+}: Status["time"]): string {
+  const kind = speedup > 1 ? "fast" : is_elastic ? "elastic" : "real";
   return `${kind}, ${speed_percent.toFixed(1)} % speed`;
 }
 

@@ -175,7 +175,7 @@ export function makeStatus(change: Partial<Status> = {}): Status {
     is_registered: false,
     ignores_registration_rotation: false,
     has_target: false,
-    time: { is_elastic: false, slowness: 1, speed_percent: 100 },
+    time: { is_elastic: false, slowness: 1, speedup: 1, speed_percent: 100 },
     loop: {
       state: "on_time",
       late_stage: { name: "WAKE", text: "Waking up." },

@@ -129,7 +129,7 @@ test("SWR-CON-036 one cycle of many is still to be seen", () => {
 });
 
 test("SWR-CON-036 elastic time has no punctuality", async () => {
-  const time = { is_elastic: true, slowness: 1, speed_percent: 50 };
+  const time = { is_elastic: true, slowness: 1, speedup: 1, speed_percent: 50 };
   await show({ time });
   expect(screen.queryByText("Longest")).toBeNull();
 });
