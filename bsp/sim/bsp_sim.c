@@ -301,7 +301,7 @@ static void sleep_elastic(uint64_t deadline_us)
     if (deadline_us > elastic_us) {
         const uint32_t number = call_box(deadline_us);
         keep_pace(((deadline_us - elastic_us) * NS_PER_US * board_time.slowness) /
-                  board_time.speedup);
+                  wire_pace(port.wire));
         (void)await_patiently(&port.wire->come, number);
         elastic_us = deadline_us;
     }

@@ -14,6 +14,7 @@
 #define ANSWER_TIMEOUT_US 10000000U
 #define NAME_SIZE 128U
 #define MORE_SIZE 2048U
+#define PACE "pace "
 
 enum { INSTANCE = 0, BOX, OPTIONS };
 
@@ -37,6 +38,22 @@ static bool join(char **words, int count, char *order, size_t size)
         length += (size_t)written;
     }
     return true;
+}
+
+/* It is of the wire, and no order to the box. */
+static int set_pace(wire_t *wire, const char *number)
+{
+    const uint32_t fastest = wire_load(&wire->speedup);
+
+    if (!command_line_is_number(number, 1U, fastest)) {
+        (void)fprintf(stderr,
+                      "\"%s\" is no pace of this box; give a number from 1 to %u, which --fast "
+                      "says\n",
+                      number, (unsigned)fastest);
+        return 2;
+    }
+    (void)wire_set_pace(wire, (uint32_t)strtoul(number, NULL, 10));
+    return 0;
 }
 
 static int send_order(wire_t *wire, const char *order, const char *name)
@@ -76,7 +93,9 @@ static int give(const char *name, const char *order)
         (void)fprintf(stderr, "boresight-simctl: %s\n", error);
         return 1;
     }
-    const int code = send_order(port.wire, order, name);
+    const bool is_pace = strncmp(order, PACE, strlen(PACE)) == 0;
+    const int code =
+        is_pace ? set_pace(port.wire, &order[strlen(PACE)]) : send_order(port.wire, order, name);
     wire_close(&port, WIRE_END_ORDERS);
     return code;
 }
@@ -90,7 +109,7 @@ int main(int count, char **words)
     int first;
 
     (void)snprintf(more, sizeof more,
-                   "The orders are:\n%s"
+                   "The orders are:\n%s" PACE "NUMBER\n"
                    "\nExit code 0: carried out. 1: no box, or no answer. 2: refused.\n",
                    box_orders());
     const command_line_t command_line = {

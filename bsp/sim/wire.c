@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 /* "BBX" and the layout's version. */
-#define WIRE_MAGIC 0x42425809U
+#define WIRE_MAGIC 0x4242580AU
 
 #define NS_PER_S UINT64_C(1000000000)
 #define BENCH_PATIENCE_US 10000U
@@ -118,6 +118,23 @@ bool wire_give_order(wire_t *wire, const char *order, uint32_t timeout_us)
         wire->order[0] = '\0';
     }
     return is_answered;
+}
+
+bool wire_set_pace(wire_t *wire, uint32_t pace)
+{
+    const bool is_pace = (pace >= 1U) && (pace <= wire_load(&wire->speedup));
+
+    if (is_pace) {
+        wire_store(&wire->pace, pace);
+    }
+    return is_pace;
+}
+
+uint32_t wire_pace(const wire_t *wire)
+{
+    const uint32_t pace = wire_load(&wire->pace);
+
+    return ((pace >= 1U) && (pace <= wire_load(&wire->speedup))) ? pace : 1U;
 }
 
 /* Byte by byte, as the other side may be at it. */
@@ -272,6 +289,7 @@ static void reset_wire(wire_t *wire, box_time_t time)
     wire_store(&wire->is_elastic, time.is_elastic ? 1U : 0U);
     wire_store(&wire->slowness, time.slowness);
     wire_store(&wire->speedup, time.speedup);
+    wire_store(&wire->pace, time.speedup);
     wire_store(&wire->power_on, new_power_on());
     wire_store(&wire->is_used, 0U);
     wire_store(&wire->come, wire_load(&wire->call));

@@ -36,6 +36,7 @@ typedef struct {
     uint32_t is_elastic; /**< box_time_t of the box: 0 or 1 */
     uint32_t slowness;   /**< and 1 .. LIMIT_BOX_SLOWEST */
     uint32_t speedup;    /**< and 1 .. LIMIT_BOX_FASTEST. */
+    uint32_t pace;       /**< 1 .. speedup: how many times faster time passes now, at most. */
     uint32_t power_on;   /**< As bsp_identity_t. */
     uint32_t is_used;    /**< 1 after the first exchange that may have moved something. */
     uint32_t robot_crc;  /**< Of the description of the robot that is simulated. */
@@ -124,6 +125,17 @@ bool wire_await(const uint32_t *word, uint32_t value, uint32_t timeout_us);
  * @satisfies SWR-BOX-022
  */
 bool wire_give_order(wire_t *wire, const char *order, uint32_t timeout_us);
+
+/**
+ * Lets the box' time pass at most `pace` times faster from now on. False: it is not from 1 to the
+ * speedup of the box.
+ *
+ * @satisfies SWR-BOX-046
+ */
+bool wire_set_pace(wire_t *wire, uint32_t pace);
+
+/** The pace, which is always from 1 to the speedup. */
+uint32_t wire_pace(const wire_t *wire);
 
 /** Shows what orders have made of the box. One process at a time. */
 void wire_show_bench(wire_t *wire, const bsp_bench_t *bench);

@@ -73,6 +73,17 @@ class TestElasticTime < SystemTest
     assert_operator (last - first) * 0.001 / 2, :<=, Boresight.now - began + 0.001
   end
 
+  def test_SWR_BOX_046_another_pace_is_given_and_none_beyond_the_speedup
+    boresight(arguments: ['--fast', SPEEDUP.to_s])
+    boresight.simctl('pace', '1')
+    began = Boresight.now
+    first = boresight.status['cycle']
+    last = boresight.wait_until('some cycles have run') { boresight.status['cycle'].then { |now| now if now > first + 300 } }
+    assert_operator (last - first) * 0.001, :<=, Boresight.now - began + 0.002
+    text, status = Open3.capture2e(Boresight.program('boresight-simctl'), '--box', boresight.box, 'pace', (SPEEDUP + 1).to_s)
+    assert_equal [2, "\"21\" is no pace of this box; give a number from 1 to 20, which --fast says\n"], [status.exitstatus, text]
+  end
+
   # As the kernel tells it: 0 is SCHED_OTHER.
   def policy_of(program)
     File.read("/proc/#{boresight.pid_of(program)}/stat").split[40].to_i

@@ -25,13 +25,14 @@ class TestIgtlPlanning < Minitest::Test
 
   # Homed and registered.
   def self.prepared
-    Boresight.start.tap do |system|
+    Boresight.start(arguments: Boresight::FAST).tap do |system|
       IgtlClient.open(system.brp_port) do |client|
         client.phase('START_UP')
         client.run('expect STATUS CURRENT_STATUS 1')
         system.simctl('pedal', 'press')
         client.run('expect STATUS START_UP 1')
         system.simctl('pedal', 'release')
+        system.simctl('pace', '1')
         client.phase('CALIBRATION')
         client.run("registration #{IDENTITY}")
         client.run('expect STATUS CALIBRATION 1')

@@ -29,6 +29,7 @@ class TestRecorder < SystemTest
   end
 
   def test_SWR_REC_001_every_cycle_from_the_first_to_the_last_is_recorded
+    boresight(arguments: Boresight::FAST)
     last = record(3000)
     cycles, text = replayed(boresight.recording_files.fetch(0), 0)
     assert_equal 1, boresight.recording_files.size

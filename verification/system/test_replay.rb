@@ -47,7 +47,7 @@ class TestReplay < SystemTest
   end
 
   def test_SWR_REPLAY_001_a_homing_is_replayed_and_every_output_is_equal
-    boresight.home
+    boresight(arguments: Boresight::FAST).home
     assert_rigid boresight.targeting.fetch('zframe_treatment')
     text, code = replay(end_recording)
     assert_equal 0, code, text
@@ -249,6 +249,7 @@ class TestReplay < SystemTest
   end
 
   def test_SWR_REPLAY_001_a_recording_cut_short_is_replayed_and_said_to_be_cut
+    boresight(arguments: Boresight::FAST)
     boresight.wait_until('something is recorded') { boresight.status['cycle'] > 3000 }
     file = end_recording
     File.truncate(file, File.size(file) - 100)

@@ -570,6 +570,26 @@ void test_SWR_BOX_040_fast_time_is_faster_than_the_worlds(void)
     TEST_ASSERT_TRUE(least_ns < half_ns);
 }
 
+void test_SWR_BOX_046_the_pace_is_at_most_the_speedup_and_is_kept(void)
+{
+    serve_in(fast);
+    TEST_ASSERT_EQUAL_UINT32(SPEEDUP, wire_pace(served.wire));
+    TEST_ASSERT_FALSE(wire_set_pace(served.wire, 0U));
+    TEST_ASSERT_FALSE(wire_set_pace(served.wire, SPEEDUP + 1U));
+    TEST_ASSERT_EQUAL_UINT32(SPEEDUP, wire_pace(served.wire));
+    served.wire->pace = 0U; /* Another program may have damaged it. */
+    TEST_ASSERT_EQUAL_UINT32(1U, wire_pace(served.wire));
+    open_obeying_in(20U, fast);
+    TEST_ASSERT_TRUE(wire_set_pace(served.wire, 2U));
+    const uint64_t world_ns = wire_now_ns();
+    const uint64_t start_ns = bsp_now_ns();
+    for (uint32_t i = 1U; i <= 20U; i++) {
+        bsp_sleep_until_ns(start_ns + i * UINT64_C(1000000));
+    }
+    TEST_ASSERT_TRUE(wire_now_ns() - world_ns >= UINT64_C(9000000));
+    close_obeying();
+}
+
 void test_SWR_BOX_006_elastic_time_does_not_hurry_after_a_pause(void)
 {
     open_obeying(10U, 1U);

@@ -17,7 +17,11 @@ module PageTest
   # One running system with accounts serves all tests of a file.
   module OneWithAccounts
     def boresight
-      @boresight ||= Boresight.start(arguments: ['--accounts', accounts])
+      @boresight ||= Boresight.start(arguments: ['--accounts', accounts, *pace])
+    end
+
+    def pace
+      []
     end
 
     def accounts
@@ -25,10 +29,14 @@ module PageTest
     end
   end
 
-  # It is homed.
+  # It is homed, in fast time; the tests look at what follows.
   module Homed
     def boresight
-      @boresight ||= super.tap(&:home)
+      @boresight ||= super.tap(&:home_fast)
+    end
+
+    def pace
+      Boresight::FAST
     end
   end
 
