@@ -158,8 +158,11 @@ test("SWR-CON-005 tells what holds for every axis once, above the rows", () => {
   ];
   render(<Axes axes={axes} />);
   expect(screen.getAllByText("The e-stop is pulled.")).toHaveLength(1);
-  expect(rowOf("head").textContent).toContain("As said above");
+  expect(rowOf("head").textContent).toContain(
+    "As for every axis: The e-stop is pulled.",
+  );
   expect(rowOf("yaw").textContent).toContain("The axis is not homed.");
+  expect(rowOf("yaw").textContent).not.toContain("As for every axis");
 });
 
 test.each([

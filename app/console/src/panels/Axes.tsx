@@ -89,13 +89,13 @@ interface PermitCellProperties {
   shared: readonly Named[];
 }
 
-/** Those that hold for every axis stand above the table. */
+/** Those that hold for every axis stand above the table; without another the most pressing of them is named. */
 function OwnReasons({ permit, shared }: PermitCellProperties) {
   const own = permit.reasons.filter(
     ({ name }) => !shared.some((reason) => reason.name === name),
   );
   if (own.length === 0) {
-    return "As said above";
+    return `As for every axis: ${shared[0]?.text ?? ""}`;
   }
   return (
     <ul className="reasons">
