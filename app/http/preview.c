@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/preview.h"
 
-#include "base/fixed.h"
+#include "robot/bare_direction.h"
 
 #include <string.h>
-
-#define BEFORE_NM 100000000
 
 int32_t preview_room_ticks(const axis_config_t *axis, int32_t ticks)
 {
@@ -71,21 +69,6 @@ preview_t preview_target(const robot_t *robot, const snapshot_t *snapshot,
     return preview;
 }
 
-static bool has_direction(const robot_t *robot)
-{
-    return (robot->bare_direction[0] != 0) || (robot->bare_direction[1] != 0) ||
-           (robot->bare_direction[2] != 0);
-}
-
-/* On the line to `target` in the direction that the robot's needle has by itself. */
-static point_t point_before(const robot_t *robot, const point_t *target)
-{
-    const int32_t *const way = robot->bare_direction;
-    return (point_t){.x_nm = fixed_saturate((int64_t)target->x_nm - ((int64_t)way[0] * BEFORE_NM)),
-                     .y_nm = fixed_saturate((int64_t)target->y_nm - ((int64_t)way[1] * BEFORE_NM)),
-                     .z_nm = fixed_saturate((int64_t)target->z_nm - ((int64_t)way[2] * BEFORE_NM))};
-}
-
 solution_t preview_aim(const robot_t *robot, const snapshot_t *snapshot, const point_t *target,
                        rigid_t *scanner_treatment)
 {
@@ -101,14 +84,14 @@ solution_t preview_aim(const robot_t *robot, const snapshot_t *snapshot, const p
     if (snapshot->is_registered == 0U) {
         return solution;
     }
-    if ((snapshot->has_entry == 0U) && !has_direction(robot)) {
+    if ((snapshot->has_entry == 0U) && !bare_direction_is_there(robot)) {
         solution.status = STATUS_NOT_PROPOSED;
         return solution;
     }
     rigid_invert(&snapshot->scanner_zframe, &zframe_scanner);
     needle_line_t line = {.target = rigid_apply(&zframe_scanner, target), .roll_bam = 0};
     line.entry = (snapshot->has_entry != 0U) ? rigid_apply(&zframe_scanner, &snapshot->entry)
-                                             : point_before(robot, &line.target);
+                                             : bare_direction_before(robot, &line.target);
     solution = kinematics_inverse(robot, &probe, &line, &joints);
     if (solution.status == STATUS_OK) {
         kinematics_forward(robot, &probe, &joints, &zframe_treatment);

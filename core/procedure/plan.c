@@ -4,6 +4,7 @@
 #include "base/fixed.h"
 #include "base/seal.h"
 #include "limits/requirement_limits.h"
+#include "robot/bare_direction.h"
 #include "robot/coupled_limit.h"
 #include "robot/coupled_path.h"
 #include "robot/probe.h"
@@ -65,9 +66,11 @@ static bool find_desired(plan_t *self, const robot_t *robot)
     rigid_t zframe_scanner;
     joints_t joints;
     rigid_invert(scanner_zframe, &zframe_scanner);
-    const needle_line_t line = {.entry = rigid_apply(&zframe_scanner, &self->proposed_entry),
-                                .target = rigid_apply(&zframe_scanner, &self->proposed_target),
-                                .roll_bam = 0};
+    needle_line_t line = {.target = rigid_apply(&zframe_scanner, &self->proposed_target),
+                          .roll_bam = 0};
+    line.entry = (self->has_proposed_entry != 0U)
+                     ? rigid_apply(&zframe_scanner, &self->proposed_entry)
+                     : bare_direction_before(robot, &line.target);
     const solution_t result = kinematics_inverse(robot, &self->probe, &line, &joints);
     if (result.status == STATUS_OK) {
         settle(robot, &joints, self->desired_ticks);
@@ -79,10 +82,10 @@ static bool find_desired(plan_t *self, const robot_t *robot)
 /* After whatever changed of the proposals. */
 static void weigh_proposals(plan_t *self, const robot_t *robot)
 {
-    const bool are_both = (self->has_probe != 0U) && (self->has_proposed_entry != 0U) &&
-                          (self->has_proposed_target != 0U);
+    const bool is_line = (self->has_proposed_entry != 0U) || bare_direction_is_there(robot);
+    const bool is_known = is_line && (self->has_probe != 0U) && (self->has_proposed_target != 0U);
     self->is_proposal_reachable = 0U;
-    if (are_both && find_desired(self, robot)) {
+    if (is_known && find_desired(self, robot)) {
         self->is_proposal_reachable = 1U;
     }
     plan_seal(self);

@@ -249,7 +249,12 @@ status_t plan_withdraw(plan_t *self, const robot_t *robot, plan_part_t part);
 status_t plan_propose_entry(plan_t *self, const robot_t *robot, const rigid_t *pose,
                             const plan_proposer_t *proposer);
 
-/** Takes a proposed target point. Same returns. */
+/**
+ * Takes a proposed target point. Without a proposed entry point the needle goes to it as the robot
+ * has it for a bare point. Same returns.
+ *
+ * @satisfies SWR-IGTL-111
+ */
 status_t plan_propose_target(plan_t *self, const robot_t *robot, const rigid_t *pose,
                              const plan_proposer_t *proposer);
 

@@ -12,13 +12,18 @@
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "limits/requirement_limits.h"
+#include "robot/bare_direction.h"
 #include "robot/joints.h"
 #include "robot/kinematics.h"
 #include "robot/margin.h"
 #include "robot/neuro/neuro.h"
 #include "robot/probe.h"
+#include "robot/prostate/prostate.h"
 #include "robot/robot_neuro.h"
+#include "robot/robot_prostate.h"
 #include "unit/support/contract_trap.h"
+
+#include <string.h>
 
 static plan_t plan;
 static const plan_proposer_t proposer = {.peer = 21U, .cycle = 4711U};
@@ -174,6 +179,37 @@ void test_SWR_IGTL_009_entry_and_target_together_give_the_desired_pose(void)
     TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_entry(&plan, &robot_neuro, &entry, &proposer));
     TEST_ASSERT_EQUAL_UINT32(1U, plan.is_proposal_reachable);
     TEST_ASSERT_INT32_WITHIN(38000, target.translation.y_nm, plan.scanner_desired.translation.y_nm);
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
+}
+
+/* Where the needle of the ProstateRobot is along the bore, neither turned nor tilted. */
+static rigid_t point_along_the_bore(void)
+{
+    int32_t ticks[ROBOT_AXIS_MAX];
+    joints_t joints;
+    rigid_t pose;
+    (void)memcpy(ticks, robot_prostate.poses[POSE_DRAPING].ticks, sizeof ticks);
+    ticks[PROSTATE_AXIS_INSERTION] = 50000;
+    joints_from_ticks(&robot_prostate, ticks, &joints);
+    kinematics_forward(&robot_prostate, &robot_prostate.probe, &joints, &pose);
+    return pose_at(pose.translation.x_nm, pose.translation.y_nm, pose.translation.z_nm);
+}
+
+void test_SWR_IGTL_111_a_bare_target_is_weighed_along_the_bore_where_the_robot_has_that(void)
+{
+    const rigid_t target = point_along_the_bore();
+    plan_init(&plan, &robot_prostate);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_target(&plan, &robot_prostate, &target, &proposer));
+    TEST_ASSERT_EQUAL_UINT32(1U, plan.is_proposal_reachable);
+    TEST_ASSERT_INT32_WITHIN(1000, FIXED_ONE_Q30, plan.scanner_desired.rotation_q30[2][2]);
+    TEST_ASSERT_INT32_WITHIN(40000, target.translation.z_nm, plan.scanner_desired.translation.z_nm);
+    const rigid_t entry =
+        pose_at(5000000, target.translation.y_nm, target.translation.z_nm - 100000000);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_entry(&plan, &robot_prostate, &entry, &proposer));
+    TEST_ASSERT_INT32_WITHIN(2000000, -(FIXED_ONE_Q30 / 20),
+                             plan.scanner_desired.rotation_q30[0][2]); /* It decides. */
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_withdraw(&plan, &robot_prostate, PLAN_PROPOSED_ENTRY));
+    TEST_ASSERT_INT32_WITHIN(1000, FIXED_ONE_Q30, plan.scanner_desired.rotation_q30[2][2]);
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
 }
 

@@ -12,6 +12,7 @@
 #include "mock_joints.h"
 #include "mock_kinematics.h"
 #include "procedure/plan.h"
+#include "robot/bare_direction.h"
 #include "robot/probe.h"
 #include "robot/robot_neuro.h"
 

@@ -8,6 +8,7 @@
 #include "http/preview.h"
 #include "limits/requirement_limits.h"
 #include "procedure/plan.h"
+#include "robot/bare_direction.h"
 #include "robot/joints.h"
 #include "robot/kinematics.h"
 #include "robot/margin.h"
