@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "control/board_inputs.h"
 
+#include "interface/box_input.h"
+
 #include <stdbool.h>
 #include <string.h>
 
@@ -9,6 +11,25 @@
 static uint32_t flag(bool is_set)
 {
     return is_set ? 1U : 0U;
+}
+
+/* Bits of box_input_t that are not read. A box may have no gate. */
+static uint32_t unread_of(const board_inputs_t *self, uint32_t valid)
+{
+    static const uint32_t inputs[BOX_INPUT_COUNT] = {
+        [BOX_INPUT_PEDAL] = BSP_IN_PEDAL_A | BSP_IN_PEDAL_B,
+        [BOX_INPUT_ESTOP] = BSP_IN_ESTOP_CHAIN,
+        [BOX_INPUT_SCANNER] = BSP_IN_SCANNER_IDLE,
+        [BOX_INPUT_GATE] = BSP_IN_DOSE_BELOW | BSP_IN_TREATMENT_MAY};
+    const uint32_t there =
+        self->known | BSP_IN_PEDAL_A | BSP_IN_PEDAL_B | BSP_IN_ESTOP_CHAIN | BSP_IN_SCANNER_IDLE;
+    uint32_t unread = 0U;
+
+    for (uint32_t i = 0U; i < (uint32_t)BOX_INPUT_COUNT; i++) {
+        const bool is_missing = (inputs[i] & there & ~valid) != 0U;
+        unread |= is_missing ? ((uint32_t)1U << i) : 0U;
+    }
+    return unread;
 }
 
 void board_inputs_take(board_inputs_t *self, const bsp_inputs_t *sampled,
@@ -26,6 +47,7 @@ void board_inputs_take(board_inputs_t *self, const bsp_inputs_t *sampled,
     inputs->confirm_pressed = flag((levels & BSP_IN_CONFIRM) != 0U);
     inputs->dose_reached = flag((low & BSP_IN_DOSE_BELOW) != 0U);
     inputs->treatment_stopped = flag((low & BSP_IN_TREATMENT_MAY) != 0U);
+    inputs->unread = unread_of(self, sampled->valid);
 }
 
 /* Bits of the slots with this result. */

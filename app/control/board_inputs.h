@@ -18,9 +18,11 @@ typedef struct {
 /**
  * Sets the digital inputs of `inputs`, and nothing else of it. What was 0 at any time, or was not
  * read, counts as 0. Without a button there is none; without a gate of the treatment nothing is
- * said of dose and stop; all else that was never read stays as a cut wire has it.
+ * said of dose and stop; all else that was never read stays as a cut wire has it, and is named as
+ * not read.
  *
  * @satisfies SWR-BSP-001
+ * @satisfies SWR-EVENT-031
  */
 void board_inputs_take(board_inputs_t *self, const bsp_inputs_t *sampled,
                        controller_inputs_t *inputs);

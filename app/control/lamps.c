@@ -6,9 +6,10 @@
 
 #define BIT(reason) (1U << (uint32_t)(reason))
 #define FAULTS                                                                                     \
-    (BIT(PERMIT_REASON_ESTOP_PULLED) | BIT(PERMIT_REASON_ESTOP_LATCHED) |                          \
-     BIT(PERMIT_REASON_LOOP_STOPPED) | BIT(PERMIT_REASON_LINK_LOST) |                              \
-     BIT(PERMIT_REASON_PEDAL_FAULT) | BIT(PERMIT_REASON_AXIS_FAULT) | BIT(PERMIT_REASON_MEMORY))
+    (BIT(PERMIT_REASON_INPUTS_UNREAD) | BIT(PERMIT_REASON_ESTOP_PULLED) |                          \
+     BIT(PERMIT_REASON_ESTOP_LATCHED) | BIT(PERMIT_REASON_LOOP_STOPPED) |                          \
+     BIT(PERMIT_REASON_LINK_LOST) | BIT(PERMIT_REASON_PEDAL_FAULT) |                               \
+     BIT(PERMIT_REASON_AXIS_FAULT) | BIT(PERMIT_REASON_MEMORY))
 
 static uint32_t lamps_of_axis(const snapshot_axis_t *axis)
 {

@@ -173,12 +173,24 @@ static bool is_pulled(const workphase_facts_t *before, const workphase_facts_t *
             (before->estop == (uint32_t)ESTOP_LATCH_STATE_CLEAR));
 }
 
+/** @satisfies SWR-IGTL-110 */
+static const char *reason_of_latch(const snapshot_t *snapshot)
+{
+    const uint32_t estop = (uint32_t)1U << (uint32_t)BOX_INPUT_ESTOP;
+    if ((snapshot->unread_inputs & estop) != 0U) {
+        return "PANIC_MODE: The e-stop is not read: check the box.";
+    }
+    return ((uint32_t)snapshot->estop == (uint32_t)ESTOP_LATCH_STATE_PULLED)
+               ? "PANIC_MODE: The e-stop was pulled."
+               : "PANIC_MODE: The e-stop was pulled, or not read, for a moment.";
+}
+
 static void tell_stopped(workphase_dialect_t *self, const workphase_facts_t *before,
                          const workphase_facts_t *now, const igtl_moment_t *moment)
 {
     const bool has_changed = now->workphase != before->workphase;
     const igtl_status_t pulled = {IGTL_STATUS_PANIC_MODE, "PANIC_MODE",
-                                  "PANIC_MODE: The e-stop was pulled."};
+                                  reason_of_latch(moment->snapshot)};
     const igtl_status_t emergency = {
         IGTL_STATUS_PANIC_MODE, "PANIC_MODE",
         "PANIC_MODE: Another connection commanded it, or the controller for safety."};

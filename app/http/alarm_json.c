@@ -214,6 +214,7 @@ cJSON *alarm_json_list(const telemetry_view_t *view)
         list.reasons |= view->snapshot.axes[i].permit_reasons;
     }
     add_common(&list, PERMIT_REASON_MEMORY, EVENT_ROBOT_TABLE_DAMAGED, ALARM_PART_TABLE);
+    add_common(&list, PERMIT_REASON_INPUTS_UNREAD, EVENT_INPUTS_UNREAD, ALARM_PART_INPUTS);
     add_common(&list, PERMIT_REASON_ESTOP_PULLED, EVENT_ESTOP_PULLED, ALARM_PART_ESTOP);
     add_cards(&list);
     add_common(&list, PERMIT_REASON_LOOP_STOPPED, EVENT_LOOP_STOPPED, ALARM_PART_LOOP);

@@ -31,6 +31,7 @@ static void take_part(alarms_t *self, const exchange_event_t *event)
         uint32_t id;
         alarm_part_t part;
     } parts[] = {{EVENT_ROBOT_TABLE_DAMAGED, ALARM_PART_TABLE},
+                 {EVENT_INPUTS_UNREAD, ALARM_PART_INPUTS},
                  {EVENT_ESTOP_PULLED, ALARM_PART_ESTOP},
                  {EVENT_LOOP_STOPPED, ALARM_PART_LOOP},
                  {EVENT_PEDAL_FAULT, ALARM_PART_PEDAL},
@@ -43,6 +44,9 @@ static void take_part(alarms_t *self, const exchange_event_t *event)
     }
     if (event->event.id == (uint32_t)EVENT_ESTOP_CLEARED) {
         self->parts[ALARM_PART_ESTOP].is_known = false;
+    }
+    if (event->event.id == (uint32_t)EVENT_INPUTS_READ) {
+        self->parts[ALARM_PART_INPUTS].is_known = false;
     }
 }
 

@@ -17,7 +17,8 @@
 
 /** What is neither a card nor an axis. */
 typedef enum {
-    ALARM_PART_TABLE, /**< The robot's. */
+    ALARM_PART_TABLE,  /**< The robot's. */
+    ALARM_PART_INPUTS, /**< Of the box. */
     ALARM_PART_ESTOP,
     ALARM_PART_LOOP,
     ALARM_PART_PEDAL,

@@ -22,6 +22,7 @@ static const struct {
     {"confirm_pressed", offsetof(controller_inputs_t, confirm_pressed), 1U},
     {"dose_reached", offsetof(controller_inputs_t, dose_reached), 1U},
     {"treatment_stopped", offsetof(controller_inputs_t, treatment_stopped), 1U},
+    {"unread", offsetof(controller_inputs_t, unread), UINT32_MAX},
     {"silent_sources", offsetof(controller_inputs_t, silent_sources), UINT32_MAX},
     {"unfit", offsetof(controller_inputs_t, unfit), UINT32_MAX},
     {"lacks_black_box", offsetof(controller_inputs_t, lacks_black_box), 1U},

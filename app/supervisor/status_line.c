@@ -15,10 +15,20 @@
 #include <string.h>
 
 #define PEDAL_FAULT "FAULT"
+#define NOT_READ "NOT READ"
 
-static const char *pedal_word(uint32_t state)
+/** @satisfies SWR-EVENT-032 */
+static bool is_unread(const snapshot_t *snapshot, box_input_t input)
 {
-    switch (state) {
+    return (snapshot->unread_inputs & permit_input(input)) != 0U;
+}
+
+static const char *pedal_word(const snapshot_t *snapshot)
+{
+    if (is_unread(snapshot, BOX_INPUT_PEDAL)) {
+        return NOT_READ;
+    }
+    switch (snapshot->pedal) {
     case PEDAL_GATE_STATE_UNPROVEN:
         return "unproven";
     case PEDAL_GATE_STATE_RELEASED:
@@ -34,9 +44,12 @@ static const char *pedal_word(uint32_t state)
     }
 }
 
-static const char *estop_word(uint32_t state)
+static const char *estop_word(const snapshot_t *snapshot)
 {
-    switch (state) {
+    if (is_unread(snapshot, BOX_INPUT_ESTOP)) {
+        return NOT_READ;
+    }
+    switch (snapshot->estop) {
     case ESTOP_LATCH_STATE_CLEAR:
         return "clear";
     case ESTOP_LATCH_STATE_PULLED:
@@ -79,15 +92,15 @@ static void add_permit(status_parts_t *parts, const snapshot_t *snapshot)
 
 static void add_inputs(status_parts_t *parts, const snapshot_t *snapshot)
 {
-    const char *const pedal = pedal_word(snapshot->pedal);
+    const char *const pedal = pedal_word(snapshot);
     const bool is_pulled = snapshot->estop == (uint32_t)ESTOP_LATCH_STATE_PULLED;
     const bool is_clear = snapshot->estop == (uint32_t)ESTOP_LATCH_STATE_CLEAR;
     const status_tone_t latched = is_clear ? STATUS_PLAIN : STATUS_NOTE;
 
-    status_parts_add(parts, (strcmp(pedal, PEDAL_FAULT) == 0) ? STATUS_BAD : STATUS_PLAIN,
-                     "pedal %s", pedal);
-    status_parts_add(parts, is_pulled ? STATUS_BAD : latched, "e-stop %s",
-                     estop_word(snapshot->estop));
+    const bool is_pedal_bad = (strcmp(pedal, PEDAL_FAULT) == 0) || (strcmp(pedal, NOT_READ) == 0);
+
+    status_parts_add(parts, is_pedal_bad ? STATUS_BAD : STATUS_PLAIN, "pedal %s", pedal);
+    status_parts_add(parts, is_pulled ? STATUS_BAD : latched, "e-stop %s", estop_word(snapshot));
 }
 
 /* How many of the cards that the robot names answer. */

@@ -53,6 +53,7 @@ typedef struct {
     uint32_t confirm_pressed;   /**< It is pressed: 0 or 1. */
     uint32_t dose_reached;      /**< The gate of the treatment says so: 0 or 1. */
     uint32_t treatment_stopped; /**< The same. */
+    uint32_t unread;            /**< Bits of box_input_t: what of these inputs was not read. */
     /** Bit n: the process of command_source_t n has given no sign of life for
      * LIMIT_AUTHORITY_SILENT_US. */
     uint32_t silent_sources;
@@ -159,6 +160,8 @@ typedef struct {
     uint32_t unrecorded;                   /**< and those of them in the present gap. */
     uint32_t recording_left_min;           /**< Of the inputs before. */
     uint32_t is_end_told;                  /**< That it ends soon: 0 or 1. */
+    uint32_t unread;                       /**< Of the inputs before. */
+    uint32_t is_estop_told;                /**< That it was pulled: 0 or 1. */
     robot_cards_t cards;      /**< Of the robot, as its undamaged table says in each cycle. */
     target_way_t way;         /**< As it is shown; has a seal of its own. */
     program_list_t program;   /**< The treatment program that is held; has checksums of its own. */

@@ -210,7 +210,7 @@ void controller_drive(controller_t *self, const cycle_t *cycle, uint32_t guards,
     const mode_kind_t kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
     const permit_common_facts_t facts = common_facts(self, cycle, guards, kind);
     view_t view = {.facts = facts,
-                   .common = permit_decide_common(&facts),
+                   .common = permit_decide_common(&facts, cycle->inputs->unread),
                    .axes = {.axes = self->axes, .sent = sent, .requests = requests},
                    .driven = driven_axes(self, requests)};
     const uint32_t state = system_state(self, cycle);

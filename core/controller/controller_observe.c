@@ -7,6 +7,8 @@
 #include "controller/controller_order.h"
 #include "controller/controller_restore.h"
 
+#include "safety/permit.h"
+
 #include <stddef.h>
 
 /* What an event of the supervision says of its axis, besides its name. */
@@ -218,13 +220,56 @@ static void watch_axis(controller_t *self, const cycle_t *cycle)
     }
 }
 
+static inline bool is_read(const cycle_t *cycle, box_input_t input)
+{
+    return (cycle->inputs->unread & permit_input(input)) == 0U;
+}
+
+static void tell_estop(controller_t *self, const cycle_t *cycle)
+{
+    self->is_estop_told = 1U;
+    controller_note(self, cycle, EVENT_ESTOP_PULLED, 0U, 0);
+}
+
+/* Other inputs are not read than in the cycle before. An e-stop that was pulled meanwhile is told
+ * now: its latch has not changed. */
+static void note_unread(controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t unread = cycle->inputs->unread;
+    const bool was_estop_read = (self->unread & permit_input(BOX_INPUT_ESTOP)) == 0U;
+    if (self->unread == 0U) {
+        controller_note(self, cycle, EVENT_INPUTS_UNREAD, 0U, 0);
+    } else if (unread == 0U) {
+        controller_note(self, cycle, EVENT_INPUTS_READ, 0U, 0);
+    } else {
+        /* More of them, or fewer. */
+    }
+    self->unread = unread;
+    if (!was_estop_read && is_read(cycle, BOX_INPUT_ESTOP) && (cycle->inputs->estop_open != 0U) &&
+        (self->is_estop_told == 0U)) {
+        tell_estop(self, cycle);
+    }
+}
+
+/** @satisfies SWR-EVENT-030 */
+static void observe_unread(controller_t *self, const cycle_t *cycle)
+{
+    if (cycle->inputs->unread != self->unread) {
+        note_unread(self, cycle);
+    }
+}
+
 /* The gate has opened or closed. Arming and scans close it over a pedal that is held. */
 static void note_gate(controller_t *self, const cycle_t *cycle)
 {
     const bool is_held = (cycle->inputs->pedal_a != 0U) && (cycle->inputs->pedal_b != 0U);
     event_cause_t cause = EVENT_CAUSE_PEDAL;
-    if ((self->was_gate_open == 0U) && is_held) {
+    if (!is_read(cycle, BOX_INPUT_PEDAL)) {
+        cause = EVENT_CAUSE_INPUTS;
+    } else if ((self->was_gate_open == 0U) && is_held) {
         cause = (self->was_scanner_active != 0U) ? EVENT_CAUSE_SCANNER : EVENT_CAUSE_NONE;
+    } else {
+        /* The pedal itself. */
     }
     controller_because(self, cause, 0U);
     controller_note(self, cycle,
@@ -252,6 +297,15 @@ static void observe_pedal(controller_t *self, const cycle_t *cycle)
     }
 }
 
+/* Of a switch that was pulled; one that was not read only has been taken for it. */
+static void note_release(controller_t *self, const cycle_t *cycle)
+{
+    if (self->is_estop_told != 0U) {
+        self->is_estop_told = 0U;
+        controller_note(self, cycle, EVENT_ESTOP_RELEASED, 0U, 0);
+    }
+}
+
 static void observe_estop(controller_t *self, const cycle_t *cycle)
 {
     const estop_latch_state_t before = self->estop.state;
@@ -263,14 +317,17 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
         return;
     }
     if (self->estop.state != ESTOP_LATCH_STATE_PULLED) {
-        controller_note(self, cycle, EVENT_ESTOP_RELEASED, 0U, 0);
+        note_release(self, cycle);
         return;
     }
-    controller_note(self, cycle, EVENT_ESTOP_PULLED, 0U, 0);
+    const bool is_pulled = is_read(cycle, BOX_INPUT_ESTOP);
+    if (is_pulled) {
+        tell_estop(self, cycle);
+    }
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_disable(&self->axes[i]);
     }
-    controller_because(self, EVENT_CAUSE_ESTOP, 0U);
+    controller_because(self, is_pulled ? EVENT_CAUSE_ESTOP : EVENT_CAUSE_INPUTS, 0U);
     controller_enter_emergency(self, cycle);
     controller_because(self, EVENT_CAUSE_NONE, 0U);
 }
@@ -316,7 +373,8 @@ static void observe_scanner(controller_t *self, const cycle_t *cycle)
     if (cycle->inputs->scanner_active != 0U) {
         pedal_gate_renew(&self->pedal);
     }
-    if (cycle->inputs->scanner_active != self->was_scanner_active) {
+    if ((cycle->inputs->scanner_active != self->was_scanner_active) &&
+        is_read(cycle, BOX_INPUT_SCANNER)) {
         self->was_scanner_active = cycle->inputs->scanner_active;
         controller_note(self, cycle, EVENT_SCANNER, 0U, (int32_t)self->was_scanner_active);
         if (!controller_is_blind(self)) {
@@ -431,6 +489,7 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
 {
     observe_procedure(self, cycle);
     observe_loop(self, cycle);
+    observe_unread(self, cycle);
     observe_pedal(self, cycle);
     observe_estop(self, cycle);
     observe_scanner(self, cycle);

@@ -20,6 +20,7 @@ typedef struct {
 /* What each reason asks of the operator, the most pressing first. */
 static const remedy_t remedies[] = {
     {PERMIT_REASON_MEMORY, NEXT_STEP_MEMORY},
+    {PERMIT_REASON_INPUTS_UNREAD, NEXT_STEP_CHECK_BOX},
     {PERMIT_REASON_ESTOP_PULLED, NEXT_STEP_RELEASE_ESTOP},
     {PERMIT_REASON_LINK_LOST, NEXT_STEP_CHECK_CARDS},
     {PERMIT_REASON_CARDS_UNPROTECTED, NEXT_STEP_ACCEPT_CARDS},
@@ -456,7 +457,8 @@ void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t gu
     shown->guards = guards;
     shown->is_homed = guards_have(guards, GUARD_HOMED) ? 1U : 0U;
     show_step(self, cycle, shown);
-    shown->is_scanner_active = cycle->inputs->scanner_active;
+    shown->is_scanner_active = self->was_scanner_active;
+    shown->unread_inputs = cycle->inputs->unread;
     shown->unfit = cycle->inputs->unfit;
     shown->unrecorded = self->unrecorded;
     shown->is_recorder_failing = cycle->inputs->is_recorder_failing;

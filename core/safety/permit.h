@@ -9,6 +9,7 @@
 #define BORESIGHT_PERMIT_H
 
 #include "card/card_frame.h"
+#include "interface/box_input.h"
 #include "interface/permit_reason.h"
 #include "limits/requirement_limits.h"
 
@@ -74,6 +75,12 @@ static inline uint32_t permit_cap_percent(bool is_every_axis_homed)
     return is_every_axis_homed ? 100U : LIMIT_UNHOMED_SPEED_PERCENT;
 }
 
+/** The bit of an input of the box. */
+static inline uint32_t permit_input(box_input_t input)
+{
+    return (uint32_t)1U << (uint32_t)input;
+}
+
 /** The bit of a reason, if it stands. */
 static inline uint32_t permit_reason(bool stands, permit_reason_t name)
 {
@@ -81,13 +88,15 @@ static inline uint32_t permit_reason(bool stands, permit_reason_t name)
 }
 
 /**
- * Decides what is the same for every axis, once a cycle.
+ * Decides what is the same for every axis, once a cycle. Of `unread`, bits of box_input_t, pedal,
+ * e-stop and scanner allow nothing; that is the reason then, and not what they are taken for.
  *
  * @satisfies SWR-PERMIT-004
  * @satisfies SWR-NI-006
  * @satisfies SWR-PEDAL-001
+ * @satisfies SWR-PERMIT-040
  */
-permit_common_t permit_decide_common(const permit_common_facts_t *facts);
+permit_common_t permit_decide_common(const permit_common_facts_t *facts, uint32_t unread);
 
 /**
  * Decides for one axis.

@@ -134,7 +134,7 @@ class TestReplay < SystemTest
     driven, still = rows.partition { |row| row['insertion_output_percent'] != 0.0 }
     assert(driven.any? && driven.all? { |row| row['insertion_permit_reasons'].zero? })
     assert(driven.all? { |row| row['insertion_output_percent'].between?(-100.0, 100.0) })
-    assert(still.any? { |row| row['insertion_permit_reasons'].to_i[10] == 1 }, 'the pedal is a reason')
+    assert(still.any? { |row| row['insertion_permit_reasons'].to_i[11] == 1 }, 'the pedal is a reason')
   end
 
   def test_SWR_CHECK_005_the_interval_of_each_cycle_is_told

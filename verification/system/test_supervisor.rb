@@ -256,6 +256,38 @@ class TestSupervisor < SystemTest
     ['UNDEFINED', 'pedal released', 'e-stop', 'no motion:'].each { |part| assert_includes line, part }
   end
 
+  # In elastic time control waits for the box; in real time the cards and inputs of one that is held are as behind a cut cable.
+  def test_SWR_EVENT_032_a_box_that_is_not_heard_is_not_said_to_be_pulled_or_acquiring
+    instance = Boresight.start(arguments: %w[--real-time])
+    instance.command('START_UP')
+    first = instance.log.last['number'] + 1
+    instance.while_stopped('box') do
+      wait_until('the inputs are not read') { instance.status['unread_inputs'].any? }
+      assert_nothing_pulled(instance, first)
+    end
+    wait_until('they are read again') { instance.log(first).any? { |event| event['name'] == 'INPUTS_READ' } }
+    assert_empty instance.status['unread_inputs']
+    assert_empty(%w[ESTOP_PULLED ESTOP_RELEASED SCANNER] & instance.log(first).map { |event| event['name'] })
+  ensure
+    instance&.kill_all
+  end
+
+  # What is shown, and what is in the log from `first` on.
+  def assert_nothing_pulled(instance, first)
+    status = instance.status
+    assert_equal(%w[PEDAL ESTOP SCANNER GATE], status['unread_inputs'].map { |input| input['name'] })
+    assert_equal 'CHECK_BOX', status.dig('next_step', 'name')
+    refute status['is_scanner_active']
+    assert_equal 'INPUTS_UNREAD', status['alarms'].first['event']
+    wait_until('the line says it') { instance.output.match?(/no motion: inputs unread \| pedal NOT READ \| e-stop NOT READ/) }
+    sentences = [*instance.log(first), *status['alarms'], status['next_step'], *status_reasons(instance)].map { |one| one['text'] }
+    assert_empty sentences.grep(/e-stop (is|was) pulled|Release the e-stop|scanner (is|started)|By the (e-stop|scanner|pedal)/)
+  end
+
+  def status_reasons(instance)
+    instance.motors['axes'].flat_map { |axis| axis.dig('permit', 'reasons') }
+  end
+
   def test_SWR_SUP_005_the_status_says_how_fast_time_passes
     { [] => /\belastic time \d+ %/, %w[--real-time --slow 2] => /\breal time \d+ %, loop p99 \d+ us/ }.each do |words, text|
       instance = Boresight.start(arguments: words)

@@ -6,6 +6,7 @@
 #include "unity.h"
 
 #include "control/board_inputs.h"
+#include "interface/box_input.h"
 
 #include <string.h>
 
@@ -80,6 +81,30 @@ void test_SWR_BSP_001_what_was_not_read_is_as_with_a_cut_wire(void)
     TEST_ASSERT_EQUAL_UINT32(1U, inputs.has_button); /* It is there, and does not answer. */
     TEST_ASSERT_EQUAL_UINT32(1U, inputs.dose_reached);
     TEST_ASSERT_EQUAL_UINT32(1U, inputs.treatment_stopped);
+}
+
+void test_SWR_EVENT_031_what_is_not_read_is_named(void)
+{
+    take(0U, 0U, BSP_IN_ALL);
+    TEST_ASSERT_EQUAL_HEX32(0U, inputs.unread); /* All is low, and was read. */
+    take(BSP_IN_ALL, 0U, BSP_IN_ALL & ~BSP_IN_PEDAL_B);
+    TEST_ASSERT_EQUAL_HEX32(1U << BOX_INPUT_PEDAL, inputs.unread);
+    take(BSP_IN_ALL, 0U, BSP_IN_ALL & ~BSP_IN_ESTOP_CHAIN);
+    TEST_ASSERT_EQUAL_HEX32(1U << BOX_INPUT_ESTOP, inputs.unread);
+    take(BSP_IN_ALL, 0U, BSP_IN_ALL & ~BSP_IN_SCANNER_IDLE);
+    TEST_ASSERT_EQUAL_HEX32(1U << BOX_INPUT_SCANNER, inputs.unread);
+    take(BSP_IN_ALL, 0U, BSP_IN_ALL & ~BSP_IN_TREATMENT_MAY);
+    TEST_ASSERT_EQUAL_HEX32(1U << BOX_INPUT_GATE, inputs.unread);
+    take(BSP_IN_ALL, 0U, 0U);
+    TEST_ASSERT_EQUAL_HEX32((1U << BOX_INPUT_COUNT) - 1U, inputs.unread);
+}
+
+void test_SWR_EVENT_031_a_gate_that_is_not_there_is_not_missed_and_a_pedal_is(void)
+{
+    take(0U, 0U, 0U);
+    TEST_ASSERT_EQUAL_HEX32((1U << BOX_INPUT_PEDAL) | (1U << BOX_INPUT_ESTOP) |
+                                (1U << BOX_INPUT_SCANNER),
+                            inputs.unread);
 }
 
 void test_SWR_BSP_001_a_box_without_button_or_gate_says_nothing_of_them(void)

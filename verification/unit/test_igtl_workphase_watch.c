@@ -104,11 +104,22 @@ void test_SWR_IGTL_033_the_estop_is_said_once_to_who_commands(void)
     EXPECT(1U, "");
 }
 
+void test_SWR_IGTL_110_an_estop_that_is_not_read_is_not_said_to_be_pulled(void)
+{
+    snapshot.unread_inputs = 1U << BOX_INPUT_ESTOP;
+    pull_estop();
+    pass_us(0U);
+    EXPECT(0U, "STATUS EMERGENCY 3 PANIC_MODE|PANIC_MODE: The e-stop is not read: check the box.");
+    pass_us(1000000U);
+    EXPECT(0U, "");
+}
+
 void test_SWR_IGTL_033_an_estop_pulled_and_released_between_two_looks_is_said(void)
 {
     snapshot.estop = (uint32_t)ESTOP_LATCH_STATE_LATCHED;
     pass_us(0U);
-    EXPECT(0U, "STATUS EMERGENCY 3 PANIC_MODE|PANIC_MODE: The e-stop was pulled.");
+    EXPECT(0U, "STATUS EMERGENCY 3 PANIC_MODE|PANIC_MODE: The e-stop was pulled, or not read, for "
+               "a moment.");
     snapshot.estop = (uint32_t)ESTOP_LATCH_STATE_PULLED; /* Again. */
     pass_us(0U);
     EXPECT_BEGIN(0U, "STATUS EMERGENCY 3 ");

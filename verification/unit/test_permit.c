@@ -50,10 +50,15 @@ static const rule_t rules[] = {
 
 #define RULES (sizeof rules / sizeof rules[0])
 
+static permit_t decide_unread(const facts_t *facts, uint32_t unread)
+{
+    const permit_common_t common = permit_decide_common(&facts->common, unread);
+    return permit_decide(&common, &facts->axis);
+}
+
 static permit_t decide(const facts_t *facts)
 {
-    const permit_common_t common = permit_decide_common(&facts->common);
-    return permit_decide(&common, &facts->axis);
+    return decide_unread(facts, 0U);
 }
 
 static bool *fact(facts_t *facts, size_t offset)
@@ -188,6 +193,52 @@ void test_SWR_PERMIT_004_no_axis_is_allowed_while_the_scanner_acquires(void)
     TEST_ASSERT_FALSE(decide(&facts).is_allowed);
     facts.common.may_be_unhomed = true;
     TEST_ASSERT_FALSE(decide(&facts).is_allowed);
+}
+
+/* All that a box which is not heard is taken for. */
+static facts_t unheard_facts(void)
+{
+    facts_t facts = free_facts();
+    facts.common.is_estop_pulled = true;
+    facts.common.is_scanner_active = true;
+    facts.common.is_pedal_unproven = true;
+    facts.common.is_pedal_pressed = false;
+    return facts;
+}
+
+void test_SWR_PERMIT_040_what_is_not_read_is_the_reason_and_not_what_it_is_taken_for(void)
+{
+    const uint32_t unread = permit_input(BOX_INPUT_PEDAL) | permit_input(BOX_INPUT_ESTOP) |
+                            permit_input(BOX_INPUT_SCANNER);
+    const facts_t facts = unheard_facts();
+    const permit_t permit = decide_unread(&facts, unread);
+    TEST_ASSERT_EQUAL_HEX32(mask(PERMIT_REASON_INPUTS_UNREAD), permit.reasons);
+    TEST_ASSERT_FALSE(permit.is_allowed);
+}
+
+void test_SWR_PERMIT_040_each_alone_forbids_and_takes_away_its_own_reasons_only(void)
+{
+    const uint32_t all = mask(PERMIT_REASON_INPUTS_UNREAD) | mask(PERMIT_REASON_ESTOP_PULLED) |
+                         mask(PERMIT_REASON_SCANNER_ACTIVE) | mask(PERMIT_REASON_PEDAL_UNPROVEN) |
+                         mask(PERMIT_REASON_PEDAL_RELEASED);
+    const uint32_t own[] = {[BOX_INPUT_PEDAL] = mask(PERMIT_REASON_PEDAL_UNPROVEN) |
+                                                mask(PERMIT_REASON_PEDAL_RELEASED),
+                            [BOX_INPUT_ESTOP] = mask(PERMIT_REASON_ESTOP_PULLED),
+                            [BOX_INPUT_SCANNER] = mask(PERMIT_REASON_SCANNER_ACTIVE)};
+    for (uint32_t i = 0U; i <= (uint32_t)BOX_INPUT_SCANNER; i++) {
+        const facts_t unheard = unheard_facts();
+        const facts_t facts = free_facts();
+        const uint32_t unread = permit_input((box_input_t)i);
+        TEST_ASSERT_EQUAL_HEX32(all & ~own[i], decide_unread(&unheard, unread).reasons);
+        TEST_ASSERT_EQUAL_HEX32(mask(PERMIT_REASON_INPUTS_UNREAD),
+                                decide_unread(&facts, unread).reasons);
+    }
+}
+
+void test_SWR_PERMIT_040_a_gate_that_is_not_read_forbids_nothing(void)
+{
+    const facts_t facts = free_facts();
+    TEST_ASSERT_TRUE(decide_unread(&facts, permit_input(BOX_INPUT_GATE)).is_allowed);
 }
 
 void test_SWR_PERMIT_005_a_homed_axis_has_its_full_speed(void)

@@ -47,6 +47,29 @@ test("SWR-CON-002 a pulled e-stop is a fault and a pressed pedal is not", () => 
   expect(find("Pedal")?.level).toBe("active");
 });
 
+test("SWR-CON-130 an input that is not read is shown as that and not as what it is taken for", () => {
+  const inputs = (["PEDAL", "ESTOP", "SCANNER"] as const).map((name) => ({
+    name,
+    text: "",
+  }));
+  const lamps = systemLamps(
+    makeStatus({ estop: "pulled", unread_inputs: inputs }),
+  );
+  expect(lamps.slice(0, 3).map(({ word }) => word)).toEqual([
+    "NOT READ",
+    "NOT READ",
+    "NOT READ",
+  ]);
+  const one = systemLamps(
+    makeStatus({ estop: "pulled", unread_inputs: inputs.slice(2) }),
+  );
+  expect(one.slice(0, 3).map(({ word }) => word)).toEqual([
+    "RELEASED",
+    "PULLED",
+    "NOT READ",
+  ]);
+});
+
 test("SWR-CON-002 a state that is not known is shown as such", () => {
   const lamps = systemLamps(makeStatus({ pedal: "melted" as "fault" }));
   expect(lamps[0]).toMatchObject({ level: "unknown", word: "MELTED" });

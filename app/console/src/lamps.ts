@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type {
+  BoxInput,
   Card,
   CardLinkState,
   EstopLatchState,
@@ -162,14 +163,20 @@ export function lampsOf(
     : lamps;
 }
 
+/** What stands at an input is not known while it is not read. */
+const notRead: LampState = { level: "fault", word: "NOT READ" };
+
+/** @satisfies SWR-CON-130 */
 export function systemLamps(status: Status): LampProperties[] {
   const scanner: LampState = status.is_scanner_active
     ? { level: "active", word: "ACQUIRING" }
     : { level: "normal", word: "IDLE" };
+  const read = (input: BoxInput, lamp: LampState): LampState =>
+    status.unread_inputs.some(({ name }) => name === input) ? notRead : lamp;
   return [
-    { label: "Pedal", ...find(pedal, status.pedal) },
-    { label: "E-stop", ...find(estop, status.estop) },
-    { label: "Scanner", ...scanner },
+    { label: "Pedal", ...read("PEDAL", find(pedal, status.pedal)) },
+    { label: "E-stop", ...read("ESTOP", find(estop, status.estop)) },
+    { label: "Scanner", ...read("SCANNER", scanner) },
     cardsLamp(status.cards),
     { label: "Control loop", ...find(loop, status.loop.state) },
     processLamp("OpenIGTLink", status.processes.igtl),

@@ -36,6 +36,7 @@ const words: Readonly<Record<SignKind, string>> = {
 /** What each reason makes of a robot that it keeps from moving. The most pressing first, as the server tells them. */
 const kinds: Readonly<Record<PermitReason, SignKind>> = {
   MEMORY: "fault",
+  INPUTS_UNREAD: "fault",
   ESTOP_PULLED: "estop",
   LINK_LOST: "lost",
   CARDS_UNPROTECTED: "stands",

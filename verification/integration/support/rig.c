@@ -148,7 +148,8 @@ static void gather(rig_t *self)
     self->inputs.is_dialect_accepted = self->is_dialect_accepted;
     exchange_held(self);
     box_advance(&self->box, (uint32_t)((int32_t)(1000U + self->late_us) + next_shift(self)));
-    const bsp_inputs_t sampled = box_sample(&self->box);
+    bsp_inputs_t sampled = box_sample(&self->box);
+    sampled.valid &= ~self->unread;
     self->inputs.elapsed_us = self->elapsed_us + self->late_us;
     self->exchanged_us += 1000U + self->was_late_us;
     self->was_late_us = self->late_us;

@@ -42,6 +42,7 @@ typedef struct {
     sim_random_t random;                                    /**< Of the jitter. */
     uint8_t held_frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES]; /**< What was sent last. */
     board_inputs_t board_inputs;
+    uint32_t unread; /**< BSP_IN_ bits that the board does not read. */
     uint32_t next_id;
     uint32_t silent_sources;       /**< As controller_inputs_t. */
     uint32_t unfit;                /**< The same. */

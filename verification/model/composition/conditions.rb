@@ -140,7 +140,7 @@ class CompositionConditions
   def decision(facts, axis)
     common, own = facts.partition { |name, _condition| @composition.common_facts.include?(name) }
     "    case #{axis}U:\n" \
-      "        common = permit_decide_common(&(permit_common_facts_t){\n#{initializers(common)}        });\n" \
+      "        common = permit_decide_common(&(permit_common_facts_t){\n#{initializers(common)}        }, 0U);\n" \
       "        return permit_decide(&common, &(permit_facts_t){\n#{initializers(own)}        });\n"
   end
 

@@ -18,6 +18,7 @@ const held = {
   done: 1,
   is_dose_reached: false,
   is_treatment_stopped: false,
+  unread_inputs: [] as { name: string; text: string }[],
   source: "HTTP",
   dwelt_s: 3.25,
 };
@@ -140,6 +141,24 @@ test("SWR-CON-034 a refusal names the step", async () => {
   expect((await screen.findByRole("alert")).textContent).toBe(
     "Refused: PROGRAM_DEPTH, step 2. Deeper.",
   );
+});
+
+test.each([
+  [{}, "The gate says: go on."],
+  [{ is_dose_reached: true }, "The gate says: dose reached."],
+  [{ is_treatment_stopped: true }, "The gate says: stop."],
+  [
+    {
+      is_treatment_stopped: true,
+      unread_inputs: [{ name: "GATE", text: "The gate of the treatment." }],
+    },
+    "The gate is not read.",
+  ],
+])("SWR-CON-130 of a gate that is %s it says: %s", async (gate, text) => {
+  cleanup();
+  commander.answers[PATH] = { body: { ...held, ...gate } };
+  render(<Shown />);
+  await screen.findByText(text, { exact: false });
 });
 
 test("SWR-CON-034 the program that is held is run by its checksum", () => {

@@ -89,15 +89,20 @@ function progressOf(held: Held, index: number): string {
     : "";
 }
 
+/** @satisfies SWR-CON-130 */
+function gateOf(held: Held): string {
+  if (held.unread_inputs.some(({ name }) => name === "GATE")) {
+    return "The gate is not read.";
+  }
+  const says = held.is_dose_reached ? "dose reached" : "go on";
+  return `The gate says: ${held.is_treatment_stopped ? "stop" : says}.`;
+}
+
 function HeldNote({ held }: { held: Held | null }) {
   if (held === null) {
     return <p>Which program is held is not known yet.</p>;
   }
-  const gate = held.is_treatment_stopped
-    ? "stop"
-    : held.is_dose_reached
-      ? "dose reached"
-      : "go on";
+  const gate = gateOf(held);
   return (
     <p>
       {held.steps === 0 ? (
@@ -108,7 +113,7 @@ function HeldNote({ held }: { held: Held | null }) {
           the next one has dwelt {formatNumber(held.dwelt_s, 1)} s.
         </>
       )}{" "}
-      The gate says: {gate}.
+      {gate}
     </p>
   );
 }

@@ -169,6 +169,7 @@ export function makeStatus(change: Partial<Status> = {}): Status {
     pedal: "released",
     estop: "clear",
     is_scanner_active: false,
+    unread_inputs: [],
     is_recorder_failing: false,
     recording_left_min: 0,
     is_homed: false,
