@@ -6,6 +6,8 @@
 
 #define COORDINATES 3U
 #define MILLION 1000000
+#define MILLIONTHS_OF_TURN INT64_C(360000000)
+#define BAM_OF_TURN INT64_C(4294967296)
 /* The first of nine, which lie as the rows do. */
 #define ROTATION_OF_REGISTRATION ((uint32_t)PLAN_ROTATION_REGISTRATION_XX)
 #define ROTATION_OF_TARGET ((uint32_t)PLAN_ROTATION_TARGET_XX)
@@ -83,6 +85,35 @@ static void note_limit(controller_t *self, const cycle_t *cycle, const answer_t 
     }
 }
 
+/* In nm, or millionths of a degree. */
+static int32_t value_of_end(const coupled_limit_t *limit, bool is_maximum)
+{
+    const int32_t end = is_maximum ? limit->maximum : limit->minimum;
+    const bool is_angle = limit->unit != (uint8_t)AXIS_UNIT_MM;
+    return is_angle ? (int32_t)(((int64_t)end * MILLIONTHS_OF_TURN) / BAM_OF_TURN) : end;
+}
+
+static void note_end(controller_t *self, const cycle_t *cycle, const coupled_limit_t *limit,
+                     bool is_maximum)
+{
+    const bool is_length = limit->unit == (uint8_t)AXIS_UNIT_MM;
+    const event_id_t upper = is_length ? EVENT_SHARED_UPPER_LIMIT : EVENT_SHARED_UPPER_ANGLE;
+    const event_id_t lower = is_length ? EVENT_SHARED_LOWER_LIMIT : EVENT_SHARED_LOWER_ANGLE;
+    controller_note(self, cycle, is_maximum ? upper : lower, limit->refusal,
+                    value_of_end(limit, is_maximum));
+}
+
+/* A robot has fewer than there are places; those without one refuse with STATUS_OK. */
+static void note_shared_limit(controller_t *self, const cycle_t *cycle, const answer_t *answer)
+{
+    for (uint32_t i = 0U; i < ROBOT_COUPLED_LIMITS; i++) {
+        const coupled_limit_t *const limit = &cycle->robot->coupled_limits[i];
+        if (answer->status == (uint32_t)limit->refusal) {
+            note_end(self, cycle, limit, answer->is_maximum != 0U);
+        }
+    }
+}
+
 /* Anybody may send what is refused, as often as he likes. */
 static bool is_time(controller_t *self)
 {
@@ -99,6 +130,7 @@ void controller_note_values(controller_t *self, const cycle_t *cycle, const comm
     } else if (is_time(self)) {
         note_told(self, cycle, command, answer);
         note_limit(self, cycle, answer);
+        note_shared_limit(self, cycle, answer);
     } else {
         /* Its refusal alone is noted. */
     }

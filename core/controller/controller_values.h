@@ -12,6 +12,7 @@
  *
  * @satisfies SWR-EVENT-020
  * @satisfies SWR-EVENT-021
+ * @satisfies SWR-EVENT-033
  */
 void controller_note_values(controller_t *self, const cycle_t *cycle, const command_t *command,
                             const answer_t *answer);

@@ -12,7 +12,9 @@
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
+#include "robot/robot_prostate.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #define HALF_Q30 536870912
@@ -175,6 +177,52 @@ static void jog_too_far(int32_t ticks)
     rig_cycles(&rig, LIMIT_REFUSED_VALUES_MS);
     rig_forget(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, rig_command(&rig, jog).status);
+}
+
+/* Refused by a limit that axes share; `id` says which end. */
+static void expect_shared(uint32_t axis, int32_t ticks, event_id_t id, int32_t value)
+{
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    rig_cycles(&rig, LIMIT_REFUSED_VALUES_MS);
+    rig_forget(&rig);
+    const uint32_t status = rig_command(&rig, jog).status;
+    TEST_ASSERT_INT32_WITHIN(1, value, value_of(id, status));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_SHARED_LOWER_LIMIT) +
+                                     rig_count(&rig, EVENT_SHARED_UPPER_LIMIT) +
+                                     rig_count(&rig, EVENT_SHARED_LOWER_ANGLE) +
+                                     rig_count(&rig, EVENT_SHARED_UPPER_ANGLE));
+}
+
+void test_SWR_EVENT_033_the_shared_limit_that_refuses_stands_in_the_log(void)
+{
+    const coupled_limit_t *const separation = &robot_neuro.coupled_limits[0];
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    expect_shared(NEURO_AXIS_HEAD, -11418, EVENT_SHARED_LOWER_LIMIT, separation->minimum);
+    expect_shared(NEURO_AXIS_FEET, -5000, EVENT_SHARED_UPPER_LIMIT, separation->maximum);
+}
+
+/* The end that refuses when this carriage goes far away from the other one of its pair. */
+static int32_t angle_of(uint32_t axis)
+{
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = 120000};
+    rig_cycles(&rig, LIMIT_REFUSED_VALUES_MS);
+    rig_forget(&rig);
+    const answer_t refused = rig_command(&rig, jog);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_SHARED_LOWER_LIMIT) +
+                                     rig_count(&rig, EVENT_SHARED_UPPER_LIMIT));
+    return value_of((refused.is_maximum != 0U) ? EVENT_SHARED_UPPER_ANGLE
+                                               : EVENT_SHARED_LOWER_ANGLE,
+                    refused.status);
+}
+
+void test_SWR_EVENT_033_an_angle_is_told_in_millionths_of_a_degree(void)
+{
+    rig_start_robot_homed(&rig, &robot_prostate);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    const int32_t front = angle_of(PROSTATE_AXIS_FRONT_LEFT);
+    TEST_ASSERT_INT32_WITHIN(1, 10000000, abs(front));
+    TEST_ASSERT_INT32_WITHIN(1, -front, angle_of(PROSTATE_AXIS_REAR_LEFT));
 }
 
 void test_SWR_EVENT_021_the_limit_that_refuses_stands_in_the_log(void)
