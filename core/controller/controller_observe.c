@@ -278,6 +278,7 @@ static void note_gate(controller_t *self, const cycle_t *cycle)
     controller_because(self, EVENT_CAUSE_NONE, 0U);
 }
 
+/** @satisfies SWR-PERMIT-041 */
 static void observe_pedal(controller_t *self, const cycle_t *cycle)
 {
     const bool was_faulty = self->pedal.chart.state == PEDAL_GATE_STATE_FAULT;
@@ -286,6 +287,9 @@ static void observe_pedal(controller_t *self, const cycle_t *cycle)
     }
     pedal_gate_step(&self->pedal, cycle->inputs->pedal_a != 0U, cycle->inputs->pedal_b != 0U,
                     cycle->inputs->elapsed_us);
+    if (!is_read(cycle, BOX_INPUT_PEDAL)) {
+        pedal_gate_renew(&self->pedal); /* It was not seen released. */
+    }
     const uint32_t is_open = pedal_gate_is_open(&self->pedal) ? 1U : 0U;
     if (is_open != self->was_gate_open) {
         self->was_gate_open = is_open;

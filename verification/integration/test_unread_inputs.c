@@ -153,6 +153,23 @@ void test_SWR_EVENT_030_a_scan_that_has_begun_meanwhile_is_told_once_it_is_read(
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_scanner_active);
 }
 
+void test_SWR_PERMIT_041_a_pedal_that_was_held_meanwhile_must_be_seen_released_first(void)
+{
+    leave_out(BSP_IN_PEDAL_B);
+    rig_cycles(&rig, 50U);
+    TEST_ASSERT_NOT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
+    rig_forget(&rig);
+    leave_out(0U);
+    rig_cycles(&rig, 300U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_PEDAL_PRESSED));
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_RELEASE_PEDAL, rig.outputs.snapshot.next_step);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    rig_release(&rig);
+    rig_press(&rig);
+    rig_cycles(&rig, 300U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+}
+
 void test_SWR_EVENT_030_one_input_after_the_other_is_one_trouble(void)
 {
     leave_out(BSP_IN_PEDAL_A);

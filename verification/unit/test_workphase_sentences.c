@@ -30,6 +30,7 @@ void test_SWR_CON_062_the_sentences_of_the_others_say_how_they_were_entered(void
     TEST_ASSERT_EQUAL_STRING("No workphase was entered since control started.",
                              workphase_text((int32_t)WORKPHASE_UNDEFINED));
     TEST_ASSERT_EQUAL_STRING("Stopped by command.", workphase_text((int32_t)WORKPHASE_STOP));
-    TEST_ASSERT_EQUAL_STRING("Stopped by the e-stop or an emergency command.",
-                             workphase_text((int32_t)WORKPHASE_EMERGENCY));
+    TEST_ASSERT_EQUAL_STRING(
+        "Stopped by the e-stop, by one that is not read, or by an emergency command.",
+        workphase_text((int32_t)WORKPHASE_EMERGENCY));
 }
