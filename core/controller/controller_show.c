@@ -46,24 +46,24 @@ static next_step_t step_after_arrival(const controller_t *self)
     return (self->mode.kind == (uint32_t)MODE_PROGRAM) ? NEXT_STEP_PROGRAM_DONE : NEXT_STEP_NOTHING;
 }
 
-/*
- * Whether `workphase`, which is another one, is entered from the present one. The chart knows it,
- * but to ask it would cost each cycle one of its steps; test_next_step.c holds the two together.
- * After START_UP comes PLANNING, though the chart has CALIBRATION entered from there as well.
- */
-static bool is_entered_from(workphase_t workphase, workphase_t present)
+/* Whether `workphase` is entered from the present one, in the chart's words. After START_UP comes
+ * PLANNING, though CALIBRATION is entered from there as well. */
+static bool is_entered(const procedure_t *procedure, workphase_t workphase)
 {
-    return (present != WORKPHASE_START_UP) &&
-           ((workphase == WORKPHASE_TARGETING) || (present != WORKPHASE_MOVE_TO_TARGET));
+    const workphase_chart_t *const chart = &procedure->workphase;
+    const bool is_entered = (workphase == WORKPHASE_TARGETING)
+                                ? workphase_chart_enters_by_request_targeting(chart)
+                                : workphase_chart_enters_by_request_calibration(chart);
+    return is_entered && (procedure_workphase(procedure) != WORKPHASE_START_UP);
 }
 
 /* `step` where it is obeyed, in `workphase`; elsewhere the way there. */
-static next_step_t step_in(workphase_t workphase, workphase_t present, next_step_t step)
+static next_step_t step_in(const procedure_t *procedure, workphase_t workphase, next_step_t step)
 {
     next_step_t there = NEXT_STEP_PLANNING;
-    if (workphase == present) {
+    if (workphase == procedure_workphase(procedure)) {
         there = step;
-    } else if (is_entered_from(workphase, present)) {
+    } else if (is_entered(procedure, workphase)) {
         there = (workphase == WORKPHASE_TARGETING) ? NEXT_STEP_TARGETING : NEXT_STEP_CALIBRATION;
     } else {
         there = NEXT_STEP_PLANNING;
@@ -90,9 +90,9 @@ static next_step_t step_to_target(const controller_t *self, const robot_t *robot
     } else if (self->way.kind == (uint32_t)TARGET_WAY_BY_POSE) {
         step = step_by_pose(self, robot, present);
     } else if (self->way.kind == (uint32_t)TARGET_WAY_NONE) {
-        step = step_in(WORKPHASE_TARGETING, present, NEXT_STEP_TARGET);
+        step = step_in(&self->procedure, WORKPHASE_TARGETING, NEXT_STEP_TARGET);
     } else if (present != WORKPHASE_MOVE_TO_TARGET) {
-        step = step_in(WORKPHASE_TARGETING, present, NEXT_STEP_MOVE);
+        step = step_in(&self->procedure, WORKPHASE_TARGETING, NEXT_STEP_MOVE);
     } else {
         /* Commanded once more. */
     }
@@ -109,9 +109,9 @@ static next_step_t step_for_plan(const controller_t *self, const robot_t *robot,
     } else if (self->plan.has_probe == 0U) {
         step = is_going ? NEXT_STEP_PLANNING : NEXT_STEP_PROBE;
     } else if (self->plan.is_registered == 0U) {
-        step = step_in(WORKPHASE_CALIBRATION, present, NEXT_STEP_REGISTER);
+        step = step_in(&self->procedure, WORKPHASE_CALIBRATION, NEXT_STEP_REGISTER);
     } else if (self->plan.has_target == 0U) {
-        step = step_in(WORKPHASE_TARGETING, present, NEXT_STEP_TARGET);
+        step = step_in(&self->procedure, WORKPHASE_TARGETING, NEXT_STEP_TARGET);
     } else if (is_going && (self->has_arrived != 0U)) {
         step = step_after_arrival(self);
     } else {

@@ -143,10 +143,10 @@ module Chart
 
   # One chart file. states: all but the root, histories included, in document order. events: the alphabet in order of
   # first appearance. internal_events: those that only the chart itself may cause (raised ones named in bs:internal,
-  # events of timers, done.state.*). safe: one leaf per region. mode: that of
+  # events of timers, done.state.*). entering: those of bs:enters. safe: one leaf per region. mode: that of
   # the parser.
   Document = Struct.new(:name, :file, :comment, :root, :states, :transitions, :timers, :variables, :properties,
-                        :safe, :events, :internal_events, :tick_us, :mode, keyword_init: true) do
+                        :safe, :events, :internal_events, :entering, :tick_us, :mode, keyword_init: true) do
     def state(id)
       (@by_id ||= states.to_h { |state| [state.id, state] })[id]
     end

@@ -11,7 +11,7 @@ module Chart
     4 => 'every attribute the profile demands is there',
     5 => 'every id is used once',
     6 => 'names are lower-case words joined by underscores, and fit their file',
-    7 => 'a chart waits for an event, and every target, initial state, raised, sent, ignored and internal event exists',
+    7 => 'a chart waits for an event, and every target, initial state, raised, sent, ignored, internal and entering event exists',
     8 => 'every transition and property has its own id',
     9 => 'every transition, leaf state and property names its requirements',
     11 => 'every macrostep ends: no chain of eventless transitions or raised events leads back to itself',
@@ -42,7 +42,8 @@ module Chart
     38 => 'every bs:reachable configuration is reached in its number of steps',
     39 => 'the limit of a delay belongs to a requirement that its state names',
     40 => 'every bs:start holds of the configuration that the chart starts in',
-    41 => 'every bs:damaged holds of the configuration that a damaged chart goes to'
+    41 => 'every bs:damaged holds of the configuration that a damaged chart goes to',
+    42 => 'an event of bs:enters enters a state, and one leaf says from where'
   }.freeze
 
   # A chart outside the profile. The message says where, which rule, and what to write instead.

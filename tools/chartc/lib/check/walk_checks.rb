@@ -4,6 +4,7 @@
 
 require_relative '../refusal'
 require_relative 'completeness'
+require_relative 'entering'
 require_relative 'overlapping'
 require_relative 'properties'
 
@@ -34,6 +35,7 @@ module Chart
       check_transitions_taken
       check_guards
       Completeness.new(@document, @walk).check
+      Entering.new(@document, @walk).check
     end
 
     private

@@ -77,7 +77,7 @@ module Chart
       Document.new(name: @name, file: @context.file, comment: @chart.comment, root: @states.root,
                    states: @states.all, transitions: @transitions.all, timers: @timers.all, variables: @data.all,
                    properties: @properties.all, safe: safe, events: @alphabet.names,
-                   internal_events: @alphabet.internal(declared_internal, @timers.all), tick_us: @timers.tick_us,
+                   internal_events: @alphabet.internal(declared_internal, @timers.all), entering: entering, tick_us: @timers.tick_us,
                    mode: @context.mode)
     end
 
@@ -97,6 +97,16 @@ module Chart
         @states.all.find { |state| state.leaf? && state.id == id } ||
           @context.refuse(@chart.line, 18, "bs:safe names \"#{id}\", which is no leaf; write one leaf of every region")
       end.sort_by(&:order)
+    end
+
+    # Of which events the header says from where they enter a state.
+    def entering
+      outside = @alphabet.names - @alphabet.internal(declared_internal, @timers.all)
+      @chart.attributes.fetch('bs:enters', '').split.uniq.each do |word|
+        next if outside.include?(word)
+
+        @context.refuse(@chart.line, 7, "bs:enters names \"#{word}\", which is no event from outside; #{@context.choice(outside)}")
+      end
     end
 
     def declared_internal

@@ -13,7 +13,7 @@ module Chart
     PROPERTIES = %w[bs:invariant bs:response bs:only bs:reachable bs:start bs:damaged].freeze
     SCXML = %w[xmlns xmlns:bs version datamodel name initial bs:safe].freeze
 
-    CHART = %w[bs:internal bs:tick bs:req].freeze
+    CHART = %w[bs:internal bs:tick bs:enters bs:req].freeze
     TRANSITION = ['bs:id', 'event', 'target', 'cond', 'type', 'bs:do', *CLAIMS].freeze
 
     PRODUCT = {

@@ -2,6 +2,7 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
+require_relative '../../check/entering'
 require_relative 'layout'
 require_relative 'parts'
 
@@ -13,6 +14,7 @@ module Chart
 
       def initialize(document, walk)
         @document = document
+        @entering = Entering.new(document, walk)
         @parts = Parts.new(document, walk)
         @names = @parts.names
         @regions = @parts.regions
@@ -110,7 +112,7 @@ module Chart
       end
 
       def functions
-        [init_function, dispatch_function, advance_function, sound_functions, in_functions]
+        [init_function, dispatch_function, advance_function, sound_functions, in_functions, enters_functions]
       end
 
       def prototype(type, name, parameters)
@@ -168,12 +170,22 @@ module Chart
         end
       end
 
-      # Here, so that asking is cheaper than a call.
+      def enters_functions
+        @document.entering.map do |event|
+          leaves = @entering.leaves(event)
+          [comment("True where #{event} enters a state, with some inputs: from #{leaves.map(&:id).join(', ')}."),
+           leaves_function(@names.enters_function(event), leaves), '']
+        end
+      end
+
       def in_function(state, leaves)
-        field = "self->#{@names.field(@regions.of(state).name)}"
-        [call("static inline bool #{@names.in_function(state)}",
-              ["const #{@names.chart_type} *self"], ''), '{',
-         joined(leaves.map { |leaf| "(#{field} == #{@names.leaf(leaf)})" }, '||'), '}']
+        leaves_function(@names.in_function(state), leaves)
+      end
+
+      # Here, so that asking is cheaper than a call.
+      def leaves_function(name, leaves)
+        [call("static inline bool #{name}", ["const #{@names.chart_type} *self"], ''), '{',
+         joined(leaves.map { |leaf| "(self->#{@names.field(@regions.of(leaf).name)} == #{@names.leaf(leaf)})" }, '||'), '}']
       end
     end
   end

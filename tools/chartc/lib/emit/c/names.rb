@@ -186,6 +186,11 @@ module Chart
         public_name([:in, state.id], "chart_in_#{stem(state.id)}")
       end
 
+      # True where the event enters a state.
+      def enters_function(event)
+        public_name([:enters, event], "chart_enters_by_#{stem(event)}")
+      end
+
       # What whoever includes the header sees.
       def of_header
         @public
@@ -225,6 +230,7 @@ module Chart
         @document.events.each { |name| event(name) }
         @document.actions.each { |name| action(name) }
         @document.states.each { |state| in_function(state) }
+        @document.entering.each { |event| enters_function(event) }
         @public = @file.all
       end
 

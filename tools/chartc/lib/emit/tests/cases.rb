@@ -2,6 +2,7 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
+require_relative '../../check/entering'
 require_relative '../c/layout'
 require_relative 'shared'
 
@@ -21,7 +22,7 @@ module Chart
     end
 
     def emit
-      [start_test, unknown_event_test, internal_event_test, clock_test, compound_test, damage_functions, damage_test,
+      [start_test, unknown_event_test, internal_event_test, clock_test, compound_test, entering_test, damage_functions, damage_test,
        sound_test, timer_tests]
     end
 
@@ -140,6 +141,19 @@ module Chart
       end
       test(:behaviour, 'names_its_compound_states',
            [chart, '', "    #{@names.chart_function('init')}(&chart);", rows])
+    end
+
+    # Each reachable configuration, with every event of bs:enters.
+    def entering_test
+      return [] if @document.entering.empty?
+
+      rows = @document.entering.flat_map do |event|
+        Entering.new(@document, @walk).configurations(event).map do |ids, is_entered|
+          [@regions.map { |region| "    chart.#{field(region)} = #{@names.value(region, region.leaves.find { |leaf| ids.include?(leaf.id) })};" },
+           "    TEST_ASSERT_#{is_entered.to_s.upcase}(#{@names.enters_function(event)}(&chart));"]
+        end
+      end
+      test(:behaviour, 'says_where_its_events_enter_a_state', [chart, '', "    #{@names.chart_function('init')}(&chart);", rows])
     end
 
     # --- damage -----------------------------------------------------------------------------------
