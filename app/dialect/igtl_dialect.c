@@ -12,68 +12,6 @@
 
 #define CYCLES_PER_S (1000000U / LIMIT_CYCLE_US)
 
-uint32_t igtl_reason_code(status_t status)
-{
-    if (status_is_of_robot((int32_t)status)) {
-        return IGTL_STATUS_CONFIG_ERROR;
-    }
-    switch ((int)status) {
-    case STATUS_OK:
-        return IGTL_STATUS_OK;
-    case STATUS_UNKNOWN_COMMAND:
-        return IGTL_STATUS_UNKNOWN_INSTRUCTION;
-    case STATUS_BUSY:
-        return IGTL_STATUS_BUSY;
-    case STATUS_EXPIRED:
-    case STATUS_NO_ANSWER:
-        return IGTL_STATUS_TIME_OUT;
-    case STATUS_NOT_FINITE:
-    case STATUS_OUT_OF_RANGE:
-    case STATUS_NOT_RIGID:
-    case STATUS_DEGENERATE_LINE:
-    case STATUS_AXIS_LIMIT:
-    case STATUS_SWITCH_ZONE:
-    case STATUS_TOO_FAST:
-    case STATUS_CLOSURE:
-    case STATUS_ENTRY_POINT:
-    case STATUS_PROBE_LENGTH:
-    case STATUS_PROBE_ORDER:
-    case STATUS_NO_POSE:
-    case STATUS_TRAJECTORY_ORDER:
-    case STATUS_TRAJECTORY_SPEED:
-    case STATUS_TRAJECTORY_SUM:
-    case STATUS_PROGRAM_ORDER:
-    case STATUS_PROGRAM_DWELL:
-    case STATUS_PROGRAM_DEPTH:
-    case STATUS_PROGRAM_OTHER:
-    case STATUS_WRONG_UNIT:
-        return IGTL_STATUS_CONFIG_ERROR;
-    case STATUS_NO_AUTHORITY:
-        return IGTL_STATUS_ACCESS_DENIED;
-    case STATUS_WRONG_WORKPHASE:
-    case STATUS_NOT_HOMED:
-    case STATUS_NOT_REGISTERED:
-    case STATUS_NO_TARGET:
-    case STATUS_COMPUTER_UNFIT:
-    case STATUS_MOVED_IN_VAIN:
-    case STATUS_NO_BLACK_BOX:
-    case STATUS_BLACK_BOX_THERE:
-    case STATUS_HARDWARE_NOT_READY:
-    case STATUS_CONFIRM_POSITIONS:
-    case STATUS_FAULT_PRESENT:
-    case STATUS_DISCARDED:
-    case STATUS_NEEDLE_IN:
-    case STATUS_JOG_TOO_FAR:
-    case STATUS_NOT_ALLOWED:
-    case STATUS_MEMORY_DAMAGED:
-    case STATUS_NOT_PROPOSED:
-    case STATUS_HOLDS_AUTHORITY:
-    case STATUS_NO_PROBE:
-    default:
-        return IGTL_STATUS_NOT_READY;
-    }
-}
-
 static bool is_of_coupled_limit(const robot_t *robot, uint32_t status)
 {
     bool is_one = false;

@@ -12,6 +12,7 @@
 #include "dialect/igtl_requests.h"
 #include "message/igtl_outbox.h"
 #include "interface/answer.h"
+#include "interface/app/igtl_codes.h"
 #include "interface/command.h"
 #include "interface/snapshot.h"
 
@@ -51,14 +52,14 @@ typedef struct {
     const char *holder;         /**< How people call who has authority by that; NULL: nobody. */
 } igtl_moment_t;
 
+#define IGTL_REASON_SIZE (IGTL_TEXT_MAX + 1U)
+
 /**
- * Code, and "NAME: sentence" with the axis and limit, of an answer that is not a plain success.
- * Without authority the sentence says who has it, and for how long.
+ * "NAME: sentence" with the axis and limit, of an answer that is not a plain success; its code is
+ * igtl_reason_code(). Without authority the sentence says who has it, and for how long.
  *
  * @satisfies SWR-IGTL-055
  */
-#define IGTL_REASON_SIZE (IGTL_TEXT_MAX + 1U)
-uint32_t igtl_reason_code(status_t status);
 void igtl_reason_text(const robot_t *robot, const answer_t *answer, const igtl_moment_t *moment,
                       char text[IGTL_REASON_SIZE]);
 

@@ -6,6 +6,7 @@
 #include "http/telemetry_units.h"
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
+#include "interface/app/refused_axis.h"
 #include "request/request_headers.h"
 
 #define NOT_SENT 499
@@ -52,22 +53,10 @@ int http_act_judge(http_server_t *server, http_call_t *call)
 
 const char *http_act_axis(const robot_t *robot, const answer_t *answer)
 {
-    const bool is_why =
-        (answer->kind == (uint32_t)ANSWER_ABORTED) || (answer->kind == (uint32_t)ANSWER_REFUSED);
-    const bool is_limit = (answer->status == (uint32_t)STATUS_AXIS_LIMIT) ||
-                          (answer->status == (uint32_t)STATUS_SWITCH_ZONE) ||
-                          (answer->status == (uint32_t)STATUS_TRAJECTORY_FAR) ||
-                          (answer->status == (uint32_t)STATUS_TOO_FAST);
-    const bool is_of_restoring = (answer->command == (uint32_t)COMMAND_RESTORE) &&
-                                 ((answer->status == (uint32_t)STATUS_OUT_OF_RANGE) ||
-                                  (answer->status == (uint32_t)STATUS_HARDWARE_NOT_READY));
-    const bool is_of_row = (answer->command == (uint32_t)COMMAND_LIST_ROW) &&
-                           ((answer->status == (uint32_t)STATUS_TRAJECTORY_SPEED) ||
-                            (answer->status == (uint32_t)STATUS_NEEDLE_IN));
-    const bool is_named =
-        is_why &&
-        ((answer->kind == (uint32_t)ANSWER_ABORTED) || is_limit || is_of_restoring || is_of_row) &&
-        (answer->axis < robot->axis_count);
+    const bool is_refused = answer->kind == (uint32_t)ANSWER_REFUSED;
+    const bool is_named = (answer->axis < robot->axis_count) &&
+                          ((answer->kind == (uint32_t)ANSWER_ABORTED) ||
+                           (is_refused && refused_axis_is_named(answer->status, answer->command)));
     return is_named ? robot->axes[answer->axis].name : NULL;
 }
 

@@ -145,11 +145,6 @@ static next_step_t next_step(const controller_t *self, const robot_t *robot, boo
                                        : step;
 }
 
-#define BIT(step) ((uint64_t)1U << (uint32_t)(step))
-/* Where START_UP is wanted: something may have to come before it. */
-#define FOR_START_UP                                                                               \
-    (BIT(NEXT_STEP_START_UP) | BIT(NEXT_STEP_CHECK_CARDS) | BIT(NEXT_STEP_PEDAL_FAULT))
-
 static bool is_one_of(next_step_t step, uint64_t steps)
 {
     return ((steps >> (uint32_t)step) & 1U) != 0U;
@@ -166,22 +161,12 @@ static bool is_anybodys(const authority_t *authority)
  * button. */
 static next_step_t authority_first(const controller_t *self, next_step_t step)
 {
-    const uint64_t commanded =
-        BIT(NEXT_STEP_START_UP) | BIT(NEXT_STEP_PROBE) | BIT(NEXT_STEP_REGISTER) |
-        BIT(NEXT_STEP_TARGET) | BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING) |
-        BIT(NEXT_STEP_CALIBRATION) | BIT(NEXT_STEP_PLANNING) | BIT(NEXT_STEP_RETRACT) |
-        BIT(NEXT_STEP_MANUAL) | BIT(NEXT_STEP_DRAPING);
-    const uint64_t calm = commanded | BIT(NEXT_STEP_RELEASE_PEDAL) | BIT(NEXT_STEP_PRESS_PEDAL) |
-                          BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_COMPARE) | BIT(NEXT_STEP_PLACE) |
-                          BIT(NEXT_STEP_BY_HAND) | BIT(NEXT_STEP_NOTHING) |
-                          BIT(NEXT_STEP_PROGRAM_DONE) | BIT(NEXT_STEP_RECORDER) |
-                          BIT(NEXT_STEP_NO_BLACK_BOX);
     next_step_t first = step;
-    if (!is_one_of(step, calm)) {
+    if (!is_one_of(step, NEXT_STEPS_CALM)) {
         /* An act at the box, or a wait: whoever commands. */
     } else if (controller_awaits_grant(self)) {
         first = NEXT_STEP_GRANT;
-    } else if (!authority_is_held(&self->authority) && is_one_of(step, commanded)) {
+    } else if (!authority_is_held(&self->authority) && is_one_of(step, NEXT_STEPS_COMMANDED)) {
         first = is_anybodys(&self->authority) ? NEXT_STEP_AUTHORITY : NEXT_STEP_WAIT;
     } else {
         /* Whoever commands goes on. */
@@ -198,20 +183,15 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
 static named_step_t recorder_first(const controller_t *self, const cycle_t *cycle,
                                    const named_step_t *named)
 {
-    const uint64_t planned =
-        BIT(NEXT_STEP_PROBE) | BIT(NEXT_STEP_REGISTER) | BIT(NEXT_STEP_TARGET) |
-        BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING) | BIT(NEXT_STEP_CALIBRATION) |
-        BIT(NEXT_STEP_PLANNING) | BIT(NEXT_STEP_MANUAL) | BIT(NEXT_STEP_DRAPING) |
-        BIT(NEXT_STEP_NOTHING) | BIT(NEXT_STEP_PROGRAM_DONE);
     const bool is_in_time =
-        is_one_of(named->step, planned) && needle_is_out(cycle->robot, self->axes);
+        is_one_of(named->step, NEXT_STEPS_PLANNED) && needle_is_out(cycle->robot, self->axes);
     return is_in_time ? controller_step_only(NEXT_STEP_RECORDER) : *named;
 }
 
 static void show_step(const controller_t *self, const cycle_t *cycle, snapshot_t *shown)
 {
     named_step_t named = controller_step_only(next_step(self, cycle->robot, shown->is_homed != 0U));
-    if (is_one_of(named.step, FOR_START_UP)) {
+    if (is_one_of(named.step, NEXT_STEPS_STARTING)) {
         named = controller_ready(self, cycle);
     } else if (named.step == NEXT_STEP_MOVE) {
         named = controller_ready_to_move(self);

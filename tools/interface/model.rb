@@ -6,12 +6,13 @@ require_relative 'events'
 require_relative 'message'
 require_relative 'modes'
 require_relative 'routes'
+require_relative 'statuses'
 require_relative 'structure'
 
 module Interface
   # One `enum`: the only source of its names, numbers and sentences.
   class Enumeration
-    KEYS = (%w[severity subject value of peer] + Modes::KEYS | Commands::KEYS).freeze
+    KEYS = (%w[severity subject value of peer sets] + Statuses::KEYS + Modes::KEYS | Commands::KEYS).freeze
     # `robot`: whose own it is, nil for all.
     Value = Struct.new(:code, :name, :says, :node, :more, :robot, keyword_init: true)
     # Values that have something in common: bits of a number.
@@ -36,7 +37,7 @@ module Interface
       unique(:name)
       @values.sort_by!(&:code) if robots?
       check_gaps if counted?
-      @sets = nodes.key?('sets') ? nodes['sets'].sequence.map { |set| read_set(set) } : []
+      @sets = read_sets(nodes['sets'])
     end
 
     # Some of its values may belong to one robot alone.
@@ -69,12 +70,28 @@ module Interface
                 node: node, more: nodes.slice(*KEYS))
     end
 
+    # Each set, of the values that it lists and of those that list it.
+    #
+    # @satisfies SWR-TOOL-073
+    def read_sets(node)
+      sets = (node ? node.sequence : []).map { |set| read_set(set) }
+      values.each { |value| value.more['sets']&.sequence.to_a.each { |one| add_to(sets, one, value) } }
+      empty = sets.find { |set| set.values.empty? }
+      node.refuse("has #{empty.name}, which has no values") if empty
+      sets
+    end
+
     def read_set(node)
-      nodes = node.mapping(%w[name says values])
-      node.refuse("is of values that are not counted, or of more than #{SET_BITS}") if !counted? || values.size > SET_BITS
-      names = nodes['values'].sequence.map { |value| value.choice(values.map(&:name)) }
+      nodes = node.mapping(%w[name says], %w[values])
+      node.refuse("is of a value with a code above #{SET_BITS - 1}") if values.any? { |value| value.code >= SET_BITS }
+      names = nodes['values']&.sequence.to_a.map { |value| value.choice(values.map(&:name)) }
       Set.new(nodes['name'].identifier(capitals: true), nodes['says'].text,
               values.select { |value| names.include?(value.name) })
+    end
+
+    def add_to(sets, node, value)
+      name = node.choice(sets.map(&:name))
+      sets.find { |set| set.name == name }.values << value
     end
 
     def add(robots)
@@ -167,6 +184,10 @@ module Interface
       commands&.payloads if name == 'command_kind'
     end
 
+    def statuses
+      @statuses ||= Statuses.new(self) if enumeration(Statuses::NAME)
+    end
+
     # The structures whose fields are shown in `message`, each with these fields and how.
     def sources(message)
       structures.to_h { |structure| [structure, structure.shown_in(message.name)] }.reject { |_, fields| fields.empty? }
@@ -212,6 +233,7 @@ module Interface
       messages.each { |message| message.check(self) }
       events
       modes
+      statuses
       commands&.complete
       routes&.check(self)
     end

@@ -36,22 +36,15 @@ module Interface
           const char *#{one.name}_text(int32_t value);
         CODE
       end
-      declarations += @enumerations.select(&:robots?).map do |one|
-        <<~CODE
-          /** The #{one.name} `value` belongs to one robot alone. */
-          bool #{one.name}_is_of_robot(int32_t value);
-        CODE
-      end
       declarations << WHERE if @commands
       C.file('Names and sentences of enumerations.', FROM) +
-        C.guard('names', "#include <stdbool.h>\n#include <stdint.h>\n\n#{declarations.join("\n")}")
+        C.guard('names', "#include <stdint.h>\n\n#{declarations.join("\n")}")
     end
 
     def source
       functions = @enumerations.flat_map do |one|
         [function(one, 'name', 'UNKNOWN', &:name), function(one, 'text', 'Unknown.', &:says)]
       end
-      functions += @enumerations.select(&:robots?).map { |one| robots(one) }
       functions += @enumerations.select { |one| @commands && one.name == 'command_kind' }.map do |one|
         function(one, 'where', '') { |value| @commands.sentence(value) }
       end
@@ -67,19 +60,6 @@ module Interface
         #{cases.join.chomp}
             default:
                 return "#{unknown}";
-            }
-        }
-      CODE
-    end
-
-    def robots(enumeration)
-      cases = enumeration.values.select(&:robot).map { |value| "    case #{value.code}:\n" }
-      <<~CODE
-        bool #{enumeration.name}_is_of_robot(int32_t value)
-        {
-            switch (value) {
-        #{"#{cases.join}        return true;\n" if cases.any?}    default:
-                return false;
             }
         }
       CODE

@@ -121,14 +121,10 @@ class TestInterfaceCompiler < Minitest::Test
         int main(void)
         {
             (void)printf("%s|%s", colour_name(3), colour_text(9));
-            for (int value = -1; value < 11; value++) {
-                (void)printf("%s%d", colour_is_of_robot(value) ? "|" : " ", value);
-            }
             return 0;
         }
       CODE
-      assert_equal 'TOO_WET|An ant cannot climb that. -1 0 1 2|3 4 5 6 7|8|9 10',
-                   output_of(folder, 'main.c', 'app/names.c')
+      assert_equal 'TOO_WET|An ant cannot climb that.', output_of(folder, 'main.c', 'app/names.c')
     end
   end
 
@@ -153,7 +149,6 @@ class TestInterfaceCompiler < Minitest::Test
   def test_SWR_ROBOT_020_robots_add_to_what_asks_for_it_alone
     with_output(ROBOTS.merge('colours.yml' => COLOURS)) do |folder|
       refute_includes File.read(File.join(folder, 'colour.h')), 'TOO_WET'
-      refute_includes File.read(File.join(folder, 'app/names.h')), 'is_of_robot'
     end
   end
 
@@ -190,9 +185,29 @@ class TestInterfaceCompiler < Minitest::Test
     end
   end
 
-  def test_SWR_TOOL_012_refuses_a_set_of_what_there_is_not_or_that_is_not_counted
+  def test_SWR_TOOL_012_refuses_a_set_of_what_there_is_not_or_that_has_no_bit
     assert_match(/GREEN/, refusal('colours.yml' => COUNTED.sub('[NOT_RED, LAST]', '[GREEN]')))
-    assert_match(/not counted/, refusal('colours.yml' => COUNTED.sub("    count: true\n", '')))
+    uncounted = COUNTED.sub("    count: true\n", '')
+    assert_match(/code above 63/, refusal('colours.yml' => uncounted.sub('code: 2', 'code: 64')))
+    with_output('colours.yml' => uncounted.sub('code: 2', 'code: 63')) { |output| assert File.exist?(File.join(output, 'colour.h')) }
+  end
+
+  # A set whose values name it, where they stand.
+  NAMING = COUNTED.sub(', values: [NOT_RED, LAST]', '').sub('of: axis', 'of: axis, sets: [SAD]').sub('name: OK', 'name: OK, sets: [SAD]')
+
+  def test_SWR_TOOL_073_a_value_names_the_sets_that_it_is_in
+    with_output('colours.yml' => NAMING) do |output|
+      assert_includes(File.read(File.join(output, 'colour.h')), <<~'CODE')
+        #define COLOURS_SAD \
+            (((uint64_t)1U << (uint32_t)COLOUR_OK) | \
+             ((uint64_t)1U << (uint32_t)COLOUR_LAST))
+      CODE
+    end
+  end
+
+  def test_SWR_TOOL_073_refuses_a_set_that_is_not_there_or_that_has_no_values
+    assert_match(/colours\.yml:\d+: .* is GLAD; expected SAD/, refusal('colours.yml' => NAMING.sub('of: axis, sets: [SAD]', 'of: axis, sets: [GLAD]')))
+    assert_match(/has SAD, which has no values/, refusal('colours.yml' => NAMING.gsub(', sets: [SAD]', '')))
   end
 
   def test_SWR_TOOL_011_an_event_has_severity_subject_and_value

@@ -28,8 +28,8 @@ class TestInterfaceRoutes < Minitest::Test
       - name: status
         says: Why not.
         values:
-          - {code: 0, name: OK, says: "Done."}
-          - {code: 1, name: DRY, says: "It is dry."}
+          - {code: 0, name: OK, igtl_code: OK, says: "Done."}
+          - {code: 1, name: DRY, igtl_code: BUSY, says: "It is dry."}
       - name: role
         says: Who may.
         values:
