@@ -119,6 +119,7 @@ IGTL_CODES := $(GEN)/interface/app/igtl_codes.c
 REFUSED_AXIS := $(GEN)/interface/app/refused_axis.c
 # What HTTP clients may ask.
 API := $(GEN)/interface/app/routes.c $(GEN)/interface/app/requests.c
+HANDLERS := $(GEN)/interface/app/handlers.c
 EXCHANGE := $(wildcard app/exchange/exchange*.c)
 EVENT_TEXT := app/common/event_text.c $(GEN)/interface/app/event_words.c
 # The state as JSON, of a snapshot and events.
@@ -129,7 +130,7 @@ LOG_ENTRY := app/common/log_entry.c app/common/utc_text.c $(EVENT_TEXT)
 # Each program: its own files; what it needs of the core comes from libcore.a.
 SOURCES_boresight-control := $(wildcard app/check/*.c app/control/*.c app/positions/*.c app/trajectory/*.c) $(CLOCK) $(AXIS_TERMS) $(EXCHANGE) $(BOARD_SOURCES) $(FIND_ROBOT) $(NAMES)
 SOURCES_boresight-igtl := $(wildcard app/igtl/*.c app/dialect/*.c app/message/*.c) $(CLOCK) $(AXIS_TERMS) $(LIST_TERMS) $(EXCHANGE) $(NAMES) $(IGTL_CODES)
-SOURCES_boresight-http := $(wildcard app/http/*.c app/gate/*.c app/archive/*.c app/request/*.c app/saved/*.c app/session/*.c app/sweep/*.c app/trajectory/*.c) app/positions/position_record.c app/recording/recording.c app/common/file_series.c $(API) $(REFUSED_AXIS) $(CLOCK) $(AXIS_TERMS) $(LIST_TERMS) $(DRIVE_TERMS) $(GEN)/interface/app/messages.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
+SOURCES_boresight-http := $(wildcard app/http/*.c app/gate/*.c app/archive/*.c app/request/*.c app/saved/*.c app/session/*.c app/sweep/*.c app/trajectory/*.c) app/positions/position_record.c app/recording/recording.c app/common/file_series.c $(API) $(HANDLERS) $(REFUSED_AXIS) $(CLOCK) $(AXIS_TERMS) $(LIST_TERMS) $(DRIVE_TERMS) $(GEN)/interface/app/messages.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c $(BENCH)
 SOURCES_boresight-passwd := $(wildcard app/passwd/*.c) app/session/account.c app/session/password.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) app/sweep/sweep_curve.c $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)

@@ -7,8 +7,8 @@
 #   DIRECTORY       the headers of the core with their documentation, command.c, event.c, mode_list.c, interface_layout.h;
 #                   segment_fields.h, if a HEADER declares the exchange's segment
 #   DIRECTORY/app   names and sentences, what an event's numbers are, the JSON writer and its types for the console, the
-#                   columns of boresight-replay, where the fields stand, the columns of a status; what HTTP clients may ask: routes, the tables
-#                   that read requests, and the document for clients, openapi.json
+#                   columns of boresight-replay, where the fields stand, the columns of a status; what HTTP clients may ask: routes, what answers
+#                   them, the tables that read requests, and the document for clients, openapi.json
 #
 #   ruby tools/interface_compiler.rb core/interface build/gen/charts/charts.json build/gen/interface [HEADER...]
 #
@@ -19,6 +19,7 @@ require 'json'
 require_relative 'interface/columns'
 require_relative 'interface/event_words'
 require_relative 'interface/fields'
+require_relative 'interface/handlers'
 require_relative 'interface/headers'
 require_relative 'interface/json'
 require_relative 'interface/layout'
@@ -34,7 +35,7 @@ module Interface
   # The command line.
   module Command
     USAGE = 'usage: ruby tools/interface_compiler.rb FOLDER CHARTS_JSON DIRECTORY [HEADER...]'
-    APP = [Names, EventWords, Json, Typescript, Columns, Fields, Statuses::Files, RequestTables, RouteTable, Openapi].freeze
+    APP = [Names, EventWords, Json, Typescript, Columns, Fields, Statuses::Files, RequestTables, RouteTable, Handlers, Openapi].freeze
 
     # Returns the exit status.
     def self.run(arguments, errors: $stderr)

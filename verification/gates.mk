@@ -47,7 +47,7 @@ STATIC_BOARDS := $(filter-out $(patsubst bsp/%/board.yml,%,$(shell grep -lx 'loa
 BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/bench_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c)) \
     app/control/board_inputs.c
 OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) bsp/no_bench.c $(NAMES) $(GEN)/interface/app/event_words.c \
-    $(FIND_ROBOT) $(BOARD_TABLE) $(GEN)/interface/app/messages.c $(API) $(IGTL_CODES) $(REFUSED_AXIS) $(GEN)/interface/app/columns.c \
+    $(FIND_ROBOT) $(BOARD_TABLE) $(GEN)/interface/app/messages.c $(API) $(HANDLERS) $(IGTL_CODES) $(REFUSED_AXIS) $(GEN)/interface/app/columns.c \
     $(GEN)/interface/app/fields.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
 
 generated: $(GENERATED)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_archive.h"
+/** @file The routes of what was recorded: the log of events, its files, and the recordings. */
+#include "interface/app/handlers.h"
 
 #include "archive/archive_folder.h"
 #include "archive/log_csv.h"
@@ -121,6 +122,13 @@ static int find_events(http_server_t *server, struct mg_connection *connection,
                : http_reply_refuse(connection, problem);
 }
 
+/**
+ * Each answers its route.
+ *
+ * @return the status sent
+ *
+ * @satisfies SWR-HTTP-041
+ */
 int http_archive_log(http_server_t *server, const http_call_t *call)
 {
     const asked_t asked = ASKED(call->query.log, LOG_DEFAULT);
@@ -141,6 +149,7 @@ int http_archive_log(http_server_t *server, const http_call_t *call)
     return http_reply_object(call->connection, 200, json_log(&log));
 }
 
+/** @satisfies SWR-HTTP-042 */
 int http_archive_log_csv(http_server_t *server, const http_call_t *call)
 {
     const asked_t asked = ASKED(call->query.log_csv, CSV_DEFAULT);
@@ -243,11 +252,13 @@ static int answer_list(http_server_t *server, struct mg_connection *connection,
     return http_reply_object(connection, 200, list);
 }
 
+/** @satisfies SWR-HTTP-043 */
 int http_archive_logs(http_server_t *server, const http_call_t *call)
 {
     return answer_list(server, call->connection, new_logs);
 }
 
+/** @satisfies SWR-HTTP-044 */
 int http_archive_recordings(http_server_t *server, const http_call_t *call)
 {
     return answer_list(server, call->connection, new_recordings);
@@ -291,6 +302,7 @@ static const char *reason_against_setting(http_server_t *server, const http_call
                : NULL;
 }
 
+/** @satisfies SWR-HTTP-049 */
 int http_archive_log_level(http_server_t *server, const http_call_t *call)
 {
     (void)pthread_mutex_lock(&server->archive.lock);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_authority.h"
+/** @file The routes by which a page takes authority, keeps it and gives it up. */
+#include "interface/app/handlers.h"
 
 #include "http/http_act.h"
 #include "http/http_reply.h"
@@ -16,7 +17,7 @@ int http_authority_show(http_server_t *server, const http_call_t *call)
 
 int http_authority_take(http_server_t *server, const http_call_t *call)
 {
-    const command_t command = {.id = call->body.take.id, .kind = (uint32_t)COMMAND_TAKE};
+    const command_t command = {.id = call->body.bare_act.id, .kind = (uint32_t)COMMAND_TAKE};
     return http_act_command(server, call, &command);
 }
 

@@ -1,5 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_box.h"
+/**
+ * @file
+ * The simulated box over HTTP: a page stands for the person at it. It needs a session, and no
+ * authority, which nobody needs who works a real one.
+ */
+#include "interface/app/handlers.h"
 
 #include "bsp_bench.h"
 #include "http/box_order.h"
@@ -105,6 +110,12 @@ static bool is_news(const http_server_t *server, const http_call_t *call, const 
     return (holder == call->page) == order->is_safe;
 }
 
+/**
+ * Gives an order, and answers what there is to see then. Returns the status sent.
+ *
+ * @satisfies SWR-HTTP-039
+ * @satisfies SWR-HTTP-057
+ */
 int http_box_order(http_server_t *server, const http_call_t *call)
 {
     const request_box_order_t *body = &call->body.order_box;

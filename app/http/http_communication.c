@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_communication.h"
+/** @file The routes that show who has come, and order something of a connection of OpenIGTLink.
+ * Each returns the status sent. */
+#include "interface/app/handlers.h"
 
 #include "common/clock.h"
 #include "http/http_reply.h"
@@ -71,6 +73,7 @@ static cJSON *new_rows(const exchange_t *exchange, const telemetry_view_t *view,
     return rows;
 }
 
+/** @satisfies SWR-IGTL-059 */
 int http_communication_show(http_server_t *server, const http_call_t *call)
 {
     telemetry_view_t view;
@@ -117,6 +120,7 @@ static int answer(http_server_t *server, const http_call_t *call, const exchange
     }
 }
 
+/** @satisfies SWR-IGTL-060 */
 int http_communication_disconnect(http_server_t *server, const http_call_t *call)
 {
     const exchange_order_t order = {.kind = (uint32_t)EXCHANGE_ORDER_DISCONNECT,
@@ -124,6 +128,7 @@ int http_communication_disconnect(http_server_t *server, const http_call_t *call
     return answer(server, call, &order);
 }
 
+/** @satisfies SWR-IGTL-061 */
 int http_communication_keep_alive(http_server_t *server, const http_call_t *call)
 {
     const exchange_order_t order = {.kind = (uint32_t)EXCHANGE_ORDER_KEEP_ALIVE,

@@ -2,6 +2,7 @@
 #include "http/http_door.h"
 
 #include "http/http_reply.h"
+#include "interface/app/handlers.h"
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
@@ -178,8 +179,9 @@ static int send_session(http_server_t *server, struct mg_connection *connection,
     return is_whole ? http_reply_send(connection, &reply) : refuse(connection, PROBLEM_NO_MEMORY);
 }
 
-int http_door_show(http_server_t *server, struct mg_connection *connection)
+int http_door_show(http_server_t *server, const http_call_t *call)
 {
+    struct mg_connection *connection = call->connection;
     session_t session = {.is_open = false};
     const cookies_t unchanged = {.session = NULL, .device = NULL};
     (void)http_door_find(server, connection, &session);
@@ -259,6 +261,14 @@ static int refuse_login(struct mg_connection *connection, login_verdict_t verdic
     }
 }
 
+/**
+ * Logs in.
+ *
+ * @satisfies SWR-SESS-012
+ * @satisfies SWR-SESS-015
+ * @satisfies SWR-SESS-018
+ * @satisfies SWR-SESS-033
+ */
 int http_door_log_in(http_server_t *server, const http_call_t *call)
 {
     struct mg_connection *connection = call->connection;
@@ -293,8 +303,9 @@ int http_door_log_in(http_server_t *server, const http_call_t *call)
     return send_session(server, connection, &session, cookies);
 }
 
-int http_door_log_out(http_server_t *server, struct mg_connection *connection)
+int http_door_log_out(http_server_t *server, const http_call_t *call)
 {
+    struct mg_connection *connection = call->connection;
     char id[SESSION_TOKEN_SIZE];
     char cookie[COOKIE_SIZE];
     const session_t none = {.is_open = false};

@@ -33,20 +33,4 @@ bool http_door_find(http_server_t *server, const struct mg_connection *connectio
 /** Whether a stream that was let in may go on. */
 bool http_door_is_open(http_server_t *server, const struct mg_connection *connection);
 
-/** Answers who is logged in; also after a renewal, which the judgement has made. */
-int http_door_show(http_server_t *server, struct mg_connection *connection);
-
-/**
- * Logs in.
- *
- * @satisfies SWR-SESS-012
- * @satisfies SWR-SESS-015
- * @satisfies SWR-SESS-018
- * @satisfies SWR-SESS-033
- */
-int http_door_log_in(http_server_t *server, const http_call_t *call);
-
-/** Logs out. */
-int http_door_log_out(http_server_t *server, struct mg_connection *connection);
-
 #endif

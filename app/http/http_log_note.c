@@ -5,6 +5,7 @@
 #include "http/http_act.h"
 #include "http/http_door.h"
 #include "http/http_reply.h"
+#include "interface/app/handlers.h"
 #include "limits/requirement_limits.h"
 
 #include <string.h>
@@ -51,6 +52,13 @@ static int refuse_for_now(const http_call_t *call)
     return http_reply_problem(call->connection, &problem, NULL);
 }
 
+/**
+ * Writes the note, as an act of its page.
+ *
+ * @return the status sent
+ *
+ * @satisfies SWR-EVENT-012
+ */
 int http_log_note_write(http_server_t *server, const http_call_t *call)
 {
     const request_log_note_t *body = &call->body.log_note;

@@ -10,13 +10,4 @@
  * characters, ends of lines or marks of direction. */
 bool http_log_note_is_plain(const char *text);
 
-/**
- * Writes the note, as an act of its page.
- *
- * @return the status sent
- *
- * @satisfies SWR-EVENT-012
- */
-int http_log_note_write(http_server_t *server, const http_call_t *call);
-
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_modes.h"
+/** @file The route that shows what motions there are, and which may be commanded now. */
+#include "interface/app/handlers.h"
 
 #include "exchange/exchange_rows.h"
 #include "http/axis_outlook.h"
@@ -135,6 +136,12 @@ static cJSON *new_commands(http_server_t *server, const http_call_t *call,
     return commands;
 }
 
+/**
+ * Returns the status sent.
+ *
+ * @satisfies SWR-HTTP-056
+ * @satisfies SWR-MODE-004
+ */
 int http_modes_show(http_server_t *server, const http_call_t *call)
 {
     telemetry_view_t view;

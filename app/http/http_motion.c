@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_motion.h"
+/** @file The routes that change the workphase and arm motions. Each returns the status sent. */
+#include "interface/app/handlers.h"
 
 #include "common/axis_terms.h"
 #include "http/http_act.h"
@@ -25,6 +26,12 @@ int http_motion_workphase(http_server_t *server, const http_call_t *call)
     return http_act_command(server, call, &command);
 }
 
+/**
+ * To a position, or by a distance.
+ *
+ * @satisfies SWR-HTTP-029
+ * @satisfies SWR-MODE-009
+ */
 int http_motion_jog(http_server_t *server, const http_call_t *call)
 {
     const request_jog_t *body = &call->body.jog;
@@ -48,21 +55,32 @@ int http_motion_jog(http_server_t *server, const http_call_t *call)
                : http_act_refuse_member(call, body->has_distance ? "/distance" : "/position");
 }
 
-int http_motion_axis(http_server_t *server, const http_call_t *call, command_kind_t kind,
-                     uint32_t id)
+/**
+ * The command of the route, on one axis.
+ *
+ * @satisfies SWR-AXIS-044
+ * @satisfies SWR-MODE-009
+ */
+int http_motion_axis(http_server_t *server, const http_call_t *call)
 {
-    const command_t command = {
-        .id = id, .kind = (uint32_t)kind, .as.axis = {.axis = call->path.axis}};
+    const command_t command = {.id = call->body.bare_act.id,
+                               .kind = call->route->command,
+                               .as.axis = {.axis = call->path.axis}};
     return http_act_command(server, call, &command);
 }
 
-int http_motion_bare(http_server_t *server, const http_call_t *call, command_kind_t kind,
-                     uint32_t id)
+/**
+ * The command of the route, which says nothing but itself.
+ *
+ * @satisfies SWR-ALIGN-007
+ */
+int http_motion_bare(http_server_t *server, const http_call_t *call)
 {
-    const command_t command = {.id = id, .kind = (uint32_t)kind};
+    const command_t command = {.id = call->body.bare_act.id, .kind = call->route->command};
     return http_act_command(server, call, &command);
 }
 
+/** @satisfies SWR-POSE-006 */
 int http_motion_pose(http_server_t *server, const http_call_t *call)
 {
     const request_pose_act_t *body = &call->body.pose;
@@ -125,6 +143,7 @@ static int read_bound(const http_call_t *call, const robot_t *robot, command_vel
     return is_one ? 0 : http_act_refuse_member(call, "/way");
 }
 
+/** @satisfies SWR-VEL-013 */
 int http_motion_velocity(http_server_t *server, const http_call_t *call)
 {
     const request_velocity_t *body = &call->body.velocity;

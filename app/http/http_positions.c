@@ -7,6 +7,7 @@
 #include "http/http_act.h"
 #include "http/http_reply.h"
 #include "http/telemetry_units.h"
+#include "interface/app/handlers.h"
 #include "interface/app/messages.h"
 #include "limits/requirement_limits.h"
 
@@ -80,8 +81,14 @@ static int send_file(struct mg_connection *connection, const char *robot, const 
     return sent;
 }
 
-int http_positions_save(http_server_t *server, struct mg_connection *connection)
+/**
+ * Answers the positions as a file.
+ *
+ * @satisfies SWR-STORE-024
+ */
+int http_positions_save(http_server_t *server, const http_call_t *call)
 {
+    struct mg_connection *connection = call->connection;
     const robot_t *robot = exchange_robot(server->exchange);
     const uint64_t utc_us = (clock_utc_us() / US_PER_S) * US_PER_S;
     position_record_t record;
@@ -202,6 +209,12 @@ static int send_view(http_server_t *server, const http_call_t *call, saved_view_
     return http_reply_object(call->connection, 200, tell_view(view, robot, &snapshot));
 }
 
+/**
+ * Answers what restoring positions would do, and a token for it. The token before is worth nothing
+ * any more.
+ *
+ * @satisfies SWR-STORE-027
+ */
 int http_positions_preview(http_server_t *server, const http_call_t *call)
 {
     const request_preview_t *body = &call->body.preview;
@@ -247,6 +260,11 @@ static bool judge(http_server_t *server, const saved_view_t *view, command_t *co
     return saved_plan_holds(&view->plan, &now, robot);
 }
 
+/**
+ * Restores what was shown, if it still is so.
+ *
+ * @satisfies SWR-STORE-030
+ */
 int http_positions_restore(http_server_t *server, const http_call_t *call)
 {
     const request_restore_t *body = &call->body.restore;

@@ -16,26 +16,4 @@
  */
 void http_positions_begin(http_server_t *server, const char *path);
 
-/**
- * Answers the positions as a file.
- *
- * @satisfies SWR-STORE-024
- */
-int http_positions_save(http_server_t *server, struct mg_connection *connection);
-
-/**
- * Answers what restoring positions would do, and a token for it. The token before is worth nothing
- * any more.
- *
- * @satisfies SWR-STORE-027
- */
-int http_positions_preview(http_server_t *server, const http_call_t *call);
-
-/**
- * Restores what was shown, if it still is so.
- *
- * @satisfies SWR-STORE-030
- */
-int http_positions_restore(http_server_t *server, const http_call_t *call);
-
 #endif

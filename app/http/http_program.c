@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_program.h"
+/** @file The treatment program that is held: shown, sent, emptied, run. */
+#include "interface/app/handlers.h"
 
 #include "common/list_terms.h"
 #include "http/http_act.h"
@@ -58,6 +59,11 @@ int http_program_show(http_server_t *server, const http_call_t *call)
     return http_list_show(server, call, &program);
 }
 
+/**
+ * Sends the steps of the body, some at once and the next ones when these were taken.
+ *
+ * @satisfies SWR-PROG-012
+ */
 int http_program_send(http_server_t *server, const http_call_t *call)
 {
     const request_program_t *body = &call->body.send_program;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_sweep.h"
+/** @file Sweeps: commanded, and the curve that is kept shown. */
+#include "interface/app/handlers.h"
 
 #include "common/utc_text.h"
 #include "http/http_act.h"
@@ -12,6 +13,7 @@
 
 #include <string.h>
 
+/** @satisfies SWR-SWEEP-012 */
 int http_sweep_run(http_server_t *server, const http_call_t *call)
 {
     const request_sweep_act_t *body = &call->body.run_sweep;
@@ -43,6 +45,7 @@ static cJSON *new_points(const sweep_curve_t *curve, const robot_t *robot)
     return list;
 }
 
+/** @satisfies SWR-SWEEP-014 */
 int http_sweep_show(http_server_t *server, const http_call_t *call)
 {
     static const char *const states[] = {[SWEEP_KEPT_NONE] = "none",

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_targeting.h"
+/** @file The routes of probe, registration, entry point and target. Each returns the status sent.
+ */
+#include "interface/app/handlers.h"
 
 #include "http/http_act.h"
 #include "http/http_reply.h"
@@ -33,6 +35,7 @@ static int read_pose(const http_call_t *call, const double numbers[NUMBERS], rig
     return (wrong == NUMBERS) ? 0 : http_act_refuse_member(call, pointer);
 }
 
+/** @satisfies SWR-HTTP-031 */
 int http_targeting_register(http_server_t *server, const http_call_t *call)
 {
     const request_registration_t *body = &call->body.registration;
@@ -73,6 +76,12 @@ static const char *take_length(const robot_t *robot, const request_named_length_
 }
 
 /* Which length is wrong is known here; whether it may be changed now, control knows. */
+/**
+ * Lengths count by their names.
+ *
+ * @satisfies SWR-PROBE-008
+ * @satisfies SWR-PROBE-010
+ */
 int http_targeting_set_probe(http_server_t *server, const http_call_t *call)
 {
     const robot_t *robot = exchange_robot(server->exchange);
@@ -92,6 +101,7 @@ int http_targeting_set_probe(http_server_t *server, const http_call_t *call)
     return http_act_command(server, call, &command);
 }
 
+/** @satisfies SWR-HTTP-031 */
 int http_targeting_enter(http_server_t *server, const http_call_t *call)
 {
     const request_entry_t *body = &call->body.entry;
@@ -144,6 +154,7 @@ static int read_target(http_server_t *server, const http_call_t *call, const aim
     return (solution.status == STATUS_OK) ? 0 : refuse_aim(server, call, &solution);
 }
 
+/** @satisfies SWR-HTTP-031 */
 int http_targeting_aim(http_server_t *server, const http_call_t *call)
 {
     const request_target_t *body = &call->body.target;

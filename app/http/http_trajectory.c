@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http/http_trajectory.h"
+/** @file The trajectory that is held: shown, sent as a table, emptied, run. */
+#include "interface/app/handlers.h"
 
 #include "common/list_terms.h"
 #include "http/http_act.h"
@@ -101,6 +102,12 @@ static int take(http_server_t *server, const http_call_t *call, upload_t *upload
     return http_list_send(server, call, &trajectory, upload->table.rows, upload->table.count);
 }
 
+/**
+ * Sends the rows of the body, some at once and the next ones when these were taken.
+ *
+ * @satisfies SWR-TRAJ-015
+ * @satisfies SWR-TRAJ-021
+ */
 int http_trajectory_send(http_server_t *server, const http_call_t *call)
 {
     upload_t *upload = malloc(sizeof *upload);

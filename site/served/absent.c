@@ -2,9 +2,9 @@
 /** @file What a page does not have: a recorder with its files, a key of the box, accounts, a port
  * for stops, and the files of the console. */
 #include "http/asset.h"
-#include "http/http_archive.h"
 #include "http/http_positions.h"
 #include "http/http_reply.h"
+#include "interface/app/handlers.h"
 #include "session/device_mark.h"
 #include "session/password.h"
 #include "session/tls_front.h"
@@ -27,6 +27,7 @@ ABSENT(http_archive_recordings)
 ABSENT(http_archive_recording)
 ABSENT(http_archive_log_level)
 ABSENT(http_archive_set_log_level)
+ABSENT(http_positions_save)
 ABSENT(http_positions_preview)
 ABSENT(http_positions_restore)
 
@@ -34,12 +35,6 @@ void http_positions_begin(http_server_t *server, const char *path)
 {
     (void)path;
     server->has_key = false;
-}
-
-int http_positions_save(http_server_t *server, struct mg_connection *connection)
-{
-    (void)server;
-    return http_reply_refuse(connection, PROBLEM_NOT_FOUND);
 }
 
 const asset_t *asset_find(const char *path)

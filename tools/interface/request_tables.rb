@@ -40,13 +40,19 @@ module Interface
     # One room for whatever comes.
     def rooms
       queries = @routes.routes.map { |route| [route.name, route.parameters] }
-      bodies = @routes.routes.filter_map { |route| [route.name, route.body] if route.body }
       [['query', 'the parameters', queries], ['body', 'the body', bodies]].map do |name, what, all|
         members = all.reject { |_, message| message.members.empty? }
                      .map { |route, message| "    request_#{message.name}_t #{route};\n" }
-        "/** Room for #{what} of any route, by its name. */\ntypedef union {\n    char nothing;\n" \
+        "/** Room for #{what} of any route, by its name, or by that of what several send. */\ntypedef union {\n    char nothing;\n" \
           "#{members.join}} request_#{name}_t;\n"
       end.join("\n")
+    end
+
+    # What one route sends alone has its name, what several send its own.
+    def bodies
+      @routes.routes.select(&:body).group_by(&:body).map do |body, routes|
+        [routes.size == 1 ? routes.first.name : body.name, body]
+      end
     end
 
     def declaration(message)

@@ -36,16 +36,17 @@ module Interface
     OPTIONAL = %w[answer media parameters headers body body_most sends events problems refused lenient noted page authority command].freeze
     Header = Struct.new(:name, :type, :says, keyword_init: true)
 
-    attr_reader :name, :path, :method, :who, :says, :command, :answer, :media, :parameters, :headers, :body, :body_most, :sends, :events, :node
+    attr_reader :name, :path, :method, :handler, :who, :says, :command, :answer, :media, :parameters, :headers, :body, :body_most, :sends, :events, :node
 
     def initialize(node)
-      nodes = node.mapping(%w[name path method who says], OPTIONAL)
+      nodes = node.mapping(%w[name path method handler who says], OPTIONAL)
       @node = node
       @nodes = nodes
       @name = nodes['name'].identifier
       @path = nodes['path'].word
       check_path(nodes['path'])
       @method = nodes['method'].choice(METHODS)
+      @handler = nodes['handler'].identifier
       @who = nodes['who'].word
       @says = nodes['says'].text
       @media = nodes['media']&.word

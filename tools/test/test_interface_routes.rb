@@ -79,12 +79,13 @@ class TestInterfaceRoutes < Minitest::Test
           - {name: note, type: text, size: 3, optional: true}
           - {name: first, type: stripe, optional: true}
     routes:
-      - {name: tin, path: /tin, method: GET, who: anyone, answer: tin, problems: [DRY], says: "The tin.", parameters: [{name: of, type: colour}]}
-      - {name: paint, path: /tin, method: PUT, who: PAINTER, answer: tin, body: paint, body_most: 300, says: "Paint."}
-      - {name: hit, path: /hit, method: POST, who: anyone, answer: tin, body: stripe, body_most: 30, lenient: true, refused: true, says: "Hit."}
+      - {name: tin, path: /tin, method: GET, handler: http_tin_show, who: anyone, answer: tin, problems: [DRY], says: "The tin.", parameters: [{name: of, type: colour}]}
+      - {name: paint, path: /tin, method: PUT, handler: http_tin_paint, who: PAINTER, answer: tin, body: paint, body_most: 300, says: "Paint."}
+      - {name: hit, path: /hit, method: POST, handler: http_tin_paint, who: anyone, answer: tin, body: stripe, body_most: 30, lenient: true, refused: true, says: "Hit."}
       - name: live
         path: /live
         method: GET
+        handler: http_live
         who: GUEST
         media: text/event-stream
         events: {tin: tin}
@@ -130,6 +131,65 @@ class TestInterfaceRoutes < Minitest::Test
                    read.shift(5).map { |line| line[/\A\d \S+/] }
       assert_equal ['GET /tin GET, HEAD, PUT 0 0', 'PUT /tin GET, HEAD, PUT 0 300', 'POST /hit POST 1 30',
                     'GET /live GET, HEAD 0 0', '409 DRY It is dry.'], read
+    end
+  end
+
+  # The server that the handlers are of.
+  SERVER = {
+    'http/http_server.h' => "typedef struct { int wet; } http_server_t;\n",
+    'http/http_call.h' => "#include \"interface/app/routes.h\"\ntypedef struct { const route_t *route; } http_call_t;\n"
+  }.freeze
+  HANDLED = <<~C
+    #include "interface/app/handlers.h"
+    #include <stdio.h>
+    int http_tin_show(http_server_t *server, const http_call_t *call)
+    {
+        (void)call;
+        return server->wet;
+    }
+    int http_tin_paint(http_server_t *server, const http_call_t *call)
+    {
+        return server->wet + 100 * (int)call->route->id;
+    }
+    int http_live(http_server_t *server, const http_call_t *call)
+    {
+        (void)call;
+        return -server->wet;
+    }
+    int main(void)
+    {
+        http_server_t server = {7};
+        for (unsigned i = 0U; i < ROUTE_COUNT; i++) {
+            const http_call_t call = {&routes[i]};
+            (void)printf("%d\\n", http_handlers[i](&server, &call));
+        }
+        return 0;
+    }
+  C
+
+  def test_SWR_TOOL_070_each_route_is_answered_by_the_handler_that_it_names
+    with_output do |folder|
+      SERVER.each do |name, text|
+        file = File.join(File.dirname(folder), name)
+        FileUtils.mkdir_p(File.dirname(file))
+        File.write(file, text)
+      end
+      assert_equal "7\n107\n207\n-7\n", output_of(folder, '', HANDLED, %w[app/handlers.c])
+      header = File.read(File.join(folder, 'app/handlers.h'))
+      assert_includes header, "/** GET /tin: The tin. */\nint http_tin_show("
+      assert_includes header, "/** PUT /tin, POST /hit. */\nint http_tin_paint("
+    end
+  end
+
+  def test_SWR_TOOL_070_refuses_a_route_without_a_handler
+    message = in_folder('routes.yml' => ROUTES.sub('handler: http_tin_show, ', '')) { |folder, output| run_tool(folder, output) }
+    assert_match(/routes\.yml:25: .*handler: is missing/, message)
+  end
+
+  def test_SWR_TOOL_070_what_several_routes_send_has_one_name
+    with_output(with_acts("body: stroke\n" => "body: stripe\n", 'answer: act' => 'answer: tin')) do |folder|
+      union = File.read(File.join(folder, 'app/requests.h'))[/typedef union \{[^}]*\} request_body_t;/]
+      assert_equal %w[paint paint stripe stripe], union.scan(/request_(\w+)_t (\w+);/).flatten
     end
   end
 
@@ -249,6 +309,7 @@ class TestInterfaceRoutes < Minitest::Test
     - name: stroke
       path: /walls/{axis}/stroke-now
       method: POST
+      handler: http_wall_stroke
       who: PAINTER
       authority: true
       body: stroke
@@ -292,7 +353,7 @@ class TestInterfaceRoutes < Minitest::Test
     'two_values' => ['/walls/', '/walls/{name}/', 'has name, axis; expected at most one'],
     'a_word_that_the_type_has_not' => ['[BLUE]', '[GREEN]', 'holds GREEN, which its type has not'],
     'an_act_without_an_id' => ['{name: id, type: uint32,', '{name: it, type: uint32,', 'its body has no id'],
-    'authority_for_anyone' => ["POST\n    who: PAINTER", "POST\n    who: anyone", 'is of a page, but is a GET or for anyone'],
+    'authority_for_anyone' => ["stroke\n    who: PAINTER", "stroke\n    who: anyone", 'is of a page, but is a GET or for anyone'],
     'a_command_that_is_none' => ['authority: true', 'command: WHISTLE', 'is no command'] }
     .each do |what, (old, new, reason)|
     define_method("test_SWR_TOOL_021_refuses_#{what}") do
@@ -318,6 +379,7 @@ class TestInterfaceRoutes < Minitest::Test
     'an object in itself' => ['type: number, minimum: -1.5, maximum: 2', 'type: stripe', 8, 'holds more than 8 objects'],
     'a path that is none' => ['path: /hit', 'path: hit', 27, 'is hit; expected a path'],
     'a method that is none' => ['method: PUT', 'method: PAT', 26, 'is PAT; expected GET or POST'],
+    'a handler that is none in C' => ['handler: http_tin_paint', 'handler: http-tin', 26, 'is http-tin; expected a name of a-z'],
     'a role that is none' => ['who: PAINTER', 'who: painter', 26, 'is painter; expected anyone, GUEST, PAINTER'],
     'a route twice' => ['method: PUT', 'method: GET', 26, 'is the second'],
     'an answer that is none' => ['answer: tin, problems', 'answer: can, problems', 25, 'is can, which is no message'],
@@ -385,10 +447,10 @@ class TestInterfaceRoutes < Minitest::Test
     errors.string
   end
 
-  def output_of(folder, input)
+  def output_of(folder, input, main = MAIN, more = [])
     program = File.join(folder, 'main')
-    File.write("#{program}.c", MAIN)
-    sources = %w[app/routes.c app/requests.c].map { |name| File.join(folder, name) } + Dir["#{ROOT}/app/request/*.c"]
+    File.write("#{program}.c", main)
+    sources = [*%w[app/routes.c app/requests.c], *more].map { |name| File.join(folder, name) } + Dir["#{ROOT}/app/request/*.c"]
     output, status = Open3.capture2e('gcc', '-std=c99', '-pedantic', '-Wall', '-Wextra', '-Werror',
                                      '-Wconversion', '-Wmissing-prototypes',
                                      "-I#{File.dirname(folder)}", "-I#{ROOT}/app", '-o', program, "#{program}.c", *sources, '-lm')

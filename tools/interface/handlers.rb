@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require_relative 'c'
+require_relative 'routes'
+
+module Interface
+  # The dispatch of the HTTP server: the function that answers each route, and the declaration of each of them.
+  #
+  # @satisfies SWR-TOOL-070
+  class Handlers
+    FROM = 'core/interface/routes.yml'
+    SAYS = 'What answers each route of the HTTP server.'
+
+    def initialize(model)
+      @routes = model.routes
+    end
+
+    def files
+      @routes ? { 'handlers.h' => header, 'handlers.c' => source } : {}
+    end
+
+    private
+
+    def header
+      C.file(SAYS, FROM) + C.guard('handlers', <<~CODE)
+        #include "http/http_call.h"
+        #include "http/http_server.h"
+        #include "interface/app/routes.h"
+
+        /** Answers a request that is judged and read. Returns the status that was sent. */
+        typedef int (*http_handler_t)(http_server_t *server, const http_call_t *call);
+
+        /** By route_id_t. */
+        extern const http_handler_t http_handlers[ROUTE_COUNT];
+
+        #{@routes.routes.group_by(&:handler).map { |handler, routes| declaration(handler, routes) }.join("\n").chomp}
+      CODE
+    end
+
+    def declaration(handler, routes)
+      says = routes.size == 1 ? ": #{routes.first.says}" : '.'
+      "#{C.comment(routes.map { |route| "#{route.method} #{route.path}" }.join(', ') + says)}" \
+        "int #{handler}(http_server_t *server, const http_call_t *call);\n"
+    end
+
+    def source
+      rows = @routes.routes.map { |route| "    [ROUTE_#{route.name.upcase}] = #{route.handler},\n" }
+      <<~CODE
+        #{C.file(SAYS, FROM).chomp}
+        #include "handlers.h"
+
+        const http_handler_t http_handlers[ROUTE_COUNT] = {
+        #{rows.join}};
+      CODE
+    end
+  end
+end
