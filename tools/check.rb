@@ -89,6 +89,7 @@ class Check
       'form of Ruby' => listed(%w[rubocop --format emacs], @change.of('.rb')),
       'programs' => %w[make --no-print-directory -j2 programs build/gcc/libtest.a],
       'rooms' => %w[ruby tools/rooms.rb],
+      'functions' => @change.of('.c', '.h').empty? ? [] : %w[ruby tools/functions.rb],
       'tables' => %w[ruby tools/tables.rb --check],
       'trace' => %w[ruby tools/trace.rb check --static],
       'tests in C' => listed(%w[ruby tools/c_tests.rb gcc], @change.c_tests),

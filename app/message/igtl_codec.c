@@ -395,38 +395,33 @@ uint64_t igtl_array_bits(const igtl_message_t *message, uint32_t index)
                                          : get_u64(&numbers[8U * (size_t)index]);
 }
 
+/* A request that says nothing but its type. */
+static igtl_result_t read_nothing(igtl_message_t *message)
+{
+    return (message->content_bytes == 0U) ? IGTL_OK : IGTL_BAD_LENGTH;
+}
+
+static igtl_result_t read_points(igtl_message_t *message)
+{
+    return ((message->content_bytes % IGTL_POINT_BYTES) == 0U) ? IGTL_OK : IGTL_BAD_LENGTH;
+}
+
+/* By kind; of one without a reader any content is taken. */
+static igtl_result_t (*const readers[])(igtl_message_t *message) = {
+    [IGTL_KIND_TRANSFORM] = read_transform,   [IGTL_KIND_STRING] = read_string,
+    [IGTL_KIND_STATUS] = read_status,         [IGTL_KIND_POINT] = read_points,
+    [IGTL_KIND_GET_TRANSFORM] = read_nothing, [IGTL_KIND_GET_STATUS] = read_nothing,
+    [IGTL_KIND_GET_POINT] = read_nothing,     [IGTL_KIND_GET_CAPABILITY] = read_nothing,
+    [IGTL_KIND_STT_TDATA] = read_stream,      [IGTL_KIND_STP_TDATA] = read_nothing,
+    [IGTL_KIND_COMMAND] = read_command,       [IGTL_KIND_TRAJECTORY] = read_trajectory,
+    [IGTL_KIND_ARRAY] = read_array,
+};
+
 static igtl_result_t read_content(igtl_message_t *message)
 {
-    switch (message->kind) {
-    case IGTL_KIND_TRANSFORM:
-        return read_transform(message);
-    case IGTL_KIND_STRING:
-        return read_string(message);
-    case IGTL_KIND_STATUS:
-        return read_status(message);
-    case IGTL_KIND_STT_TDATA:
-        return read_stream(message);
-    case IGTL_KIND_COMMAND:
-        return read_command(message);
-    case IGTL_KIND_TRAJECTORY:
-        return read_trajectory(message);
-    case IGTL_KIND_ARRAY:
-        return read_array(message);
-    case IGTL_KIND_POINT:
-        return ((message->content_bytes % IGTL_POINT_BYTES) == 0U) ? IGTL_OK : IGTL_BAD_LENGTH;
-    case IGTL_KIND_GET_TRANSFORM:
-    case IGTL_KIND_GET_STATUS:
-    case IGTL_KIND_GET_POINT:
-    case IGTL_KIND_GET_CAPABILITY:
-    case IGTL_KIND_STP_TDATA:
-        return (message->content_bytes == 0U) ? IGTL_OK : IGTL_BAD_LENGTH;
-    case IGTL_KIND_GET_OTHER:
-    case IGTL_KIND_STT_OTHER:
-    case IGTL_KIND_STP_OTHER:
-    case IGTL_KIND_OTHER:
-    default:
-        return IGTL_OK;
-    }
+    const bool is_read = ((size_t)message->kind < (sizeof readers / sizeof readers[0])) &&
+                         (readers[message->kind] != NULL);
+    return is_read ? readers[message->kind](message) : IGTL_OK;
 }
 
 static void begin(igtl_message_t *message, const igtl_header_t *header, const uint8_t *body)
