@@ -9,9 +9,15 @@ require_relative '../functions'
 # Rule under test: no written function of the product is longer or more complex than its limits; what is, is named.
 class TestFunctions < Minitest::Test
   ROOT = File.expand_path('../..', __dir__)
+  CONSOLE = File.read(File.join(ROOT, 'app/console/eslint.config.js'))
 
   def test_SWR_TOOL_074_the_functions_of_the_product_are_within_their_limits
     assert_empty Functions.new(ROOT).problems
+  end
+
+  def test_SWR_TOOL_074_the_console_has_the_same_limits
+    assert_includes CONSOLE, "complexity: [\"error\", #{Functions::COMPLEXITY}]"
+    assert_includes CONSOLE, "\"max-lines-per-function\": [\"error\", #{Functions::LINES}]"
   end
 
   def test_SWR_TOOL_074_a_long_function_is_named_with_its_lines

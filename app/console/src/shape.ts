@@ -44,16 +44,17 @@ function misfitOfList(
   return null;
 }
 
+function isPlain(value: unknown, kind: string): boolean {
+  return kind === "number" ? Number.isFinite(value) : typeof value === kind;
+}
+
 /**
  * Where the value is not of the kind, as a JSON pointer; null where it is. What is missing is undefined. A member that the
  * kind does not know harms nobody.
  */
 export function misfitOf(value: unknown, kind: Kind): string | null {
-  if (kind === "number") {
-    return Number.isFinite(value) ? null : "";
-  }
   if (typeof kind === "string") {
-    return typeof value === kind ? null : "";
+    return isPlain(value, kind) ? null : "";
   }
   if ("members" in kind) {
     return misfitOfMembers(value, kind.members);

@@ -207,6 +207,29 @@ function marksOf(chart: Chart, region: string, change: Change | null) {
   return causes.flatMap((id) => chart.transitions[id]?.marks ?? []);
 }
 
+/** Each region with its state and the last change of it. */
+function regionsOf(
+  chart: Chart,
+  name: ChartName,
+  instance: Instance,
+  seen: Seen,
+) {
+  return chart.regions.map((region) => ({
+    region: region.name,
+    leaf: instance.leaves[region.name] ?? "",
+    change: seen[keyOf(name, instance.name, region.name)]?.change ?? null,
+  }));
+}
+
+/** The one that has changed last. */
+function latestOf(regions: ReturnType<typeof regionsOf>) {
+  const time = ({ change }: (typeof regions)[number]) =>
+    change?.at.getTime() ?? 0;
+  return regions.reduce((one, other) =>
+    time(other) >= time(one) ? other : one,
+  );
+}
+
 /** The charts with what was seen of them until now. */
 export function SeenCharts({
   robot,
@@ -226,16 +249,7 @@ export function SeenCharts({
   if (instance === undefined) {
     return null;
   }
-  const regions = chart.regions.map((region) => ({
-    region: region.name,
-    leaf: instance.leaves[region.name] ?? "",
-    change: seen[keyOf(name, instance.name, region.name)]?.change ?? null,
-  }));
-  const time = ({ change }: (typeof regions)[number]) =>
-    change?.at.getTime() ?? 0;
-  const latest = regions.reduce((one, other) =>
-    time(other) >= time(one) ? other : one,
-  );
+  const regions = regionsOf(chart, name, instance, seen);
   return (
     <div className="charts">
       <div className="chart-choosers">
@@ -265,7 +279,7 @@ export function SeenCharts({
       <Picture
         name={name}
         leaves={instance.leaves}
-        region={latest.region}
+        region={latestOf(regions).region}
         taken={regions.flatMap(({ region, change }) =>
           marksOf(chart, region, change),
         )}

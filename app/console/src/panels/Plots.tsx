@@ -106,6 +106,32 @@ function useChosen(axes: readonly Axis[]) {
   return { chosen: axes.filter(({ name }) => present.includes(name)), toggle };
 }
 
+function AxisChoices({
+  axes,
+  chosen,
+  toggle,
+}: {
+  axes: readonly Axis[];
+  chosen: readonly Axis[];
+  toggle: (name: string) => void;
+}) {
+  return (
+    <fieldset className="plots-axes">
+      <legend>Axes</legend>
+      {axes.map(({ name }) => (
+        <label key={name}>
+          <input
+            type="checkbox"
+            checked={chosen.some((one) => one.name === name)}
+            onChange={() => toggle(name)}
+          />{" "}
+          {name}
+        </label>
+      ))}
+    </fieldset>
+  );
+}
+
 /**
  * The last 30 s of the chosen axes.
  *
@@ -126,19 +152,7 @@ export function Plots({
   return (
     <>
       <div className="orders">
-        <fieldset className="plots-axes">
-          <legend>Axes</legend>
-          {axes.map(({ name }) => (
-            <label key={name}>
-              <input
-                type="checkbox"
-                checked={chosen.some((one) => one.name === name)}
-                onChange={() => toggle(name)}
-              />{" "}
-              {name}
-            </label>
-          ))}
-        </fieldset>
+        <AxisChoices axes={axes} chosen={chosen} toggle={toggle} />
         <button
           type="button"
           onClick={() => setPaused(paused === null ? trace.copy() : null)}

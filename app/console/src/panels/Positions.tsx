@@ -226,21 +226,8 @@ function Preview({
   );
 }
 
-/**
- * Saves where the axes stand, and restores it in two steps: what would become of each axis is looked at first.
- *
- * @satisfies SWR-CON-028
- * @satisfies SWR-CON-105
- */
-export function Positions({
-  robot,
-  operation,
-}: {
-  robot: RobotState;
-  operation: Operation;
-}) {
-  const commanding = useCommanding(operation, robot.status.authority);
-  const known = robot.motors.axes.filter(isKnown).map(({ name }) => name);
+/** What a file would restore, and what is said of the last attempt. */
+function usePreview(operation: Operation) {
   const [preview, setPreview] = useState<Seen | null>(null);
   const [note, setNote] = useState<string | null>(null);
   const attempt = (work: () => Promise<string | null>) =>
@@ -271,6 +258,25 @@ export function Positions({
         : null,
     );
   };
+  return { preview, note, attempt, take, correct, end };
+}
+
+/**
+ * Saves where the axes stand, and restores it in two steps: what would become of each axis is looked at first.
+ *
+ * @satisfies SWR-CON-028
+ * @satisfies SWR-CON-105
+ */
+export function Positions({
+  robot,
+  operation,
+}: {
+  robot: RobotState;
+  operation: Operation;
+}) {
+  const commanding = useCommanding(operation, robot.status.authority);
+  const known = robot.motors.axes.filter(isKnown).map(({ name }) => name);
+  const { preview, note, attempt, take, correct, end } = usePreview(operation);
   return (
     <>
       <div className="orders">

@@ -118,6 +118,62 @@ function HeldNote({ held }: { held: Held | null }) {
   );
 }
 
+/** `held`: these steps, as they are held; null while they are not. */
+function StepsTable({
+  steps,
+  held,
+  show,
+}: {
+  steps: readonly StepText[];
+  held: Held | null;
+  show: (next: readonly StepText[]) => void;
+}) {
+  return (
+    <div className="table-scroll" role="region" aria-label="Steps" tabIndex={0}>
+      <table className="program">
+        <thead>
+          <tr>
+            <th scope="col">Step</th>
+            {fields.map(([field, label]) => (
+              <th key={field} scope="col">
+                {label}
+              </th>
+            ))}
+            <th scope="col">Gate</th>
+            <th scope="col">Progress</th>
+            <th scope="col">
+              <span className="hidden">Remove</span>
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {steps.map((step, index) => (
+            <StepRow
+              key={index}
+              step={step}
+              index={index}
+              progress={held === null ? null : progressOf(held, index)}
+              change={(changed) => show(steps.with(index, changed))}
+              remove={() => show(steps.toSpliced(index, 1))}
+            />
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+function StepsNote() {
+  return (
+    <p className="order-refusal">
+      Depth is the position of the axis along the needle, angle that of the axis
+      about it, each in its unit; a robot that does not turn its needle has no
+      angle. With a gate a step ends when the dose is reached, at the latest
+      after its dwell.
+    </p>
+  );
+}
+
 /**
  * Steps written here or read from a file, judged by control, run by their checksum.
  *
@@ -159,55 +215,13 @@ export function Program({
           {problem}
         </p>
       )}
-      <div
-        className="table-scroll"
-        role="region"
-        aria-label="Steps"
-        tabIndex={0}
-      >
-        <table className="program">
-          <thead>
-            <tr>
-              <th scope="col">Step</th>
-              {fields.map(([field, label]) => (
-                <th key={field} scope="col">
-                  {label}
-                </th>
-              ))}
-              <th scope="col">Gate</th>
-              <th scope="col">Progress</th>
-              <th scope="col">
-                <span className="hidden">Remove</span>
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            {steps.map((step, index) => (
-              <StepRow
-                key={index}
-                step={step}
-                index={index}
-                progress={
-                  list.isOurs && held !== null ? progressOf(held, index) : null
-                }
-                change={(changed) => show(steps.with(index, changed))}
-                remove={() => show(steps.toSpliced(index, 1))}
-              />
-            ))}
-          </tbody>
-        </table>
-      </div>
+      <StepsTable steps={steps} held={list.isOurs ? held : null} show={show} />
       <p>
         <button type="button" onClick={() => show([...steps, emptyStep])}>
           Add a step
         </button>
       </p>
-      <p className="order-refusal">
-        Depth is the position of the axis along the needle, angle that of the
-        axis about it, each in its unit; a robot that does not turn its needle
-        has no angle. With a gate a step ends when the dose is reached, at the
-        latest after its dwell.
-      </p>
+      <StepsNote />
       <ListOrders
         commanding={commanding}
         list={list}

@@ -77,6 +77,49 @@ function PointRow({
   );
 }
 
+function PointsTable({
+  points,
+  chosen,
+}: {
+  points: readonly SweepPoint[];
+  chosen: number;
+}) {
+  return (
+    <div
+      className="table-scroll sweep-table"
+      role="region"
+      aria-label="Points of the sweep"
+      tabIndex={0}
+    >
+      <table>
+        <thead>
+          <tr>
+            {[
+              "Frequency",
+              "Upwards, /min",
+              "Downwards, /min",
+              "Expected, /min",
+            ].map((name) => (
+              <th key={name} scope="col" className="number">
+                {name}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {points.map((one, at) => (
+            <PointRow
+              key={one.frequency_hz}
+              point={one}
+              isChosen={at === chosen}
+            />
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
 /** The cursor is moved in the list of points, whose row then stands out. */
 function KeptCurve({ kept }: { kept: readonly SweepPoint[] }) {
   const points = kept.toReversed(); // As drawn, from left to right.
@@ -110,38 +153,7 @@ function KeptCurve({ kept }: { kept: readonly SweepPoint[] }) {
         />
       </label>
       <p>{said}</p>
-      <div
-        className="table-scroll sweep-table"
-        role="region"
-        aria-label="Points of the sweep"
-        tabIndex={0}
-      >
-        <table>
-          <thead>
-            <tr>
-              {[
-                "Frequency",
-                "Upwards, /min",
-                "Downwards, /min",
-                "Expected, /min",
-              ].map((name) => (
-                <th key={name} scope="col" className="number">
-                  {name}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {points.map((one, at) => (
-              <PointRow
-                key={one.frequency_hz}
-                point={one}
-                isChosen={at === index}
-              />
-            ))}
-          </tbody>
-        </table>
-      </div>
+      <PointsTable points={points} chosen={index} />
     </>
   );
 }
@@ -202,6 +214,58 @@ function PresentSweep({ page, axis }: { page: Page; axis: Axis }) {
   );
 }
 
+/** Which axis, that it is free, and the sweep of it. */
+function SweepOrder({
+  axis,
+  able,
+  choose,
+  isFree,
+  setIsFree,
+  commanding,
+  refusal,
+}: {
+  axis: Axis;
+  able: readonly Axis[];
+  choose: (name: string) => void;
+  isFree: boolean;
+  setIsFree: (isFree: boolean) => void;
+  commanding: ModePanelProperties["commanding"];
+  refusal: string | null;
+}) {
+  return (
+    <div className="orders">
+      <label>
+        Axis{" "}
+        <select
+          value={axis.name}
+          onChange={(event) => choose(event.target.value)}
+        >
+          {able.map(({ name }) => (
+            <option key={name}>{name}</option>
+          ))}
+        </select>
+      </label>
+      <label>
+        <input
+          type="checkbox"
+          checked={isFree}
+          onChange={(event) => setIsFree(event.target.checked)}
+        />{" "}
+        I have looked: {axis.name} is free, nothing hinders it, and nobody is at
+        it
+      </label>
+      <Order
+        commanding={commanding}
+        path="/api/v1/motion/sweep"
+        fields={{ axis: axis.name, is_free: true }}
+        refusal={refusal ?? (isFree ? null : "Confirm that the axis is free.")}
+      >
+        Sweep {axis.name}
+      </Order>
+    </div>
+  );
+}
+
 /**
  * The speeds of an axis by frequency: measured once somebody has said that it is free, and shown as they come.
  *
@@ -224,45 +288,21 @@ export function Sweep({
   );
   const axis = able.find(({ name }) => name === chosen) ?? able[0];
   const isRunning = status.mode.name === "SWEEP" && status.order !== "none";
-  const refusal = reasonAgainst(outlook, "SWEEP");
   return (
     <>
       {axis !== undefined && (
-        <div className="orders">
-          <label>
-            Axis{" "}
-            <select
-              value={axis.name}
-              onChange={(event) => {
-                setChosen(event.target.value);
-                setIsFree(false);
-              }}
-            >
-              {able.map(({ name }) => (
-                <option key={name}>{name}</option>
-              ))}
-            </select>
-          </label>
-          <label>
-            <input
-              type="checkbox"
-              checked={isFree}
-              onChange={(event) => setIsFree(event.target.checked)}
-            />{" "}
-            I have looked: {axis.name} is free, nothing hinders it, and nobody
-            is at it
-          </label>
-          <Order
-            commanding={commanding}
-            path="/api/v1/motion/sweep"
-            fields={{ axis: axis.name, is_free: true }}
-            refusal={
-              refusal ?? (isFree ? null : "Confirm that the axis is free.")
-            }
-          >
-            Sweep {axis.name}
-          </Order>
-        </div>
+        <SweepOrder
+          axis={axis}
+          able={able}
+          choose={(name) => {
+            setChosen(name);
+            setIsFree(false);
+          }}
+          isFree={isFree}
+          setIsFree={setIsFree}
+          commanding={commanding}
+          refusal={reasonAgainst(outlook, "SWEEP")}
+        />
       )}
       {axis === undefined && <p>No card of this robot makes waves.</p>}
       <div className="sweep">

@@ -68,6 +68,40 @@ function SpeedRow({
   );
 }
 
+function speedsOf(
+  axes: readonly Axis[],
+  texts: Readonly<Record<string, string>>,
+): AxisSpeed[] {
+  return axes
+    .filter(({ name }) => (texts[name] ?? "").trim() !== "")
+    .map(({ name, unit }) => ({
+      axis: name,
+      speed_per_s: readNumbers(texts[name] ?? "", 1)?.[0],
+      unit,
+    }));
+}
+
+function BoundChoice({
+  bound,
+  choose,
+}: {
+  bound: Bound;
+  choose: (bound: Bound) => void;
+}) {
+  return (
+    <label>
+      For a{" "}
+      <select
+        value={bound}
+        onChange={(event) => choose(event.target.value as Bound)}
+      >
+        <option value="time_s">time</option>
+        <option value="way">way</option>
+      </select>
+    </label>
+  );
+}
+
 /**
  * One axis or several at a speed each, for a time, or one of them for a way.
  *
@@ -84,13 +118,7 @@ export function Velocity({
   const [bound, setBound] = useState<Bound>("time_s");
   const [amountText, setAmountText] = useState("");
   const { axes } = robot.motors;
-  const speeds = axes
-    .filter(({ name }) => (texts[name] ?? "").trim() !== "")
-    .map(({ name, unit }): AxisSpeed => ({
-      axis: name,
-      speed_per_s: readNumbers(texts[name] ?? "", 1)?.[0],
-      unit,
-    }));
+  const speeds = speedsOf(axes, texts);
   const amount = readNumbers(amountText, 1)?.[0];
   const moved = axes.find(({ name }) => name === speeds[0]?.axis);
   const refusal = reasonAgainst(outlook, "VELOCITY");
@@ -108,16 +136,7 @@ export function Velocity({
         ))}
       </ul>
       <Orders name="How long">
-        <label>
-          For a{" "}
-          <select
-            value={bound}
-            onChange={(event) => setBound(event.target.value as Bound)}
-          >
-            <option value="time_s">time</option>
-            <option value="way">way</option>
-          </select>
-        </label>
+        <BoundChoice bound={bound} choose={setBound} />
         <label>
           of{" "}
           <input

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useRef, useState } from "react";
-import type { KeyboardEvent, PointerEvent } from "react";
+import type { KeyboardEvent, PointerEvent, SVGProps } from "react";
 import type { Axis } from "@interface";
 import { formatValue } from "../format";
 import { isKnown } from "../trust";
@@ -31,9 +31,10 @@ interface Drag {
 }
 
 /** A set-point that is only drafted; nobody hears of it before it is let go. */
-function useDraft(isLocked: boolean, send: (position: number) => void) {
+function useDraft({ axis, asked, isLocked, onSend }: SliderProperties) {
   const [draft, setDraft] = useState<number | null>(null);
   const dragRef = useRef<Drag | null>(null);
+  const wanted = draft ?? asked ?? axis.setpoint;
   const discard = () => {
     dragRef.current = null;
     setDraft(null);
@@ -46,10 +47,25 @@ function useDraft(isLocked: boolean, send: (position: number) => void) {
   const letGo = () => {
     discard();
     if (draft !== null && !isLocked) {
-      send(draft);
+      onSend(draft);
     }
   };
-  return { draft, setDraft, dragRef, discard, letGo };
+  const put = (position: number) => setDraft(within(axis, position));
+  const take = (event: PointerEvent<SVGElement>) => {
+    if (!isLocked && event.button === 0) {
+      event.currentTarget.setPointerCapture(event.pointerId);
+      dragRef.current = { x: event.clientX, position: wanted };
+    }
+  };
+  /** `width`: of the axis, on the screen. */
+  const pull = (event: PointerEvent, width: number) => {
+    if (dragRef.current !== null && width > 0) {
+      const way = (event.clientX - dragRef.current.x) / width;
+      const range = axis.maximum - axis.minimum;
+      put(dragRef.current.position + way * range);
+    }
+  };
+  return { draft, wanted, put, discard, letGo, take, pull };
 }
 
 export interface SliderProperties {
@@ -63,26 +79,64 @@ export interface SliderProperties {
   onSend: (position: number) => void;
 }
 
+function SliderTrack({
+  axis,
+  wanted,
+  grip,
+}: {
+  axis: Axis;
+  wanted: number;
+  /** What the pointer does with the circle. */
+  grip: SVGProps<SVGCircleElement>;
+}) {
+  const at = (position: number) => `${percentOf(axis, position)}%`;
+  return (
+    <svg className="track" aria-hidden="true">
+      <line className="track-line" x1="0" x2="100%" y1="50%" y2="50%" />
+      <line className="track-limit" x1="0" x2="0" y1="25%" y2="75%" />
+      <line className="track-limit" x1="100%" x2="100%" y1="25%" y2="75%" />
+      {isKnown(axis) && (
+        <>
+          <line
+            className="slider-accepted"
+            x1={at(axis.setpoint)}
+            x2={at(axis.setpoint)}
+            y1="10%"
+            y2="90%"
+          />
+          <svg
+            className="track-position"
+            x={at(axis.position)}
+            y="50%"
+            overflow="visible"
+          >
+            <path d="M0-6L6 0 0 6-6 0z" />
+          </svg>
+          <circle className="track-setpoint" cx={at(wanted)} cy="50%" r="10" />
+          <circle
+            className="slider-grip"
+            cx={at(wanted)}
+            cy="50%"
+            r="16"
+            {...grip}
+          />
+        </>
+      )}
+    </svg>
+  );
+}
+
 /**
  * Circle: what this page asks for. Tick: where control wants the axis now. Diamond: where it is. The circle is taken by
  * the pointer or moved by keys, and only what it is let go at is sent.
  *
  * @satisfies SWR-CON-025
  */
-export function Slider({
-  axis,
-  asked,
-  step,
-  isLocked,
-  onSend,
-}: SliderProperties) {
+export function Slider(properties: SliderProperties) {
+  const { axis, step, isLocked } = properties;
   const frame = useRef<HTMLDivElement>(null);
-  const { draft, setDraft, dragRef, discard, letGo } = useDraft(
-    isLocked,
-    onSend,
-  );
-  const wanted = draft ?? asked ?? axis.setpoint;
-  const at = (position: number) => `${percentOf(axis, position)}%`;
+  const { draft, wanted, put, discard, letGo, take, pull } =
+    useDraft(properties);
   const value = (position: number) => formatValue(position, axis.unit);
 
   const press = (event: KeyboardEvent) => {
@@ -92,22 +146,8 @@ export function Slider({
     } else if (count !== undefined) {
       event.preventDefault();
       if (!isLocked) {
-        setDraft(within(axis, wanted + count * step));
+        put(wanted + count * step);
       }
-    }
-  };
-  const take = (event: PointerEvent<SVGElement>) => {
-    if (!isLocked && event.button === 0) {
-      event.currentTarget.setPointerCapture(event.pointerId);
-      dragRef.current = { x: event.clientX, position: wanted };
-    }
-  };
-  const pull = (event: PointerEvent) => {
-    const width = frame.current?.getBoundingClientRect().width ?? 0;
-    if (dragRef.current !== null && width > 0) {
-      const way = (event.clientX - dragRef.current.x) / width;
-      const range = axis.maximum - axis.minimum;
-      setDraft(within(axis, dragRef.current.position + way * range));
     }
   };
   return (
@@ -132,46 +172,17 @@ export function Slider({
       onKeyUp={(event) => event.key in steps && letGo()}
       onBlur={discard}
     >
-      <svg className="track" aria-hidden="true">
-        <line className="track-line" x1="0" x2="100%" y1="50%" y2="50%" />
-        <line className="track-limit" x1="0" x2="0" y1="25%" y2="75%" />
-        <line className="track-limit" x1="100%" x2="100%" y1="25%" y2="75%" />
-        {isKnown(axis) && (
-          <>
-            <line
-              className="slider-accepted"
-              x1={at(axis.setpoint)}
-              x2={at(axis.setpoint)}
-              y1="10%"
-              y2="90%"
-            />
-            <svg
-              className="track-position"
-              x={at(axis.position)}
-              y="50%"
-              overflow="visible"
-            >
-              <path d="M0-6L6 0 0 6-6 0z" />
-            </svg>
-            <circle
-              className="track-setpoint"
-              cx={at(wanted)}
-              cy="50%"
-              r="10"
-            />
-            <circle
-              className="slider-grip"
-              cx={at(wanted)}
-              cy="50%"
-              r="16"
-              onPointerDown={take}
-              onPointerMove={pull}
-              onPointerUp={letGo}
-              onPointerCancel={discard}
-            />
-          </>
-        )}
-      </svg>
+      <SliderTrack
+        axis={axis}
+        wanted={wanted}
+        grip={{
+          onPointerDown: take,
+          onPointerMove: (event) =>
+            pull(event, frame.current?.getBoundingClientRect().width ?? 0),
+          onPointerUp: letGo,
+          onPointerCancel: discard,
+        }}
+      />
     </div>
   );
 }

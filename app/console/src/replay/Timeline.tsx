@@ -114,21 +114,13 @@ export interface TimelineProperties {
   says: string;
 }
 
-/**
- * The recording from its begin to its end, and the cycle that is looked at.
- *
- * @satisfies SWR-REPLAY-018
- */
-export function Timeline({
-  recording,
-  cycle,
-  onCycle,
-  says,
-}: TimelineProperties) {
-  const { first, last, lanes, events, robot } = recording;
-  const scale: Scale = (one) => (WIDTH * (one - first)) / (last - first || 1);
+function rowsOf(
+  recording: Recording,
+  scale: Scale,
+): { label: string; height: number; content: React.ReactNode }[] {
+  const { lanes, events, robot } = recording;
   const axes = robot.axes.map(({ name }) => name);
-  const rows: { label: string; height: number; content: React.ReactNode }[] = [
+  return [
     {
       label: "Workphase",
       height: LANE,
@@ -157,9 +149,24 @@ export function Timeline({
       content: <Curve recording={recording} name={name} scale={scale} />,
     })),
   ];
+}
+
+/**
+ * The recording from its begin to its end, and the cycle that is looked at.
+ *
+ * @satisfies SWR-REPLAY-018
+ */
+export function Timeline({
+  recording,
+  cycle,
+  onCycle,
+  says,
+}: TimelineProperties) {
+  const { first, last } = recording;
+  const scale: Scale = (one) => (WIDTH * (one - first)) / (last - first || 1);
   return (
     <div className="timeline">
-      {rows.map(({ label, height, content }) => (
+      {rowsOf(recording, scale).map(({ label, height, content }) => (
         <div className="timeline-row" key={label}>
           <span className="timeline-label">{label}</span>
           <svg
