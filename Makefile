@@ -187,7 +187,7 @@ $(BOARD_TABLE): bsp/$(BOARD)/board.yml $(APART)/board tools/boards.rb tools/robo
 
 INTERFACE_PARTS := $(wildcard core/interface/*.yml core/robot/*/kinematics.yml tools/interface_compiler.rb tools/interface/*.rb)
 # What of the exchange's segment is declared elsewhere: there are checkpoints in it, which are the whole state of the core.
-LAYOUT_HEADERS := app/exchange/exchange.h app/exchange/exchange_cycles.h app/exchange/exchange_files.h app/exchange/exchange_notes.h app/exchange/exchange_peers.h app/exchange/exchange_segment.h $(sort $(wildcard core/*/*.h)) \
+LAYOUT_HEADERS := app/exchange/exchange.h app/exchange/exchange_cycles.h app/exchange/exchange_files.h app/exchange/exchange_notes.h app/exchange/exchange_peers.h app/exchange/exchange_record.h app/exchange/exchange_segment.h app/exchange/exchange_values.h $(sort $(wildcard core/*/*.h)) \
     $(GEN)/limits/requirement_limits.h
 $(GEN)/interface/.compiled: $(INTERFACE_PARTS) build/robots $(LAYOUT_HEADERS) $(GEN)/charts/charts.json
 	@ruby tools/interface_compiler.rb core/interface $(GEN)/charts/charts.json $(GEN)/interface $(LAYOUT_HEADERS)

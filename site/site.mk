@@ -47,7 +47,7 @@ SERVED_ABSENT := $(addprefix app/http/,http_archive.c http_conversation.c http_d
 SERVED_SOURCES := $(wildcard site/served/*.c) site/closed_loop.c site/watch.c $(addprefix app/replay/,$(WATCHING)) $(EVENT_TEXT) $(GEN)/interface/app/fields.c $(BOX_SOURCES) app/control/lamps.c $(FIND_ROBOT) \
     $(filter-out $(SERVED_ABSENT),$(wildcard app/http/*.c app/gate/*.c)) \
     $(wildcard app/request/*.c app/sweep/*.c app/trajectory/*.c) $(addprefix app/session/,account.c session_desk.c session_table.c login_delay.c) \
-    $(filter-out app/exchange/exchange_segment.c,$(EXCHANGE)) $(API) $(HANDLERS) $(REFUSED_AXIS) $(AXIS_TERMS) $(LIST_TERMS) $(DRIVE_TERMS) $(LOG_ENTRY) \
+    $(filter-out app/exchange/exchange_open.c,$(EXCHANGE)) $(API) $(HANDLERS) $(REFUSED_AXIS) $(AXIS_TERMS) $(LIST_TERMS) $(DRIVE_TERMS) $(LOG_ENTRY) \
     $(GEN)/interface/app/messages.c $(NAMES) $(GEN)/assets/chart_names.c
 
 # The same in native code, to be compared with it; there the C library has its own system.

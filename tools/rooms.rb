@@ -3,8 +3,8 @@
 # frozen_string_literal: true
 
 # Holds the includes of the product against tools/rooms.yml: an include names the room that it enters, each room enters
-# those alone that it may, no two rooms enter each other, and the refusals of a robot stay in its folder. Neither core
-# nor app names a board or a program of one.
+# those alone that it may, no two rooms enter each other, no two files of one room do (a source and its header are one),
+# and the refusals of a robot stay in its folder. Neither core nor app names a board or a program of one.
 #
 #   ruby tools/rooms.rb [--root FOLDER]     one line for each include or name that must not be, exit 1 if there is any
 
@@ -16,6 +16,7 @@ require 'yaml'
 #
 # @satisfies SWR-TOOL-014
 # @satisfies SWR-TOOL-016
+# @satisfies SWR-TOOL-075
 class Rooms
   include TSort
 
@@ -39,6 +40,9 @@ class Rooms
   NAMED = /\A\s+"(?<header>[\w\/]+\.h)"/
   OF_THE_SYSTEM = /\A\s+<(?<header>[\w\/.]+)>/
 
+  # Where an include begins.
+  ROOTS = %w[core app bsp bsp/include .].freeze
+
   # Who may not name a board.
   TEXTS = '{core,app}/**/*.{c,h,inc,yml}'
 
@@ -53,7 +57,7 @@ class Rooms
 
   # One line for each thing that is not as it must be.
   def problems
-    unknown_folders + circles + named_boards +
+    unknown_folders + circles + circles_of_files + named_boards +
       files.flat_map { |room, file| wrong_includes(room, file) + strays(file) }
   end
 
@@ -136,6 +140,40 @@ class Rooms
     each_strongly_connected_component.select { |group| group.size > 1 }.map do |group|
       "#{FILE}: #{group.map(&:folder).sort.join(' and ')} see each other"
     end
+  end
+
+  def circles_of_files
+    each_node = ->(&block) { modules.each_key(&block) }
+    each_child = ->(file, &block) { modules[file].each(&block) }
+    TSort.each_strongly_connected_component(each_node, each_child).select { |group| group.size > 1 }.map do |group|
+      "#{group.min}: includes itself by #{(group - [group.min]).sort.join(' and ')}"
+    end
+  end
+
+  # Each file without its extension, with those that it includes.
+  def modules
+    @modules ||= files.map(&:last).group_by { |file| stem(file) }.transform_values do |parts|
+      included(parts).uniq - [stem(parts.first)]
+    end
+  end
+
+  def included(parts)
+    parts.flat_map do |file|
+      File.foreach(File.join(@root, file)).filter_map { |line| line[INCLUDE, :rest]&.then { |rest| rest[NAMED, :header] } }
+    end.filter_map { |header| found(header) }
+  end
+
+  def found(header)
+    path = ROOTS.map { |folder| folder == '.' ? header : File.join(folder, header) }.find { |one| known[one] }
+    path && stem(path)
+  end
+
+  def known
+    @known ||= files.to_h { |_, file| [file, true] }
+  end
+
+  def stem(file)
+    file.delete_suffix(File.extname(file))
   end
 
   def tsort_each_node(&)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* What the loop's core is left to. */
+#include "check/check.h"
 #include "check/check_files.h"
 #include "check/check_judges.h"
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* What a cycle takes. */
+#include "check/check.h"
 #include "check/check_judges.h"
 
 #include "card/card_dialect.h"

@@ -3,7 +3,9 @@
 #ifndef BORESIGHT_CHECK_JUDGES_H
 #define BORESIGHT_CHECK_JUDGES_H
 
-#include "check/check.h"
+#include "check/check_facts.h"
+
+#include <stdbool.h>
 
 /** As check_is_good(). */
 typedef bool check_judge_t(const check_facts_t *facts, char found[CHECK_TEXT_SIZE]);

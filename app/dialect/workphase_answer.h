@@ -5,7 +5,7 @@
 
 #include "dialect/igtl_dialect.h"
 #include "dialect/igtl_requests.h"
-#include "dialect/workphase_dialect.h"
+#include "dialect/workphase_state.h"
 #include "interface/answer.h"
 #include "interface/command.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "dialect/workphase_array.h"
 
+#include "dialect/workphase_lists.h"
+
 #include <stddef.h>
 
 status_t workphase_array_take(workphase_array_t *self, const workphase_list_t *list,

@@ -9,7 +9,7 @@
 #define BORESIGHT_WORKPHASE_ARRAY_H
 
 #include "dialect/igtl_requests.h"
-#include "dialect/workphase_lists.h"
+#include "dialect/workphase_list_kind.h"
 #include "interface/status.h"
 #include "limits/requirement_limits.h"
 #include "message/igtl_codec.h"

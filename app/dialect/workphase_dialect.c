@@ -5,7 +5,7 @@
 #include "dialect/workphase_answer.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
-#include "dialect/workphase_program.h"
+#include "dialect/workphase_progress.h"
 #include "dialect/workphase_receive.h"
 #include "dialect/workphase_watch.h"
 #include "procedure/command_kinds.h"
@@ -32,14 +32,6 @@ void workphase_dialect_connected(void *dialect, uint32_t peer,
     self->peers[peer].number = introduction->number;
     self->peers[peer].language = introduction->language;
     self->peers[peer].entry_prefix = introduction->entry_prefix;
-}
-
-static bool is_long(const igtl_request_t *request)
-{
-    const workphase_t asked = command_kinds_workphase(&request->command);
-
-    return workphase_peer_is_motion(request->command.kind) || (asked == WORKPHASE_START_UP) ||
-           (asked == WORKPHASE_MOVE_TO_TARGET);
 }
 
 void workphase_dialect_disconnected(void *dialect, uint32_t peer)
@@ -69,17 +61,7 @@ bool workphase_dialect_is_controlled_by(const void *dialect, uint32_t peer)
 
 bool workphase_dialect_has_order(const void *dialect, uint32_t peer)
 {
-    const workphase_dialect_t *self = dialect;
-
-    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
-        const igtl_request_t *request = &self->requests.requests[i];
-
-        if ((request->id != 0U) && (request->peer == peer) && request->is_accepted &&
-            is_long(request)) {
-            return true;
-        }
-    }
-    return false;
+    return workphase_peer_has_order(dialect, peer);
 }
 
 static bool is_held_here(const snapshot_t *shown)
@@ -221,7 +203,7 @@ static void follow_program(workphase_dialect_t *self, const igtl_moment_t *momen
         if ((request->id != 0U) && request->is_accepted && (request->peer != IGTL_NOBODY) &&
             (request->command.kind == (uint32_t)COMMAND_RUN_PROGRAM) &&
             (self->peers[request->peer].pending == 0U)) {
-            workphase_program_follow(&self->peers[request->peer], moment);
+            workphase_progress_follow(&self->peers[request->peer], moment);
         }
     }
 }

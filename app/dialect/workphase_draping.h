@@ -8,7 +8,7 @@
 #define BORESIGHT_WORKPHASE_DRAPING_H
 
 #include "dialect/igtl_dialect.h"
-#include "dialect/workphase_dialect.h"
+#include "dialect/workphase_state.h"
 #include "dialect/workphase_words.h"
 #include "interface/status.h"
 

@@ -4,7 +4,7 @@
 #define BORESIGHT_WORKPHASE_NEEDLE_H
 
 #include "dialect/igtl_dialect.h"
-#include "dialect/workphase_dialect.h"
+#include "dialect/workphase_state.h"
 #include "robot/robot.h"
 
 /**

@@ -5,6 +5,7 @@
 #include "interface/mode_list.h"
 #include "limits/requirement_limits.h"
 #include "message/igtl_crc64.h"
+#include "procedure/command_kinds.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -23,6 +24,27 @@ bool workphase_peer_is_motion(uint32_t kind)
 
     for (uint32_t i = (uint32_t)MODE_NONE + 1U; i < MODE_KIND_COUNT; i++) {
         if ((mode_rows[i].command == arming) && (kind != (uint32_t)COMMAND_WORKPHASE)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_long(const igtl_request_t *request)
+{
+    const workphase_t asked = command_kinds_workphase(&request->command);
+
+    return workphase_peer_is_motion(request->command.kind) || (asked == WORKPHASE_START_UP) ||
+           (asked == WORKPHASE_MOVE_TO_TARGET);
+}
+
+bool workphase_peer_has_order(const workphase_dialect_t *self, uint32_t peer)
+{
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *request = &self->requests.requests[i];
+
+        if ((request->id != 0U) && (request->peer == peer) && request->is_accepted &&
+            is_long(request)) {
             return true;
         }
     }

@@ -4,13 +4,17 @@
 #define BORESIGHT_WORKPHASE_PEER_H
 
 #include "dialect/igtl_dialect.h"
-#include "dialect/workphase_dialect.h"
+#include "dialect/workphase_state.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
 /** `kind`, a command_kind_t, arms a mode, and is no workphase. */
 bool workphase_peer_is_motion(uint32_t kind);
+
+/** An order of `peer` waits for the pedal or moves: START_UP, MOVE_TO_TARGET or a motion by its
+ * word. */
+bool workphase_peer_has_order(const workphase_dialect_t *self, uint32_t peer);
 
 /** Acknowledges a STRING: STRING(ACK_x, text as received, cut to what is sent). `message` is named
  * ???_x. */

@@ -5,7 +5,7 @@
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
 #include "dialect/workphase_peer.h"
-#include "dialect/workphase_program.h"
+#include "dialect/workphase_progress.h"
 #include "limits/requirement_limits.h"
 
 #include <stddef.h>
@@ -133,7 +133,7 @@ bool workphase_poll_string(workphase_peer_t *peer, const igtl_message_t *message
         tell_reached(peer, moment);
         return true;
     case QUESTION_PROGRAM:
-        workphase_program_tell(peer, moment);
+        workphase_progress_tell(peer, moment);
         return true;
     case QUESTION_NONE:
     default:

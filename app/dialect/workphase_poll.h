@@ -5,7 +5,7 @@
 #define BORESIGHT_WORKPHASE_POLL_H
 
 #include "dialect/igtl_dialect.h"
-#include "dialect/workphase_dialect.h"
+#include "dialect/workphase_state.h"
 
 #include <stdbool.h>
 

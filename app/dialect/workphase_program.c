@@ -4,17 +4,12 @@
 #include "common/list_terms.h"
 #include "dialect/igtl_border.h"
 #include "dialect/workphase_text.h"
-#include "interface/mode_list.h"
 #include "limits/requirement_limits.h"
 #include "message/igtl_packet.h"
 
 #include <float.h>
 #include <stddef.h>
-#include <stdio.h>
 #include <string.h>
-
-#define US_PER_S 1e6
-#define PROGRESS_SIZE 64U
 
 static bool has_angle(const robot_t *robot)
 {
@@ -116,33 +111,3 @@ const workphase_list_t workphase_program = {.number = 1U,
                                             .command = command_of,
                                             .index = index_of,
                                             .sum = sum_with};
-
-void workphase_program_tell(workphase_peer_t *peer, const igtl_moment_t *moment)
-{
-    const snapshot_t *shown = moment->snapshot;
-    char text[PROGRESS_SIZE] = "0";
-    igtl_packet_t packet;
-
-    if (shown == NULL) {
-        igtl_tell_refusal(peer->outbox, WORKPHASE_PROGRESS, STATUS_NO_ANSWER, moment);
-        return;
-    }
-    if (shown->program_steps != 0U) {
-        (void)snprintf(text, sizeof text, "%u %u %u %.1f s", (unsigned)shown->program_steps,
-                       (unsigned)shown->program_crc, (unsigned)shown->program_step,
-                       (double)shown->program_dwelt_us / US_PER_S);
-    }
-    igtl_encode_string(&packet, WORKPHASE_PROGRESS, text, moment->timestamp);
-    igtl_outbox_add(peer->outbox, &packet);
-}
-
-void workphase_program_follow(workphase_peer_t *peer, const igtl_moment_t *moment)
-{
-    const snapshot_t *shown = moment->snapshot;
-
-    if ((shown != NULL) && (shown->mode == (uint32_t)MODE_PROGRAM) &&
-        (shown->program_step != peer->steps_told)) {
-        peer->steps_told = shown->program_step;
-        workphase_program_tell(peer, moment);
-    }
-}

@@ -8,7 +8,7 @@
 #ifndef BORESIGHT_WORKPHASE_TRAJECTORY_H
 #define BORESIGHT_WORKPHASE_TRAJECTORY_H
 
-#include "dialect/workphase_lists.h"
+#include "dialect/workphase_list_kind.h"
 
 /** @satisfies SWR-TRAJ-023 */
 extern const workphase_list_t workphase_trajectory;

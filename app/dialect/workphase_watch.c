@@ -235,7 +235,7 @@ static bool is_owed_an_answer(const workphase_dialect_t *self, const igtl_moment
             return true;
         }
     }
-    return workphase_dialect_has_order(self, self->controller) &&
+    return workphase_peer_has_order(self, self->controller) &&
            (moment->snapshot->order == (uint32_t)ARMING_STATE_NONE);
 }
 

@@ -11,6 +11,8 @@
 #define BORESIGHT_EXCHANGE_H
 
 #include "controller/controller.h"
+#include "exchange/exchange_record.h"
+#include "exchange/exchange_values.h"
 #include "interface/answer.h"
 #include "interface/command.h"
 #include "interface/event.h"
@@ -21,79 +23,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define EXCHANGE_COMMANDS 16U /**< Capacity of a command lane. */
-#define EXCHANGE_STOPS 16U    /**< Its places for STOP and EMERGENCY alone. */
-#define EXCHANGE_ANSWERS 64U  /**< Capacity of an answer lane. */
-#define EXCHANGE_EVENTS 1024U /**< Events kept for slow readers. */
 #define EXCHANGE_CYCLES_MOST 0x100000U
 
 /** Real-time rights that control asked for; a set bit was granted. */
 #define EXCHANGE_RIGHT_FIFO 0x1U   /**< SCHED_FIFO. */
 #define EXCHANGE_RIGHT_CORE 0x2U   /**< A core of its own. */
 #define EXCHANGE_RIGHT_MEMORY 0x4U /**< Locked memory. */
-
-typedef enum {
-    CYCLE_RECORD_CHECKPOINT = 1, /**< State of the controller before the next cycle, but rows. */
-    CYCLE_RECORD_CYCLE = 2       /**< One cycle. */
-} cycle_record_kind_t;
-
-/** What the board said in a cycle; only the record wants to know. Fixed layout, no padding. Times
- * are in us of the board's time, which wrap. */
-typedef struct {
-    uint32_t sampled_us;              /**< When the inputs were sampled. */
-    uint32_t levels;                  /**< As bsp_inputs_t: BSP_IN_ bits as they were, */
-    uint32_t dropped;                 /**< that were low since the sample before, */
-    uint32_t valid;                   /**< and that were read. */
-    uint32_t started_us;              /**< Of the exchange that was ended; 0: there was none. */
-    uint32_t finished_us;             /**< The same. */
-    int32_t error;                    /**< As bsp_exchange_t. */
-    uint8_t results[CARD_SLOT_COUNT]; /**< bsp_slot_result_t. */
-    uint8_t reserved[2];              /**< 0. */
-} cycle_board_t;
-
-/** One cycle. */
-typedef struct {
-    controller_inputs_t inputs;
-    controller_outputs_t outputs;
-    cycle_board_t board;
-} recorded_cycle_t;
-
-/* A checkpoint also shows all bytes of a cycle. */
-#define CYCLE_RECORD_BYTES                                                                         \
-    ((CONTROLLER_CHECKPOINT_BYTES > sizeof(recorded_cycle_t)) ? CONTROLLER_CHECKPOINT_BYTES        \
-                                                              : sizeof(recorded_cycle_t))
-
-/** One record, as exchange_cycles.h hands it over. */
-typedef struct {
-    uint32_t kind;  /**< cycle_record_kind_t. */
-    uint32_t cycle; /**< Controller cycle. */
-    uint32_t rows;  /**< Of the trajectory, at a checkpoint: they are in the exchange. */
-    uint32_t list;  /**< Which trajectory that is. */
-    union {
-        recorded_cycle_t cycle;
-        uint8_t checkpoint[CYCLE_RECORD_BYTES];
-    } body;
-} cycle_record_t;
-
-/** Who lives in the segment; each beats its own counter. */
-typedef enum {
-    EXCHANGE_CONTROL = 0,
-    EXCHANGE_IGTL = 1,
-    EXCHANGE_HTTP = 2,
-    EXCHANGE_RECORDER = 3,
-    EXCHANGE_SUPERVISOR = 4
-} exchange_process_t;
-
-#define EXCHANGE_PROCESS_COUNT 5U
-
-#define EXCHANGE_ACCEPTED_SIZE 64U
-
-/** How the cards speak, as the board says it. */
-typedef struct {
-    uint32_t dialect; /**< card_dialect_t. */
-    /** Who accepts what cards of another dialect than our own lack, and when; "": nobody does. */
-    char accepted[EXCHANGE_ACCEPTED_SIZE];
-} exchange_cards_t;
 
 typedef struct exchange exchange_t;
 
@@ -253,12 +188,6 @@ bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *a
 
 /** Answers that found the lane full or were for nobody, since the start. */
 uint32_t exchange_answers_lost(const exchange_t *self);
-
-/** An event, and when control published it: UTC since 1970. */
-typedef struct {
-    event_t event;
-    uint64_t utc_us;
-} exchange_event_t;
 
 /**
  * Adds an event, numbered by the controller without gaps, to the ring; the oldest is overwritten.

@@ -21,18 +21,6 @@
 /** Most entries of one cycle: its own and those of a checkpoint before it. */
 #define EXCHANGE_CYCLE_ENTRIES ((uint32_t)(EXCHANGE_CHECKPOINT_ENTRIES + 1U))
 
-/** One entry of the lane: a cycle or a part of a checkpoint. */
-typedef struct {
-    uint32_t kind;  /**< As cycle_record_t; 0: a later part of a checkpoint. */
-    uint32_t cycle; /**< The same. */
-    uint32_t rows;  /**< The same. */
-    uint32_t list;  /**< The same. */
-    union {
-        recorded_cycle_t cycle;
-        uint8_t part[sizeof(recorded_cycle_t)];
-    } body;
-} cycle_entry_t;
-
 /**
  * Entries that `mb` megabytes hold.
  *

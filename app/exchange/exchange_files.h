@@ -8,14 +8,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-typedef enum {
-    EXCHANGE_FILE_RECORDING = 0,
-    EXCHANGE_FILE_LOG = 1,
-    EXCHANGE_FILE_LOG_BEFORE = 2 /**< Of the same run. */
-} exchange_file_t;
-
-#define EXCHANGE_FILES 3U
-
 /**
  * For the recorder: which file it writes, by the number in its name, noted for those who read it
  * and for its own next run; 0: none.
@@ -24,14 +16,6 @@ typedef enum {
  */
 void exchange_note_file(exchange_t *self, exchange_file_t file, uint32_t number);
 uint32_t exchange_file(const exchange_t *self, exchange_file_t file);
-
-#define EXCHANGE_SETTER_SIZE 32U /**< Room for the name of an account. */
-
-/** Which events the recorder writes to the log's file. All zero: all of them. */
-typedef struct {
-    uint32_t severity;             /**< event_severity_t: these and those above it. */
-    char by[EXCHANGE_SETTER_SIZE]; /**< Who has set it. */
-} exchange_log_level_t;
 
 /** For the HTTP server, one thread at a time. Kept as long as control runs. */
 void exchange_set_log_level(exchange_t *self, const exchange_log_level_t *level);

@@ -15,17 +15,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define EXCHANGE_NOTES LIMIT_NOTES_KEPT
-#define EXCHANGE_NOTE_WHO_SIZE 32U   /**< 31 bytes and a NUL. */
-#define EXCHANGE_NOTE_TEXT_SIZE 768U /**< 767 bytes and a NUL: a request and its answer. */
-
-typedef struct {
-    uint32_t number;
-    uint32_t kind;                      /**< note_kind_t. */
-    char who[EXCHANGE_NOTE_WHO_SIZE];   /**< The name of an account; "?": a stranger. */
-    char text[EXCHANGE_NOTE_TEXT_SIZE]; /**< UTF-8, goes on after the name. */
-} exchange_note_t;
-
 /**
  * For http, one thread at a time: keeps a note, in the place of the oldest, and numbers it. What is
  * too long is cut.

@@ -16,12 +16,14 @@
 #ifndef BORESIGHT_EXCHANGE_SEGMENT_H
 #define BORESIGHT_EXCHANGE_SEGMENT_H
 
-#include "exchange/exchange.h"
-#include "exchange/exchange_cycles.h"
-#include "exchange/exchange_files.h"
 #include "exchange/exchange_lock.h"
-#include "exchange/exchange_notes.h"
-#include "exchange/exchange_peers.h"
+#include "exchange/exchange_record.h"
+#include "exchange/exchange_values.h"
+#include "interface/answer.h"
+#include "interface/command.h"
+#include "interface/loop_figures.h"
+#include "interface/snapshot.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stddef.h>

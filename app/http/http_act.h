@@ -8,7 +8,7 @@
 #define BORESIGHT_HTTP_ACT_H
 
 #include "http/http_call.h"
-#include "http/http_server.h"
+#include "http/http_context.h"
 
 #define HTTP_ACT_PAGE "X-Boresight-Page"
 

@@ -8,7 +8,7 @@
 #define BORESIGHT_HTTP_DOOR_H
 
 #include "http/http_call.h"
-#include "http/http_server.h"
+#include "http/http_context.h"
 
 #define HTTP_DOOR_TOKEN "X-Boresight-Token"
 

@@ -8,7 +8,7 @@
 #define BORESIGHT_HTTP_POSITIONS_H
 
 #include "http/http_call.h"
-#include "http/http_server.h"
+#include "http/http_context.h"
 
 /**
  * Takes the key of the box from the file `path` (NULL: there is none), making it if need be.

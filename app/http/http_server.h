@@ -9,49 +9,12 @@
 #define BORESIGHT_HTTP_SERVER_H
 
 #include "exchange/exchange.h"
-#include "exchange/exchange_files.h"
-#include "http/act_desk.h"
 #include "gate/http_guard.h"
-#include "http/http_notes.h"
-#include "http/http_record.h"
-#include "http/http_peers_log.h"
+#include "http/http_context.h"
 #include "http/http_stream.h"
-#include "http/telemetry.h"
-#include "http/telemetry_json.h"
-#include "saved/saved_desk.h"
-#include "session/session_desk.h"
 
-#include <civetweb.h>
-#include <pthread.h>
 #include <stdbool.h>
-#include <stdint.h>
-
-typedef struct http_server {
-    exchange_t *exchange;
-    http_guard_t guard;
-    const tls_front_t *front; /**< How TLS leads here; NULL: it does not. */
-    http_guard_t front_guard; /**< Of the listener that it feeds. */
-    const char *instance;     /**< Its name. */
-    session_desk_t desk;
-    http_notes_t notes;
-    http_record_t record;
-    http_peers_log_t peers_log;
-    act_desk_t acts;
-    saved_desk_t positions;
-    bool has_key;
-    saved_key_t key;        /**< Of the box. */
-    pthread_mutex_t orders; /**< Of who orders something of a connection of OpenIGTLink. */
-    telemetry_identity_t identity;
-    telemetry_t telemetry;
-    http_stream_t stream;
-    struct {
-        const char *directory;      /**< Of the recorder. */
-        uint32_t searches;          /**< How many go on. */
-        uint32_t downloads;         /**< The same. */
-        pthread_mutex_t lock;       /**< Of who sets the log's level. */
-        exchange_log_level_t level; /**< By "": nobody has set it. */
-    } archive;
-} http_server_t;
+#include <stddef.h>
 
 typedef enum {
     HTTP_SERVER_STARTED = 0,

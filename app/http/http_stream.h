@@ -9,37 +9,12 @@
 #define BORESIGHT_HTTP_STREAM_H
 
 #include "exchange/exchange.h"
+#include "http/http_context.h"
 
 #include <civetweb.h>
-#include <pthread.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-
-#define HTTP_STREAM_CLIENTS 8U /**< Each has a thread of the server's to itself. */
-#define HTTP_STREAM_FRAME_SIZE 32768U
-#define HTTP_STREAM_HISTORY 50U /**< Events sent to a new client. */
-
-typedef struct {
-    const exchange_t *exchange;
-    pthread_mutex_t lock;
-    pthread_cond_t changed;
-    uint32_t clients;
-    uint32_t number; /**< Of the frame; 0: none yet. */
-    size_t size;
-    char frame[HTTP_STREAM_FRAME_SIZE];
-} http_stream_t;
-
-/** One client and what it has been sent. */
-typedef struct {
-    struct mg_connection *connection;
-    uint32_t frame_number;
-    uint32_t next_event;
-    uint32_t next_act;
-    char frame[HTTP_STREAM_FRAME_SIZE];
-} http_stream_client_t;
-
-struct http_server;
 
 /** Starts without clients. `exchange` outlives `self`. */
 void http_stream_init(http_stream_t *self, const exchange_t *exchange);
@@ -52,10 +27,10 @@ bool http_stream_publish(http_stream_t *self, const char *state);
 
 /** Begins with `hello`, JSON on one line, and the acts from here on. False, as of those that
  * follow: the client has not taken it. */
-bool http_stream_greet(http_stream_client_t *client, struct http_server *server, const char *hello);
+bool http_stream_greet(http_stream_client_t *client, http_server_t *server, const char *hello);
 
 /** Sends what happened since the time before. */
-bool http_stream_send_news(http_stream_client_t *client, struct http_server *server);
+bool http_stream_send_news(http_stream_client_t *client, http_server_t *server);
 
 /** Copies the frame if it is new to the client; under the lock. Returns its size; 0: it is not. */
 size_t http_stream_take_frame(http_stream_t *self, http_stream_client_t *client);

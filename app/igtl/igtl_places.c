@@ -53,7 +53,7 @@ static void seat(igtl_server_t *self, igtl_connection_t *connection, uint32_t pl
                                               self->port->entry_prefix, &connection->outbox};
 
     connection->place = place;
-    self->calls->connected(self->dialect, igtl_server_peer(self, connection), &introduction);
+    self->calls->connected(self->dialect, igtl_seats_peer(self, connection), &introduction);
 }
 
 void igtl_places_fill(igtl_server_t *self)
@@ -78,7 +78,7 @@ void igtl_places_enter(igtl_server_t *self, int descriptor, uint32_t address, ui
     if (free_place(self) == IGTL_NO_PLACE) {
         igtl_troubles_note(&self->troubles, self->port->number, IGTL_TROUBLE_FULL, "", now_us);
         if (count == IGTL_WAITING) {
-            igtl_server_drop(self, oldest, now_us);
+            igtl_seats_drop(self, oldest, now_us);
         }
     }
     for (uint32_t i = 0U; i < IGTL_CONNECTIONS; i++) {
@@ -99,9 +99,9 @@ void igtl_places_enter(igtl_server_t *self, int descriptor, uint32_t address, ui
 static bool is_needed(const igtl_server_t *self, const igtl_connection_t *connection)
 {
     const igtl_dialect_calls_t *calls = self->calls;
-    const uint32_t peer = igtl_server_peer(self, connection);
+    const uint32_t peer = igtl_seats_peer(self, connection);
 
-    return igtl_server_commands(self, connection) ||
+    return igtl_seats_commands(self, connection) ||
            ((calls->has_order != NULL) && calls->has_order(self->dialect, peer));
 }
 
@@ -122,7 +122,7 @@ static void evict_silent(igtl_server_t *self, uint64_t least_us, uint64_t now_us
     }
     if (silent != NULL) {
         igtl_troubles_note(&self->troubles, self->port->number, IGTL_TROUBLE_SILENT, "", now_us);
-        igtl_server_drop(self, silent, now_us);
+        igtl_seats_drop(self, silent, now_us);
     }
 }
 

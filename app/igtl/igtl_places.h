@@ -9,7 +9,7 @@
 #ifndef BORESIGHT_IGTL_PLACES_H
 #define BORESIGHT_IGTL_PLACES_H
 
-#include "igtl/igtl_server.h"
+#include "igtl/igtl_seats.h"
 
 #include <stdbool.h>
 #include <stdint.h>

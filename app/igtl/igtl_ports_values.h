@@ -4,7 +4,7 @@
 #ifndef BORESIGHT_IGTL_PORTS_VALUES_H
 #define BORESIGHT_IGTL_PORTS_VALUES_H
 
-#include "igtl/igtl_ports.h"
+#include "igtl/igtl_port.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -79,28 +79,6 @@ bool igtl_server_has_peers(const igtl_server_t *self)
     return false;
 }
 
-uint32_t igtl_server_peer(const igtl_server_t *self, const igtl_connection_t *connection)
-{
-    return self->first_place + connection->place;
-}
-
-bool igtl_server_commands(const igtl_server_t *self, const igtl_connection_t *connection)
-{
-    return (connection->place != IGTL_NO_PLACE) && (self->calls->is_controlled_by != NULL) &&
-           self->calls->is_controlled_by(self->dialect, igtl_server_peer(self, connection));
-}
-
-void igtl_server_drop(igtl_server_t *self, igtl_connection_t *connection, uint64_t now_us)
-{
-    igtl_connection_close(connection);
-    if (connection->place != IGTL_NO_PLACE) {
-        self->calls->disconnected(self->dialect, igtl_server_peer(self, connection));
-    }
-    if (self->port->is_calling) {
-        igtl_caller_lost(&self->caller, connection->was_heard, now_us);
-    }
-}
-
 /* The log of events names a connection by its number only. */
 static void greet(igtl_server_t *self, uint32_t address, uint16_t number, uint64_t now_us)
 {
@@ -171,7 +149,7 @@ static void drop_with(igtl_server_t *self, igtl_connection_t *connection, igtl_t
     tell_trouble(connection, reason, "CONNECTION", moment);
     (void)igtl_connection_flush(connection);
     note(self, kind, igtl_result_text(reason), moment->now_us);
-    igtl_server_drop(self, connection, moment->now_us);
+    igtl_seats_drop(self, connection, moment->now_us);
 }
 
 /* False when the connection has ended. */
@@ -188,7 +166,7 @@ static bool handle(igtl_server_t *self, igtl_connection_t *connection, igtl_inbo
         }
         if ((connection->place != IGTL_NO_PLACE) ||
             igtl_places_admit(self, connection, &inbox->message, moment)) {
-            self->calls->receive(self->dialect, igtl_server_peer(self, connection), &inbox->message,
+            self->calls->receive(self->dialect, igtl_seats_peer(self, connection), &inbox->message,
                                  moment);
             igtl_connection_keep_refusal(connection);
         }
@@ -219,7 +197,7 @@ static void receive_from(igtl_server_t *self, igtl_connection_t *connection,
             igtl_connection_receive(connection, moment->now_us, &bytes_left, &event);
 
         if (received == IGTL_RECEIVED_END) {
-            igtl_server_drop(self, connection, moment->now_us);
+            igtl_seats_drop(self, connection, moment->now_us);
             return;
         }
         if ((received == IGTL_RECEIVED_NOTHING) || !handle(self, connection, event, moment)) {
@@ -258,10 +236,10 @@ status_t igtl_server_obey(igtl_server_t *self, const exchange_order_t *order, ui
             igtl_connection_keep_alive(connection, order->is_on != 0U);
             return STATUS_OK;
         }
-        if (igtl_server_commands(self, connection)) {
+        if (igtl_seats_commands(self, connection)) {
             return STATUS_HOLDS_AUTHORITY;
         }
-        igtl_server_drop(self, connection, now_us);
+        igtl_seats_drop(self, connection, now_us);
         return STATUS_OK;
     }
     return STATUS_UNKNOWN_COMMAND;
@@ -272,7 +250,7 @@ static bool has_hung(igtl_server_t *self, igtl_connection_t *connection,
                      const igtl_moment_t *moment)
 {
     if ((self->calls->has_order == NULL) || (connection->place == IGTL_NO_PLACE) ||
-        !self->calls->has_order(self->dialect, igtl_server_peer(self, connection))) {
+        !self->calls->has_order(self->dialect, igtl_seats_peer(self, connection))) {
         igtl_connection_unwatch(connection);
         return false;
     }
@@ -291,10 +269,10 @@ void igtl_server_send(igtl_server_t *self, const igtl_moment_t *moment)
             if (connection->outbox.has_overflowed) {
                 note(self, IGTL_TROUBLE_SLOW, "", moment->now_us);
             }
-            igtl_server_drop(self, connection, moment->now_us);
+            igtl_seats_drop(self, connection, moment->now_us);
         } else if (has_hung(self, connection, moment)) {
             note(self, IGTL_TROUBLE_HUNG, "", moment->now_us);
-            igtl_server_drop(self, connection, moment->now_us);
+            igtl_seats_drop(self, connection, moment->now_us);
         } else {
             /* It is served. */
         }

@@ -8,10 +8,8 @@
 #ifndef BORESIGHT_IGTL_SERVER_H
 #define BORESIGHT_IGTL_SERVER_H
 
-#include "igtl/igtl_caller.h"
-#include "igtl/igtl_connection.h"
 #include "igtl/igtl_ports.h"
-#include "igtl/igtl_troubles.h"
+#include "igtl/igtl_seats.h"
 #include "dialect/igtl_dialect.h"
 #include "exchange/exchange_peers.h"
 
@@ -19,35 +17,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define IGTL_WAITING 4U                              /**< Connections that wait for a place. */
-#define IGTL_CONNECTIONS (IGTL_PEERS + IGTL_WAITING) /**< Of a port. */
-#define IGTL_SERVER_POLLS (IGTL_CONNECTIONS + 1U)    /**< And what it listens or calls with. */
-#define IGTL_NUMBER_STEP 10U       /**< The last digit of a connection's number is its port. */
-#define IGTL_BYTES_PER_TURN 65536U /**< Read of one connection per turn. */
-
-/** What a dialect does for a server; `dialect` is its own state, `peer` a place. */
-typedef struct {
-    void (*connected)(void *dialect, uint32_t peer, const igtl_introduction_t *introduction);
-    void (*disconnected)(void *dialect, uint32_t peer);
-    void (*receive)(void *dialect, uint32_t peer, const igtl_message_t *message,
-                    const igtl_moment_t *moment);
-    bool (*is_controlled_by)(const void *dialect, uint32_t peer); /**< NULL: by nobody. */
-    bool (*has_order)(const void *dialect, uint32_t peer);        /**< NULL: nobody has one. */
-    bool (*is_stop)(const igtl_message_t *message);               /**< NULL: none is. */
-} igtl_dialect_calls_t;
-
-typedef struct {
-    const igtl_dialect_calls_t *calls;
-    void *dialect;
-    uint32_t first_place;    /**< Of the dialect: its connections are peers from here on. */
-    const igtl_port_t *port; /**< Lives as long. */
-    int listener;            /**< -1: it calls. */
-    igtl_caller_t caller;
-    uint32_t next_number;      /**< Of the next connection. */
-    uint64_t next_greeting_us; /**< Not before this time its number is in the log. */
-    igtl_connection_t connections[IGTL_CONNECTIONS];
-    igtl_troubles_t troubles;
-} igtl_server_t;
+#define IGTL_SERVER_POLLS (IGTL_CONNECTIONS + 1U) /**< And what it listens or calls with. */
+#define IGTL_BYTES_PER_TURN 65536U                /**< Read of one connection per turn. */
 
 /**
  * Opens `port`, which lives as long. `calls`, `dialect`, `first_place` and `next_number` (not 0)
@@ -67,9 +38,6 @@ uint32_t igtl_server_polls(const igtl_server_t *self, struct pollfd *polls);
 /** Anyone connected. */
 bool igtl_server_has_peers(const igtl_server_t *self);
 
-/** The dialect's peer of a connection that has a place. */
-uint32_t igtl_server_peer(const igtl_server_t *self, const igtl_connection_t *connection);
-
 /**
  * Accepts or calls, reads, and drops whoever stays in the middle of a message. At most a few
  * messages per connection and at most IGTL_BYTES_PER_TURN, so that nobody is kept waiting by
@@ -84,9 +52,6 @@ void igtl_server_receive(igtl_server_t *self, const igtl_moment_t *moment);
  * runs. */
 void igtl_server_send(igtl_server_t *self, const igtl_moment_t *moment);
 
-/** `connection` has authority, as far as the dialect knows. */
-bool igtl_server_commands(const igtl_server_t *self, const igtl_connection_t *connection);
-
 /**
  * Carries out what was asked of a connection. One that has authority is not disconnected.
  *
@@ -97,8 +62,5 @@ bool igtl_server_commands(const igtl_server_t *self, const igtl_connection_t *co
  * @satisfies SWR-IGTL-058
  */
 status_t igtl_server_obey(igtl_server_t *self, const exchange_order_t *order, uint64_t now_us);
-
-/** Closes `connection`, and tells the dialect when it had a place. */
-void igtl_server_drop(igtl_server_t *self, igtl_connection_t *connection, uint64_t now_us);
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef BORESIGHT_RECORDING_BLOCK_H
 #define BORESIGHT_RECORDING_BLOCK_H
 
-#include "recording/recording_reader.h"
+#include "recording/recording_state.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -3,7 +3,7 @@
 #ifndef BORESIGHT_RECORDING_VERIFY_H
 #define BORESIGHT_RECORDING_VERIFY_H
 
-#include "recording/recording_reader.h"
+#include "recording/recording_state.h"
 
 /** Notes what was found, as a sentence. @return `verdict` */
 recording_verdict_t recording_find(recording_finding_t *finding, recording_verdict_t verdict,

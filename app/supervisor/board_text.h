@@ -3,7 +3,7 @@
 #ifndef BORESIGHT_BOARD_TEXT_H
 #define BORESIGHT_BOARD_TEXT_H
 
-#include "supervisor/options.h"
+#include "supervisor/options_values.h"
 
 #include <stdbool.h>
 #include <stddef.h>

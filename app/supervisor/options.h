@@ -4,34 +4,10 @@
 #ifndef BORESIGHT_OPTIONS_H
 #define BORESIGHT_OPTIONS_H
 
-#include "igtl/igtl_ports.h"
-#include "supervisor/board.h"
+#include "supervisor/options_values.h"
 
 #include <stdbool.h>
 #include <stdint.h>
-
-#define OPTIONS_PATH_SIZE 512U
-
-typedef struct {
-    const char *http_port;  /**< --http-port, HTTP_PORT. */
-    const char *igtl_port;  /**< --igtl-port, IGTL_PORT: bare transforms, joints and poses. */
-    const char *brp_port;   /**< --brp-port, BRP_PORT: the workphase protocol. */
-    const char *igtl_file;  /**< --igtl-file, IGTL_FILE: of ports, NULL: none. */
-    igtl_ports_t ports;     /**< What it says. */
-    const char *accounts;   /**< --accounts, ACCOUNTS: file of those who may log in; NULL: none. */
-    const char *tls_file;   /**< --tls-file, TLS_FILE: how TLS leads here; NULL: it does not. */
-    const char *trajectory; /**< --trajectory: file of one, NULL: none. */
-    bool is_check;          /**< --check: nothing is started. */
-    bool asks_for_rest;     /**< --at-rest: the same. */
-    bool stops_at_rest;     /**< --stop-at-rest: as well, and what runs ends. */
-    const char *bind;       /**< --bind: IPv4 address of this machine. */
-    const char *robot;      /**< --robot, ROBOT. */
-    const char *instance;   /**< --instance: name of everything this instance creates. */
-    char recordings[OPTIONS_PATH_SIZE];          /**< --recordings. */
-    char programs[OPTIONS_PATH_SIZE];            /**< Directory of this program and the others. */
-    bool is_given[BOARD_OPTIONS];                /**< Of the board's options. */
-    char board[BOARD_OPTIONS][BOARD_VALUE_SIZE]; /**< Their values. */
-} options_t;
 
 /** How many times slower the board's time passes, at least 1. */
 uint32_t options_slowness(const options_t *self);

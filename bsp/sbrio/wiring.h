@@ -9,12 +9,11 @@
 #define BORESIGHT_WIRING_H
 
 #include "card/card.h"
+#include "sbrio/wiring_text.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
-#define WIRING_PATH_SIZE 64U
-#define WIRING_TEXT_SIZE 4096U
 #define WIRING_CHIPS 4U
 
 /** Lines of the box. Inputs stand first, bit n of BSP_IN_ is input n; lamps last, as BSP_LAMP_. */

@@ -4,10 +4,11 @@
 #ifndef BORESIGHT_WIRING_TEXT_H
 #define BORESIGHT_WIRING_TEXT_H
 
-#include "sbrio/wiring.h"
-
 #include <stdbool.h>
 #include <stdint.h>
+
+#define WIRING_PATH_SIZE 64U
+#define WIRING_TEXT_SIZE 4096U
 
 /** Where in a text one is. */
 typedef struct {

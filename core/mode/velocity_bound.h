@@ -7,7 +7,7 @@
 #include "interface/event.h"
 #include "interface/status.h"
 #include "mode/mode_frame.h"
-#include "mode/velocity_mode.h"
+#include "mode/velocity_state.h"
 
 #include <stdbool.h>
 #include <stdint.h>

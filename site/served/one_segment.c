@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file The exchange of a module that is one process: its segment is memory like any other, and
  * has no lane of cycles, as nothing records. */
+#include "exchange/exchange.h"
 #include "exchange/exchange_segment.h"
 
 #include "interface/interface_layout.h"

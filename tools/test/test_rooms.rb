@@ -89,6 +89,18 @@ class TestRooms < Minitest::Test
     assert_equal ['tools/rooms.yml: core/loop and core/ring see each other'], problems({}, circle)
   end
 
+  def test_SWR_TOOL_075_finds_files_of_one_room_that_include_each_other
+    circle = { 'core/high/a.h' => "#include \"high/b.h\"\n", 'core/high/b.h' => '', 'core/high/b.c' => "#include \"high/c.h\"\n",
+               'core/high/c.h' => "#include \"high/a.h\"\n" }
+    assert_equal ['core/high/a: includes itself by core/high/b and core/high/c'], problems(circle)
+    assert_empty problems(circle.merge('core/high/c.h' => "#include \"high/c.h\"\n"))
+  end
+
+  def test_SWR_TOOL_075_a_source_that_uses_what_stands_below_its_header_is_no_circle
+    assert_empty problems('core/high/a.h' => "#include \"high/a_state.h\"\n", 'core/high/a.c' => "#include \"high/a.h\"\n#include \"high/b.h\"\n",
+                          'core/high/a_state.h' => '', 'core/high/b.h' => "#include \"high/a_state.h\"\n")
+  end
+
   def test_SWR_ROBOT_020_finds_a_refusal_of_one_robot_outside_of_its_folder
     ant = { 'core/robot/ant/kinematics.yml' => "refusals:\n  - {code: 3, name: TOO_WET, says: No.}\n",
             'core/robot/ant/ant.c' => "return STATUS_TOO_WET;\n" }

@@ -6,6 +6,7 @@
  *
  *     neighbour INSTANCE MILLISECONDS SEED
  */
+#include "exchange/exchange.h"
 #include "exchange/exchange_segment.h"
 #include "interface/segment_fields.h"
 

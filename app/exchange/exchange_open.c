@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
+#include "exchange/exchange.h"
 #include "exchange/exchange_segment.h"
 
 #include "interface/interface_layout.h"
