@@ -9,7 +9,9 @@ require 'tmpdir'
 class ProjectCopy
   ROOT = File.expand_path('../..', __dir__)
   COPIED = %w[Makefile app bsp core requirements site statecharts tools verification build/gcc build/gen
-              build/build-id].freeze
+              build/build-id build/robots build/board].freeze
+  # Nothing that is built there reads it.
+  LEFT_OUT = %w[node_modules build/gcc/tests].freeze
   LINKED = %w[.tools app/console/node_modules].freeze
 
   attr_reader :folder
@@ -17,7 +19,8 @@ class ProjectCopy
   # With the times of the files, by which make knows what is up to date.
   def initialize
     @folder = Dir.mktmpdir
-    text, status = Open3.capture2e("tar -C #{ROOT} --exclude=node_modules -cf - #{COPIED.join(' ')} | tar -C #{@folder} -xf -")
+    left_out = LEFT_OUT.map { |name| "--exclude=#{name}" }
+    text, status = Open3.capture2e("tar -C #{ROOT} #{left_out.join(' ')} -cf - #{COPIED.join(' ')} | tar -C #{@folder} -xf -")
     raise text unless status.success?
 
     LINKED.each { |name| File.symlink(File.join(ROOT, name), path(name)) }

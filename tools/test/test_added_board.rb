@@ -30,7 +30,7 @@ class TestAddedBoard < SystemTest
 
     # It is no simulated one: nobody starts it without an account.
     def accounts
-      @accounts ||= Accounts.make(File.join(made.folder, 'accounts'))
+      @accounts ||= Accounts.make(File.join(built.folder, 'accounts'))
     end
 
     def made
