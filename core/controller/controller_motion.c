@@ -41,6 +41,14 @@ static void ask_velocity(const command_velocity_t *sent, mode_request_t *request
                  sizeof sent->speeds_ticks_per_s);
 }
 
+static void ask_way(const controller_t *self, const command_t *command, mode_kind_t kind,
+                    mode_request_t *request)
+{
+    request->way = way_of(self, command, kind);
+    request->axes = (request->way.axis < ROBOT_AXIS_MAX) ? LEG_AXIS(request->way.axis) : 0U;
+    request->sweep.is_free = (kind == MODE_SWEEP) ? command_as_sweep(command)->is_free : 0U;
+}
+
 /* What the command, and where the robot stands, say to its mode. */
 static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
                                  const command_t *command, mode_kind_t kind)
@@ -50,9 +58,7 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
     case MODE_JOG:
     case MODE_HOME_AXIS:
     case MODE_SWEEP:
-        request.way = way_of(self, command, kind);
-        request.axes = (request.way.axis < ROBOT_AXIS_MAX) ? LEG_AXIS(request.way.axis) : 0U;
-        request.sweep.is_free = (kind == MODE_SWEEP) ? command_as_sweep(command)->is_free : 0U;
+        ask_way(self, command, kind, &request);
         break;
     case MODE_TRAJECTORY:
         request.start_ms = self->rows[0].time_ms;

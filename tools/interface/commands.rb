@@ -91,8 +91,10 @@ module Interface
     end
 
     def source
-      rows = @kinds.values.map { |value| "    [#{@kinds.constant(value)}] = #{row(value)},
-" }
+      rows = @kinds.values.map { |value|
+        "    [#{@kinds.constant(value)}] = #{row(value)},
+"
+      }
       <<~CODE
         #{C.file('What is special about each command.', FROM).chomp}
         #include "command.h"
@@ -150,8 +152,10 @@ module Interface
     def dispatch
       by = @kinds.values.drop(1).group_by { |value| function(value) }
       cases = by.map do |name, values|
-        "#{values.map { |value| "    case (uint32_t)#{@kinds.constant(value)}:
-" }.join}" \
+        "#{values.map { |value|
+             "    case (uint32_t)#{@kinds.constant(value)}:
+"
+           }.join}" \
           "        status = #{name}(self, cycle, command, answer);
         break;
 "

@@ -192,7 +192,7 @@ static void refuse(world_t *self, const command_t *command)
 static bool is_taken(world_t *self, const command_t *command)
 {
     const uint32_t places =
-        igtl_requests_is_urgent(command) ? (WORLD_LANE + WORLD_STOPS) : WORLD_LANE;
+        command_kinds_is_stop(command) ? (WORLD_LANE + WORLD_STOPS) : WORLD_LANE;
 
     if ((self->moment.now_us < self->full_until_us) || (self->waiting >= places)) {
         return false;
@@ -214,7 +214,7 @@ static void pass(world_t *self, igtl_requests_t *requests)
         if (!is_waiting && is_taken(self, &command)) {
             continue;
         }
-        if (igtl_requests_is_urgent(&command)) {
+        if (command_kinds_is_stop(&command)) {
             igtl_requests_keep(requests, &command);
             is_waiting = true;
         } else {

@@ -182,7 +182,8 @@ static void jog_too_far(int32_t ticks)
 /* Refused by a limit that axes share; `id` says which end. */
 static void expect_shared(uint32_t axis, int32_t ticks, event_id_t id, int32_t value)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = axis, .to_ticks = ticks}};
     rig_cycles(&rig, LIMIT_REFUSED_VALUES_MS);
     rig_forget(&rig);
     const uint32_t status = rig_command(&rig, jog).status;
@@ -205,7 +206,8 @@ void test_SWR_EVENT_033_the_shared_limit_that_refuses_stands_in_the_log(void)
 /* The end that refuses when this carriage goes far away from the other one of its pair. */
 static int32_t angle_of(uint32_t axis)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = 120000};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .as.jog = {.axis = axis, .to_ticks = 120000}};
     rig_cycles(&rig, LIMIT_REFUSED_VALUES_MS);
     rig_forget(&rig);
     const answer_t refused = rig_command(&rig, jog);

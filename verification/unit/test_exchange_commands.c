@@ -31,9 +31,8 @@ void tearDown(void)
 void test_SWR_CMD_007_what_a_command_does_not_use_arrives_as_zero(void)
 {
     command_t jog = {.id = 1U, .kind = COMMAND_JOG};
-    const command_t expected = {.id = 1U,
-                                .kind = COMMAND_JOG,
-                                .as.jog = {.axis = 0x5A5A5A5AU, .to_ticks = 0x5A5A5A5A}};
+    const command_t expected = {
+        .id = 1U, .kind = COMMAND_JOG, .as.jog = {.axis = 0x5A5A5A5AU, .to_ticks = 0x5A5A5A5A}};
     command_t taken[2];
 
     (void)memset(&jog.as, 0x5A, sizeof jog.as);

@@ -12,57 +12,57 @@
 static inline command_t commands_of_number(command_kind_t kind, uint32_t number)
 {
     command_t command = {.kind = (uint32_t)kind};
-    switch ((command_form_t)command_traits[kind].form) {
-    case COMMAND_FORM_WORKPHASE:
+    switch (command_traits[kind].form) {
+    case (uint32_t)COMMAND_FORM_WORKPHASE:
         command.as.workphase.workphase = number;
         break;
-    case COMMAND_FORM_AXIS:
+    case (uint32_t)COMMAND_FORM_AXIS:
         command.as.axis.axis = number;
         break;
-    case COMMAND_FORM_JOG:
+    case (uint32_t)COMMAND_FORM_JOG:
         command.as.jog.axis = number;
         break;
-    case COMMAND_FORM_JOG_BY:
+    case (uint32_t)COMMAND_FORM_JOG_BY:
         command.as.jog_by.axis = number;
         break;
-    case COMMAND_FORM_SWEEP:
+    case (uint32_t)COMMAND_FORM_SWEEP:
         command.as.sweep.axis = number;
         break;
-    case COMMAND_FORM_LIST_BEGIN:
+    case (uint32_t)COMMAND_FORM_LIST_BEGIN:
         command.as.list_begin.count = number;
         break;
-    case COMMAND_FORM_LIST:
+    case (uint32_t)COMMAND_FORM_LIST:
         command.as.list.checksum = number;
         break;
-    case COMMAND_FORM_POSE_NAME:
+    case (uint32_t)COMMAND_FORM_POSE_NAME:
         command.as.pose_name.pose = number;
         break;
-    case COMMAND_FORM_REQUEST:
+    case (uint32_t)COMMAND_FORM_REQUEST:
         command.as.request.request = number;
         break;
-    case COMMAND_FORM_WITHDRAWAL:
+    case (uint32_t)COMMAND_FORM_WITHDRAWAL:
         command.as.withdrawal.of = number;
         break;
-    case COMMAND_FORM_PROBE:
+    case (uint32_t)COMMAND_FORM_PROBE:
         command.as.probe.count = number;
         break;
-    case COMMAND_FORM_POSITIONS:
+    case (uint32_t)COMMAND_FORM_POSITIONS:
         command.as.positions.axes = number;
         break;
-    case COMMAND_FORM_VELOCITY:
+    case (uint32_t)COMMAND_FORM_VELOCITY:
         command.as.velocity.axes = number;
         break;
-    case COMMAND_FORM_NOTE:
+    case (uint32_t)COMMAND_FORM_NOTE:
         command.as.note.note = number;
         break;
-    case COMMAND_FORM_REGISTRATION:
+    case (uint32_t)COMMAND_FORM_REGISTRATION:
         command.as.registration.use = number;
         rigid_set_identity(&command.as.registration.pose);
         break;
-    case COMMAND_FORM_POSE:
+    case (uint32_t)COMMAND_FORM_POSE:
         rigid_set_identity(&command.as.pose.pose);
         break;
-    case COMMAND_FORM_SEEN_POSE:
+    case (uint32_t)COMMAND_FORM_SEEN_POSE:
         command.as.seen_pose.is_one_of_many = number;
         rigid_set_identity(&command.as.seen_pose.pose);
         break;
@@ -75,42 +75,42 @@ static inline command_t commands_of_number(command_kind_t kind, uint32_t number)
 /** The number that `command` says first; 0: its kind says none. */
 static inline uint32_t commands_number(const command_t *command)
 {
-    switch ((command_form_t)command_traits[command->kind].form) {
-    case COMMAND_FORM_WORKPHASE:
+    switch (command_traits[command->kind].form) {
+    case (uint32_t)COMMAND_FORM_WORKPHASE:
         return command->as.workphase.workphase;
-    case COMMAND_FORM_AXIS:
+    case (uint32_t)COMMAND_FORM_AXIS:
         return command->as.axis.axis;
-    case COMMAND_FORM_JOG:
+    case (uint32_t)COMMAND_FORM_JOG:
         return command->as.jog.axis;
-    case COMMAND_FORM_JOG_BY:
+    case (uint32_t)COMMAND_FORM_JOG_BY:
         return command->as.jog_by.axis;
-    case COMMAND_FORM_SWEEP:
+    case (uint32_t)COMMAND_FORM_SWEEP:
         return command->as.sweep.axis;
-    case COMMAND_FORM_LIST_BEGIN:
+    case (uint32_t)COMMAND_FORM_LIST_BEGIN:
         return command->as.list_begin.count;
-    case COMMAND_FORM_LIST:
+    case (uint32_t)COMMAND_FORM_LIST:
         return command->as.list.checksum;
-    case COMMAND_FORM_POSE_NAME:
+    case (uint32_t)COMMAND_FORM_POSE_NAME:
         return command->as.pose_name.pose;
-    case COMMAND_FORM_REQUEST:
+    case (uint32_t)COMMAND_FORM_REQUEST:
         return command->as.request.request;
-    case COMMAND_FORM_WITHDRAWAL:
+    case (uint32_t)COMMAND_FORM_WITHDRAWAL:
         return command->as.withdrawal.of;
-    case COMMAND_FORM_PROBE:
+    case (uint32_t)COMMAND_FORM_PROBE:
         return command->as.probe.count;
-    case COMMAND_FORM_POSITIONS:
+    case (uint32_t)COMMAND_FORM_POSITIONS:
         return command->as.positions.axes;
-    case COMMAND_FORM_VELOCITY:
+    case (uint32_t)COMMAND_FORM_VELOCITY:
         return command->as.velocity.axes;
-    case COMMAND_FORM_NOTE:
+    case (uint32_t)COMMAND_FORM_NOTE:
         return command->as.note.note;
-    case COMMAND_FORM_REGISTRATION:
+    case (uint32_t)COMMAND_FORM_REGISTRATION:
         return command->as.registration.use;
-    case COMMAND_FORM_SEEN_POSE:
+    case (uint32_t)COMMAND_FORM_SEEN_POSE:
         return command->as.seen_pose.is_one_of_many;
-    case COMMAND_FORM_ROW:
+    case (uint32_t)COMMAND_FORM_ROW:
         return command->as.row.index;
-    case COMMAND_FORM_STEP:
+    case (uint32_t)COMMAND_FORM_STEP:
         return command->as.step.index;
     default: /* No number says it. */
         return 0U;
@@ -121,14 +121,14 @@ static inline uint32_t commands_number(const command_t *command)
 static inline command_t commands_of_pose(command_kind_t kind, rigid_t pose)
 {
     command_t command = {.kind = (uint32_t)kind};
-    switch ((command_form_t)command_traits[kind].form) {
-    case COMMAND_FORM_REGISTRATION:
+    switch (command_traits[kind].form) {
+    case (uint32_t)COMMAND_FORM_REGISTRATION:
         command.as.registration.pose = pose;
         break;
-    case COMMAND_FORM_POSE:
+    case (uint32_t)COMMAND_FORM_POSE:
         command.as.pose.pose = pose;
         break;
-    case COMMAND_FORM_SEEN_POSE:
+    case (uint32_t)COMMAND_FORM_SEEN_POSE:
         command.as.seen_pose.pose = pose;
         break;
     default: /* No pose says it. */
@@ -141,12 +141,12 @@ static inline command_t commands_of_pose(command_kind_t kind, rigid_t pose)
 static inline const rigid_t *commands_pose(const command_t *command)
 {
     static const rigid_t none;
-    switch ((command_form_t)command_traits[command->kind].form) {
-    case COMMAND_FORM_REGISTRATION:
+    switch (command_traits[command->kind].form) {
+    case (uint32_t)COMMAND_FORM_REGISTRATION:
         return &command->as.registration.pose;
-    case COMMAND_FORM_POSE:
+    case (uint32_t)COMMAND_FORM_POSE:
         return &command->as.pose.pose;
-    case COMMAND_FORM_SEEN_POSE:
+    case (uint32_t)COMMAND_FORM_SEEN_POSE:
         return &command->as.seen_pose.pose;
     default: /* No pose says it. */
         return &none;
