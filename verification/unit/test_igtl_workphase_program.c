@@ -92,7 +92,6 @@ static uint32_t sum_of_both(void)
 static void expect_step(uint32_t index)
 {
     const program_step_t *step = &steps[index];
-    const int32_t dwell_ms = (int32_t)step->dwell_ms;
 
     expect_command(COMMAND_PROGRAM_STEP, index);
     TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
