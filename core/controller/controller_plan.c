@@ -226,11 +226,8 @@ status_t controller_obey_plan(controller_t *self, const cycle_t *cycle, const co
     case (uint32_t)COMMAND_WITHDRAW:
         status = withdraw(self, cycle, command);
         break;
-    case (uint32_t)COMMAND_NEEDLE:
+    default: /* NEEDLE: no other one is dispatched here. */
         status = tell_needle(self, command);
-        break;
-    default:
-        status = STATUS_UNKNOWN_COMMAND;
         break;
     }
     return status;

@@ -197,7 +197,7 @@ test("SWR-CON-005 each axis says that the pedal is missing", async () => {
   await waitForText(".shared-reasons", "The pedal is not pressed: press it.");
   const rows = page.locator("[data-axis] .axis-permit");
   for (const text of await rows.allTextContents()) {
-    expect(text).toContain("As said above");
+    expect(text).toContain("As for every axis");
   }
 });
 
