@@ -52,13 +52,9 @@ void journal_note_order(uint32_t cycle, const char *order)
     }
 }
 
-/* Numbers behind the last one that is not 0 need not be said, but id and peer must: a scene has its
- * own. */
-static uint32_t said_of(const int32_t *numbers, const field_t *field)
+/* Numbers behind the last one that is not 0 need not be said, but `least` of them. */
+static uint32_t said_of(const int32_t *numbers, const field_t *field, uint32_t least)
 {
-    const bool is_always =
-        (field->offset == offsetof(command_t, id)) || (field->offset == offsetof(command_t, peer));
-    const uint32_t least = is_always ? 1U : 0U;
     uint32_t count = (uint32_t)(field->size / sizeof numbers[0]);
 
     while ((count > least) && (numbers[count - 1U] == 0)) {
@@ -78,11 +74,12 @@ static void add_number(const field_t *field, int32_t number)
     }
 }
 
-static void add_field(const command_t *command, const field_t *field)
+/* A field of the structure at `begin`. */
+static void add_field(const void *begin, const field_t *field, uint32_t least)
 {
     const int32_t *const numbers =
-        (const int32_t *)(const void *)((const uint8_t *)command + field->offset);
-    const uint32_t count = said_of(numbers, field);
+        (const int32_t *)(const void *)((const uint8_t *)begin + field->offset);
+    const uint32_t count = said_of(numbers, field, least);
 
     for (uint32_t i = 0U; i < count; i++) {
         if (i == 0U) {
@@ -94,6 +91,30 @@ static void add_field(const command_t *command, const field_t *field)
     }
 }
 
+/* What every command says. Id and peer must be said: a scene has its own. */
+static void add_head(const command_t *command)
+{
+    for (const field_t *field = fields_command; field->name != NULL; field++) {
+        const bool is_always = (field->offset == offsetof(command_t, id)) ||
+                               (field->offset == offsetof(command_t, peer));
+
+        if (field->offset != offsetof(command_t, kind)) {
+            add_field(command, field, is_always ? 1U : 0U);
+        }
+    }
+}
+
+/* What a command of its kind says. */
+static void add_payload(const command_t *command)
+{
+    const field_t *field = fields_of_command(command->kind);
+
+    while ((field != NULL) && (field->name != NULL)) {
+        add_field(&command->as, field, 0U);
+        field++;
+    }
+}
+
 void journal_note_command(uint32_t cycle, const command_t *command)
 {
     if (command->kind == (uint32_t)COMMAND_NOTE) {
@@ -101,11 +122,8 @@ void journal_note_command(uint32_t cycle, const command_t *command)
     }
     begin_line(cycle);
     add("%s", command_kind_name((int32_t)command->kind));
-    for (const field_t *field = fields_command; field->name != NULL; field++) {
-        if (field->offset != offsetof(command_t, kind)) {
-            add_field(command, field);
-        }
-    }
+    add_head(command);
+    add_payload(command);
     add("\n");
 }
 

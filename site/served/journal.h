@@ -2,8 +2,9 @@
 /**
  * @file
  * What the server has done to the robot of a page, in the words of a scene: commands that control
- * took and orders that the box carried out. A line each, such as `100:WORKPHASE,id=5,workphase=1`
- * or `200:pedal,press`, the number being the cycle before which it was done.
+ * took and orders that the box carried out. A line each, such as
+ * `100:WORKPHASE,id=5,workphase=START_UP` or `200:pedal,press`, the number being the cycle before
+ * which it was done.
  */
 #ifndef BORESIGHT_JOURNAL_H
 #define BORESIGHT_JOURNAL_H

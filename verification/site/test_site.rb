@@ -313,7 +313,7 @@ class TestSite < Minitest::Test
       assert_equal [300], differences.values, robot
       assert_match(/\A\d+: 8\z/, differences.keys.first, robot) # Notes: pedal, card, stop, pedal, and four requests.
       assert_includes inputs, 'card 3 silent'
-      assert(inputs.any? { |input| input.match?(/\AWORKPHASE id=\d+ source=HTTP peer=4000000007 workphase=1\z/) })
+      assert(inputs.any? { |input| input.match?(/\AWORKPHASE id=\d+ source=HTTP peer=4000000007 workphase=START_UP\z/) })
     end
   end
 
