@@ -22,15 +22,9 @@ class Functions
   NUMBERS = /\A[\s{}]*(?:-?(?:0x\h+|\d+)U?[\s{},;]*)+\z/i.freeze
   # What pmccabe says: with and without the cases of a switch, statements, place, name.
   MEASURED = /\A\d+\t(?<complexity>\d+)\t\d+\t(?<line>\d+)\t(?<lines>\d+)\t(?<file>[^(]+)\(\d+\): (?<name>.+)/.freeze
-  # Beyond a limit, and why.
-  EXCEPTIONS = {}.freeze
 
   # One function.
   Function = Struct.new(:file, :line, :name, :lines, :complexity, keyword_init: true) do
-    def key
-      "#{file}: #{name}"
-    end
-
     def problem
       reasons = [("#{lines} lines, at most #{LINES}" if lines > LINES),
                  ("a complexity of #{complexity}, at most #{COMPLEXITY}" if complexity > COMPLEXITY)].compact
@@ -38,17 +32,13 @@ class Functions
     end
   end
 
-  def initialize(root, exceptions = EXCEPTIONS)
+  def initialize(root)
     @root = root
-    @exceptions = exceptions
   end
 
-  # One line for each function that is too large, and for each exception that is not needed.
+  # One line for each function that is too large.
   def problems
-    large, fine = measured.partition(&:problem)
-    unneeded = @exceptions.keys - large.map(&:key)
-    large.reject { |one| @exceptions.key?(one.key) }.map(&:problem) +
-      unneeded.map { |key| "tools/functions.rb: #{key} is an exception and #{fine.any? { |one| one.key == key } ? 'needs none' : 'is not there'}" }
+    measured.filter_map(&:problem)
   end
 
   private

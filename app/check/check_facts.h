@@ -10,7 +10,7 @@
 #define CHECK_INTERRUPTS 1024U /**< Interrupts with a number below this are looked at. */
 #define CHECK_CARDS 10U        /**< Cards of the cycle whose budget is computed. */
 
-/** What a board says of a cycle's cost; all 0 where there is nothing to say. */
+/** The cost of a cycle, as the board's file gives it; all 0 without one. */
 typedef struct {
     uint32_t wire_hz;             /**< Clock of the wires to the cards. */
     uint32_t wires;               /**< Cards that are served at once. */
@@ -20,7 +20,7 @@ typedef struct {
     uint32_t dialect; /**< card_dialect_t: how large the frames are. */
 } check_board_t;
 
-/** Of what is judged, that which stands in no file. */
+/** The facts that the checks judge and that no file of the kernel holds. */
 typedef struct {
     const char *root; /**< Where /proc and /sys are; "" on this computer. */
     uint32_t core;    /**< Of the control loop. */

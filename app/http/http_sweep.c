@@ -2,13 +2,13 @@
 /** @file Sweeps: commanded, and the curve that is kept shown. */
 #include "interface/app/handlers.h"
 
+#include "common/axis_terms.h"
 #include "common/utc_text.h"
 #include "http/http_act.h"
 #include "http/http_reply.h"
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
 #include "sweep/sweep_curve.h"
-#include "common/axis_terms.h"
 #include "sweep/sweep_expected.h"
 
 #include <string.h>

@@ -37,16 +37,7 @@ class TestFunctions < Minitest::Test
   end
 
   def test_SWR_TOOL_074_generated_code_and_tests_are_left_out
-    in_tree('build/gen/a.c' => long(99), 'core/robot/ant/test/a.c' => long(99)) { |root| assert_empty Functions.new(root, {}).problems }
-  end
-
-  def test_SWR_TOOL_074_an_exception_counts_while_it_is_needed
-    in_tree('core/base/a.c' => long(99)) { |root| assert_empty Functions.new(root, 'core/base/a.c: a' => 'why').problems }
-    in_tree('core/base/a.c' => long(9)) do |root|
-      assert_equal ['tools/functions.rb: core/base/a.c: a is an exception and needs none',
-                    'tools/functions.rb: core/base/a.c: b is an exception and is not there'],
-                   Functions.new(root, 'core/base/a.c: a' => 'why', 'core/base/a.c: b' => 'why').problems
-    end
+    in_tree('build/gen/a.c' => long(99), 'core/robot/ant/test/a.c' => long(99)) { |root| assert_empty Functions.new(root).problems }
   end
 
   private
@@ -66,7 +57,7 @@ class TestFunctions < Minitest::Test
   end
 
   def problems_of(text)
-    in_tree('core/base/a.c' => text) { |root| Functions.new(root, {}).problems }
+    in_tree('core/base/a.c' => text) { |root| Functions.new(root).problems }
   end
 
   def in_tree(files)

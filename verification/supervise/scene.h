@@ -12,7 +12,7 @@ typedef struct {
     rig_t rig;
     stage_t stage;
     witness_t witness;
-    digest_t digest; /**< Of all that the controller has said. */
+    digest_t *digest; /**< Gets all that the controller says; NULL: it is not asked for. */
 } scene_t;
 
 /** Sets the scene `seed` of `robot`, which must outlive it; what the witness has seen before stays.

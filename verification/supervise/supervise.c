@@ -38,6 +38,7 @@
 static const robot_t *robot;
 static scene_t scene;
 static FILE *digests;
+static digest_t digest;
 
 void setUp(void)
 {
@@ -82,7 +83,7 @@ static void play_scene(play_t play, uint32_t seed)
     }
     if (digests != NULL) {
         (void)fprintf(digests, "%s %u %u %016" PRIx64 "\n", robot->name, (unsigned)seed,
-                      (unsigned)scene.digest.cycles, scene.digest.hash);
+                      (unsigned)digest.cycles, digest.hash);
     }
 }
 
@@ -244,6 +245,7 @@ int main(int count, char **arguments)
     const int play = (left > 3) ? play_find(rest[3]) : (int)PLAY_RANDOM;
     robot = robots_find(is_named ? arguments[2] : ROBOT_NAMES_DEFAULT);
     digests = (left > 4) ? fopen(rest[4], "w") : NULL;
+    scene.digest = (digests != NULL) ? &digest : NULL;
     if ((wanted == 0U) || (play < 0) || (robot == NULL)) {
         (void)fprintf(stderr,
                       "usage: supervise [--robot NAME] COUNT [SEED [" PLAY_NAMES " [DIGESTS]]]\n"

@@ -63,12 +63,21 @@ static const void *read_as(command_form_t form, const command_t *command)
     }
 }
 
+static uint32_t last_form(void)
+{
+    uint32_t last = 0U;
+    for (uint32_t kind = 0U; kind < COMMAND_KIND_COUNT; kind++) {
+        last = (command_traits[kind].form > last) ? command_traits[kind].form : last;
+    }
+    return last;
+}
+
 void test_SWR_CMD_008_each_kind_is_read_as_its_own_form_and_as_no_other(void)
 {
     for (uint32_t kind = 0U; kind <= COMMAND_KIND_COUNT; kind++) {
         const command_t command = {.kind = kind};
         const uint32_t own = (kind < COMMAND_KIND_COUNT) ? command_traits[kind].form : 0U;
-        for (uint32_t form = 1U; form <= (uint32_t)COMMAND_FORM_SWEEP; form++) {
+        for (uint32_t form = 1U; form <= last_form(); form++) {
             if (form == own) {
                 TEST_ASSERT_EQUAL_PTR(&command.as, read_as((command_form_t)form, &command));
             } else {
