@@ -123,26 +123,12 @@ HANDLERS := $(GEN)/interface/app/handlers.c
 EXCHANGE := $(wildcard app/exchange/exchange*.c)
 EVENT_TEXT := app/common/event_text.c $(GEN)/interface/app/event_words.c
 # The state as JSON, of a snapshot and events.
-STATE_JSON := $(addprefix app/http/,alarm_json.c alarms.c json_forms.c shown.c telemetry_json.c telemetry_units.c)
+STATE_JSON := $(addprefix app/http/view/,alarm_json.c alarms.c json_forms.c shown.c telemetry_json.c telemetry_units.c)
 # An event with its time, as a line and out of it.
 LOG_ENTRY := app/common/log_entry.c app/common/utc_text.c $(EVENT_TEXT)
 
 # Each program: its own files; what it needs of the core comes from libcore.a.
-SOURCES_boresight-control := $(wildcard app/check/*.c app/control/*.c app/positions/*.c app/trajectory/*.c) $(CLOCK) $(AXIS_TERMS) $(EXCHANGE) $(BOARD_SOURCES) $(FIND_ROBOT) $(NAMES)
-SOURCES_boresight-igtl := $(wildcard app/igtl/*.c app/dialect/*.c app/message/*.c) $(CLOCK) $(AXIS_TERMS) $(LIST_TERMS) $(EXCHANGE) $(NAMES) $(IGTL_CODES)
-SOURCES_boresight-http := $(wildcard app/http/*.c app/gate/*.c app/archive/*.c app/request/*.c app/saved/*.c app/session/*.c app/sweep/*.c app/trajectory/*.c) app/positions/position_record.c app/recording/recording.c app/common/file_series.c $(API) $(HANDLERS) $(REFUSED_AXIS) $(CLOCK) $(AXIS_TERMS) $(LIST_TERMS) $(DRIVE_TERMS) $(GEN)/interface/app/messages.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
-    $(GEN)/assets/chart_names.c $(BENCH)
-SOURCES_boresight-passwd := $(wildcard app/passwd/*.c) app/session/account.c app/session/password.c
-SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) app/sweep/sweep_curve.c $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)
-SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(STATE_JSON) $(CLOCK) \
-    $(addprefix $(GEN)/interface/app/,columns.c fields.c messages.c) $(GEN)/assets/recording_page.c $(GEN)/assets/chart_names.c $(AXIS_TERMS) $(DRIVE_TERMS) app/common/file_series.c app/common/utc_text.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
-SOURCES_boresight := $(wildcard app/check/*.c app/supervisor/*.c app/igtl/igtl_ports*.c) $(CLOCK) app/common/config_file.c app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
-    $(BOARD_TABLE)
-LIBS_boresight-control := $(BOARD_LIBS)
-LIBS_boresight-http := -lcivetweb -lcjson -lcrypt -lcrypto -lpthread
-LIBS_boresight-passwd := -lcrypt
-LIBS_boresight-recorder := -lzstd -lcrypto
-LIBS_boresight-replay := -lzstd -lcrypto -lcjson
+include $(sort $(wildcard app/*/sources.mk))
 PROGRAMS := boresight $(BOARD_PROGRAMS) boresight-control boresight-igtl boresight-http \
     boresight-passwd boresight-recorder boresight-replay
 BINARIES := $(PROGRAMS:%=$(BIN)/%)
@@ -154,8 +140,8 @@ GENERATED := $(GEN)/limits/requirement_limits.h $(GEN)/charts/charts.json $(ROBO
     $(GEN)/assets/chart_names.c
 ASSETS := $(GEN)/assets/assets.c
 
-$(GEN)/limits/requirement_limits.h: $(wildcard requirements/*.yml) tools/limits.rb
-	@ruby tools/limits.rb requirements $(GEN)/limits
+$(GEN)/limits/requirement_limits.h: $(wildcard requirements/*.yml requirements/*/*.yml) tools/compile/limits.rb
+	@ruby tools/compile/limits.rb requirements $(GEN)/limits
 
 # What the tests prove that every chart gets.
 CHART_TESTS_PROVE := behaviour=SWR-CHART-001,invariants=SWR-CHART-002,clock=SWR-CHART-007,damage=SWR-CORE-004
@@ -165,16 +151,16 @@ $(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chartc/chartc to
 $(CHART_SOURCES): $(GEN)/charts/charts.json ;
 
 $(ROBOT_TABLES): $(GEN)/robot/robot_%.c: core/robot/%/robot.yml core/robot/%/kinematics.yml core/card/card.h core/robot/robot.h \
-    tools/robot_compiler.rb $(wildcard tools/robot/*.rb) \
+    tools/compile/robot_compiler.rb $(wildcard tools/robot/*.rb) \
     $(GEN)/limits/requirement_limits.h
-	@ruby tools/robot_compiler.rb $< $(GEN)/robot
+	@ruby tools/compile/robot_compiler.rb $< $(GEN)/robot
 
 # Which robots there are; a folder that is gone changes no other file.
 build/robots: FORCE
 	@mkdir -p build; echo '$(ROBOTS)' | cmp -s - $@ || echo '$(ROBOTS)' >$@
 
-$(GEN)/robot/kinematics.c: build/robots $(wildcard core/robot/*/kinematics.yml) tools/robots.rb $(wildcard tools/robot/*.rb)
-	@ruby tools/robots.rb core/robot $(DEFAULT_ROBOT) $(GEN)/robot
+$(GEN)/robot/kinematics.c: build/robots $(wildcard core/robot/*/kinematics.yml) tools/compile/robots.rb $(wildcard tools/robot/*.rb)
+	@ruby tools/compile/robots.rb core/robot $(DEFAULT_ROBOT) $(GEN)/robot
 
 $(FIND_ROBOT): $(GEN)/robot/kinematics.c ;
 
@@ -182,15 +168,15 @@ $(FIND_ROBOT): $(GEN)/robot/kinematics.c ;
 $(APART)/board: FORCE
 	@mkdir -p $(@D); echo '$(BOARD)' | cmp -s - $@ || echo '$(BOARD)' >$@
 
-$(BOARD_TABLE): bsp/$(BOARD)/board.yml $(APART)/board tools/boards.rb tools/robot/document.rb $(GEN)/limits/requirement_limits.h
-	@ruby tools/boards.rb bsp/$(BOARD) $(GEN)/limits/requirement_limits.h $(@D)
+$(BOARD_TABLE): bsp/$(BOARD)/board.yml $(APART)/board tools/compile/boards.rb tools/robot/document.rb $(GEN)/limits/requirement_limits.h
+	@ruby tools/compile/boards.rb bsp/$(BOARD) $(GEN)/limits/requirement_limits.h $(@D)
 
-INTERFACE_PARTS := $(wildcard core/interface/*.yml core/robot/*/kinematics.yml tools/interface_compiler.rb tools/interface/*.rb)
+INTERFACE_PARTS := $(wildcard core/interface/*.yml core/robot/*/kinematics.yml tools/compile/interface_compiler.rb tools/interface/*.rb)
 # What of the exchange's segment is declared elsewhere: there are checkpoints in it, which are the whole state of the core.
-LAYOUT_HEADERS := app/exchange/exchange.h app/exchange/exchange_cycles.h app/exchange/exchange_files.h app/exchange/exchange_notes.h app/exchange/exchange_peers.h app/exchange/exchange_record.h app/exchange/exchange_segment.h app/exchange/exchange_values.h $(sort $(wildcard core/*/*.h)) \
+LAYOUT_HEADERS := app/exchange/exchange.h app/exchange/exchange_cycles.h app/exchange/exchange_files.h app/exchange/exchange_notes.h app/exchange/exchange_peers.h app/exchange/exchange_record.h app/exchange/exchange_segment.h app/exchange/exchange_values.h $(sort $(wildcard core/*/*.h core/controller/*/*.h core/mode/*/*.h)) \
     $(GEN)/limits/requirement_limits.h
 $(GEN)/interface/.compiled: $(INTERFACE_PARTS) build/robots $(LAYOUT_HEADERS) $(GEN)/charts/charts.json
-	@ruby tools/interface_compiler.rb core/interface $(GEN)/charts/charts.json $(GEN)/interface $(LAYOUT_HEADERS)
+	@ruby tools/compile/interface_compiler.rb core/interface $(GEN)/charts/charts.json $(GEN)/interface $(LAYOUT_HEADERS)
 	@touch $@
 
 $(GEN)/interface/%.c: $(GEN)/interface/.compiled ;
@@ -198,12 +184,12 @@ $(GEN)/interface/%.h: $(GEN)/interface/.compiled ;
 .PRECIOUS: $(GEN)/interface/%.c $(GEN)/interface/%.h
 
 DRAWINGS := $(GEN)/robot/drawings.ts
-$(DRAWINGS): build/robots $(wildcard core/robot/*/*.yml) tools/robot_drawings.rb $(wildcard tools/robot/*.rb) \
+$(DRAWINGS): build/robots $(wildcard core/robot/*/*.yml) tools/compile/robot_drawings.rb $(wildcard tools/robot/*.rb) \
     $(GEN)/limits/requirement_limits.h
-	@ruby tools/robot_drawings.rb core/robot $@
+	@ruby tools/compile/robot_drawings.rb core/robot $@
 
-$(GEN)/message/crc64_table.h: tools/crc64_table.rb
-	@ruby tools/crc64_table.rb $@
+$(GEN)/message/crc64_table.h: tools/compile/crc64_table.rb
+	@ruby tools/compile/crc64_table.rb $@
 
 CONSOLE_SOURCES := $(shell find app/console -path '*/node_modules' -prune -o -type f -print 2>/dev/null)
 
@@ -213,17 +199,17 @@ app/console/node_modules/.installed: app/console/package-lock.json
 	{ cat build/log/console.log >&2; exit 1; }
 	@touch $@
 
-$(GEN)/assets/assets.c: $(CONSOLE_SOURCES) $(GEN)/interface/.compiled $(DRAWINGS) $(GEN)/charts/charts.json app/console/node_modules/.installed tools/embed.rb
+$(GEN)/assets/assets.c: $(CONSOLE_SOURCES) $(GEN)/interface/.compiled $(DRAWINGS) $(GEN)/charts/charts.json app/console/node_modules/.installed tools/compile/embed.rb
 	@tools/run_long build/log/console.log npm run --prefix app/console --silent build || { cat build/log/console.log >&2; exit 1; }
 	@echo 'built build/console'
-	@ruby tools/embed.rb build/console $(GEN)/assets /api/v1/openapi.json=$(GEN)/interface/app/openapi.json
+	@ruby tools/compile/embed.rb build/console $(GEN)/assets /api/v1/openapi.json=$(GEN)/interface/app/openapi.json
 
 # The same build makes the page for recordings.
-$(GEN)/assets/recording_page.c: $(GEN)/assets/assets.c tools/embed_page.rb
-	@ruby tools/embed_page.rb build/replay/replay.html $@
+$(GEN)/assets/recording_page.c: $(GEN)/assets/assets.c tools/compile/embed_page.rb
+	@ruby tools/compile/embed_page.rb build/replay/replay.html $@
 
-$(GEN)/assets/chart_names.c: $(GEN)/charts/charts.json app/http/chart_names.rb
-	@ruby app/http/chart_names.rb $(GEN)/charts/charts.json $(GEN)/assets
+$(GEN)/assets/chart_names.c: $(GEN)/charts/charts.json app/http/view/chart_names.rb
+	@ruby app/http/view/chart_names.rb $(GEN)/charts/charts.json $(GEN)/assets
 
 # --- compiling -----------------------------------------------------------------------------------------------
 
@@ -250,7 +236,7 @@ $(OUT)/%.o: %.c $(OUT)/flags | $(GENERATED)
 # The build id stands in these; they follow every commit.
 build/build-id: FORCE
 	@mkdir -p build; echo '$(BUILD_ID)' | cmp -s - $@ || echo '$(BUILD_ID)' >$@
-$(call object,$(wildcard app/recorder/*.c app/replay/*.c app/http/*.c) app/supervisor/supervisor_main.c $(COMMAND_LINE)): build/build-id
+$(call object,$(wildcard app/recording/write/*.c app/replay/*.c app/replay/*/*.c app/http/server/*.c app/http/handlers/*.c app/http/call/*.c app/http/pages/*.c app/http/view/*.c) app/supervisor/supervisor_main.c $(COMMAND_LINE)): build/build-id
 
 $(OUT)/libcore.a: $(call object,$(CORE_SOURCES))
 	@rm -f $@; ar rcs $@ $^
@@ -288,7 +274,7 @@ $(BIN)/boresight-client: $(CLIENT_SOURCES) $(call object,$(COMMAND_LINE))
 	@echo "built $@"
 
 # Our codec against the standard's own library.
-CODEC := $(call object,$(addprefix app/message/,igtl_codec.c igtl_crc64.c igtl_packet.c))
+CODEC := $(call object,$(addprefix app/igtl/wire/,igtl_codec.c igtl_crc64.c igtl_packet.c))
 $(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(CODEC)
 	@mkdir -p $(BIN)
 	g++ -std=c++14 -Wall -O1 -Iapp -isystem /usr/include/openigtlink $^ -lOpenIGTLink -lpthread -o $@

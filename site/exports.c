@@ -3,8 +3,8 @@
 
 #include "base/contract.h"
 #include "interface/interface_layout.h"
-#include "recording/recording_block.h"
-#include "replay/replay.h"
+#include "recording/read/recording_block.h"
+#include "replay/verify/replay.h"
 #include "robot/app/robots.h"
 #include "site/closed_loop.h"
 #include "site/watch.h"

@@ -9,8 +9,8 @@ WASM_LIBC := /usr/lib/wasm32-wasi/libc.a /usr/lib/llvm-19/lib/clang/19/lib/wasi/
 WASM_LONG_DOUBLES := /usr/lib/wasm32-wasi/libc-printscan-long-double.a
 # What differs between two runs, in words.
 WATCHING := difference.c series.c source.c frame_fields.c
-CLOSED_LOOP_SOURCES := $(wildcard site/*.c) $(BOX_SOURCES) app/control/lamps.c $(addprefix app/replay/,replay.c field_name.c $(WATCHING)) \
-    $(addprefix app/recording/,recording_block.c cycle_code.c cycle_words.c proof.c) $(GEN)/interface/app/fields.c $(AXIS_TERMS) $(DRIVE_TERMS) $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
+CLOSED_LOOP_SOURCES := $(wildcard site/*.c) $(BOX_SOURCES) app/control/lamps.c $(addprefix app/replay/verify/,replay.c field_name.c) $(addprefix app/replay/what_if/,difference.c) $(addprefix app/replay/data/,series.c source.c frame_fields.c) \
+    $(addprefix app/recording/read/,recording_block.c) $(addprefix app/recording/format/,cycle_code.c cycle_words.c proof.c) $(GEN)/interface/app/fields.c $(AXIS_TERMS) $(DRIVE_TERMS) $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
 
 SITE_INCLUDES := $(BSP_INCLUDES) -I.
 $(OUT)/site/%.o: FLAGS = $(SITE_INCLUDES)
@@ -42,11 +42,11 @@ build/gcc/bin/closed-loop-scene: $(call object,$(CLOSED_LOOP_SOURCES) verificati
 	@echo "built $@"
 
 # The server of the console before that robot. What waits, looks for a clock, a file or chance finds it in site/served.
-SERVED_ABSENT := $(addprefix app/http/,http_archive.c http_conversation.c http_download.c http_listen.c http_main.c http_positions.c asset.c) \
-    $(addprefix app/gate/,gate.c http_handover.c http_lines.c stop_client.c stop_port.c)
-SERVED_SOURCES := $(wildcard site/served/*.c) site/closed_loop.c site/watch.c $(addprefix app/replay/,$(WATCHING)) $(EVENT_TEXT) $(GEN)/interface/app/fields.c $(BOX_SOURCES) app/control/lamps.c $(FIND_ROBOT) \
-    $(filter-out $(SERVED_ABSENT),$(wildcard app/http/*.c app/gate/*.c)) \
-    $(wildcard app/request/*.c app/sweep/*.c app/trajectory/*.c) $(addprefix app/session/,account.c session_desk.c session_table.c login_delay.c) \
+SERVED_ABSENT := $(addprefix app/http/handlers/,http_archive.c http_positions.c) $(addprefix app/http/call/,http_conversation.c http_download.c) $(addprefix app/http/server/,http_listen.c http_main.c asset.c) \
+    $(addprefix app/http/stop/,gate.c stop_client.c stop_port.c) $(addprefix app/http/gate/,http_handover.c http_lines.c)
+SERVED_SOURCES := $(wildcard site/served/*.c) site/closed_loop.c site/watch.c $(addprefix app/replay/what_if/,difference.c) $(addprefix app/replay/data/,series.c source.c frame_fields.c) $(EVENT_TEXT) $(GEN)/interface/app/fields.c $(BOX_SOURCES) app/control/lamps.c $(FIND_ROBOT) \
+    $(filter-out $(SERVED_ABSENT),$(wildcard app/http/server/*.c app/http/handlers/*.c app/http/call/*.c app/http/pages/*.c app/http/view/*.c app/http/gate/*.c app/http/stop/*.c)) \
+    $(wildcard app/request/*.c app/sweep/*.c app/trajectory/*.c) $(addprefix app/http/login/,account.c session_desk.c session_table.c login_delay.c) \
     $(filter-out app/exchange/exchange_open.c,$(EXCHANGE)) $(API) $(HANDLERS) $(REFUSED_AXIS) $(AXIS_TERMS) $(LIST_TERMS) $(DRIVE_TERMS) $(LOG_ENTRY) \
     $(GEN)/interface/app/messages.c $(NAMES) $(GEN)/assets/chart_names.c
 
@@ -60,8 +60,8 @@ build/gcc/bin/served-ask: $(call object,$(filter-out %/no_system.c %/no_output.c
 # The replay, without the files that it writes for others. Its file is in site/recorded; it decompresses by the product's own
 # library and hashes by libmd, from Debian's sources.
 RECORDED_SOURCES := $(wildcard site/recorded/*.c) site/served/no_system.c \
-    $(addprefix app/replay/,again.c build_fit.c bytes.c coverage.c field_name.c frame_fields.c motion_json.c pace.c page_text.c replay.c series.c tape.c walk.c) \
-    $(filter-out %_writer.c,$(wildcard app/recording/*.c)) $(STATE_JSON) \
+    $(addprefix app/replay/verify/,again.c build_fit.c coverage.c field_name.c replay.c walk.c) $(addprefix app/replay/data/,bytes.c frame_fields.c pace.c series.c tape.c) $(addprefix app/replay/export/,motion_json.c page_text.c) \
+    $(filter-out %_writer.c,$(wildcard app/recording/format/*.c app/recording/read/*.c app/recording/write/recording_writer.c)) $(STATE_JSON) \
     $(addprefix $(GEN)/interface/app/,fields.c messages.c) $(GEN)/assets/chart_names.c $(AXIS_TERMS) $(DRIVE_TERMS) \
     app/common/utc_text.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
 ZSTD := $(DEBIAN_SOURCES)/libzstd/lib

@@ -5,7 +5,7 @@
 #include "card/card_frame.h"
 #include "interface/app/fields.h"
 #include "interface/app/names.h"
-#include "replay/difference.h"
+#include "replay/what_if/difference.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -39,7 +39,7 @@ class CTests
   # The tests of a chart are as generated: beside it.
   FOLDERS = %w[core app bsp bsp/include build/gen build/gen/charts verification].freeze
   ROBOT_TESTS = 'core/robot/*/test'
-  FILES = ['verification/{unit,integration}/test_*.c', "#{ROBOT_TESTS}/test_*.c", 'build/gen/tests/test_*.c'].freeze
+  FILES = ['verification/{unit,integration}/*/test_*.c', "#{ROBOT_TESTS}/test_*.c", 'build/gen/tests/test_*.c'].freeze
   SUPPORT = Dir['verification/*/support/*.c'] + Dir["#{ROBOT_TESTS}/*.c"].grep_v(%r{/test_\w+\.c\z}) +
             ["#{UNITY}/src/unity.c", "#{CMOCK}/src/cmock.c"]
   ALWAYS = %w[contract_trap unity cmock].freeze
@@ -152,7 +152,7 @@ class CTests
   # @return their sources
   def make_mocks
     names = @tests.flat_map { |test| headers_of(test) }.grep(MOCK).uniq
-    headers = names.map { |name| Dir["{core/*,core/*/*,app/*,bsp/include,/usr/include}/#{name.sub(MOCK, '')}.h"].fetch(0) }
+    headers = names.map { |name| Dir["{core/*,core/*/*,app/*,app/*/*,bsp/include,/usr/include}/#{name.sub(MOCK, '')}.h"].fetch(0) }
     @mocked = headers.map { |header| File.dirname(header) }.uniq
     call('ruby', "#{CMOCK}/lib/cmock.rb", '-oproject.yml', "--mock_path=#{@mocks}", *headers)
     names.map { |name| "#{@mocks}/#{name}.c" }

@@ -15,7 +15,7 @@ require_relative 'c_tests'
 
 # Files that differ, and the tests that reach them.
 class Change
-  TOOLS_TESTS = %w[tools/test/test_*.rb tools/*/test/test_*.rb].freeze
+  TOOLS_TESTS = %w[tools/test/test_*.rb tools/test/*/test_*.rb tools/*/test/test_*.rb].freeze
   MOST_C_TESTS = 24
 
   attr_reader :files

@@ -12,7 +12,7 @@
 #   - Rights of both: `JOG`, ...                         what only one sender, or both, may command, in whole
 #   - Row `core/interface/modes.yml` `JOG`: `axes: ALL`  a field of the item of this name in a file
 
-require_relative 'project_names'
+require_relative 'documents/project_names'
 
 # One record.
 class Decision

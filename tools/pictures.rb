@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Makes the pictures of the documents as tools/pictures.yml says, and finds what is wrong with them.
+# Makes the pictures of the documents as tools/documents/pictures.yml says, and finds what is wrong with them.
 #
 #   ruby tools/pictures.rb                  one line for each finding, exit 1 if there is any
 #   ruby tools/pictures.rb --make [NAME]    makes all, or those of the source whose path contains NAME; "make pictures"
@@ -14,7 +14,7 @@ require 'yaml'
 # Pictures, and what makes them.
 class Pictures
   FOLDER = 'docs/images'
-  LIST = 'tools/pictures.yml'
+  LIST = 'tools/documents/pictures.yml'
   SHOWN_IN = %w[README.md docs/*.md docs/decisions/*.md].freeze
 
   def initialize(root)

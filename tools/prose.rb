@@ -6,9 +6,9 @@
 #
 #   ruby tools/prose.rb      one line for each, exit 1 if there is any
 #
-# So it does in the texts of the console and of its page, and in what is said of the interface. Numbers with a unit: tools/prose_numbers.rb.
+# So it does in the texts of the console and of its page, and in what is said of the interface. Numbers with a unit: tools/documents/prose_numbers.rb.
 
-require_relative 'prose_numbers'
+require_relative 'documents/prose_numbers'
 
 # What README.md, docs and the console say in words.
 class Prose

@@ -4,7 +4,8 @@
 
 # Holds the includes of the product against tools/rooms.yml: an include names the room that it enters, each room enters
 # those alone that it may, no two rooms enter each other, no two files of one room do (a source and its header are one),
-# and the refusals of a robot stay in its folder. Neither core nor app names a board or a program of one.
+# and the refusals of a robot stay in its folder. Neither core nor app names a board or a program of one. No folder holds
+# more files than one overlooks.
 #
 #   ruby tools/rooms.rb [--root FOLDER]     one line for each include or name that must not be, exit 1 if there is any
 
@@ -17,19 +18,19 @@ require 'yaml'
 # @satisfies SWR-TOOL-014
 # @satisfies SWR-TOOL-016
 # @satisfies SWR-TOOL-075
+# @satisfies SWR-TOOL-076
 class Rooms
   include TSort
 
   Room = Struct.new(:folder, :holds, :sees, keyword_init: true) do
-    # What stands before the slash of an include.
+    # What an include of its headers begins with.
     def name
-      File.basename(folder)
+      folder.sub(%r{\A(?:core|app|bsp)/}, '')
     end
 
-    # Its own headers, those of the folders that it sees, and single ones.
-    def may?(header)
-      folder = File.dirname(header)
-      folder == name || folder.start_with?("#{name}/") || sees.include?(folder) || sees.include?(header)
+    # A header of a folder that it sees, or a single one.
+    def sees?(header)
+      sees.include?(File.dirname(header)) || sees.include?(header)
     end
   end
 
@@ -43,12 +44,18 @@ class Rooms
   # Where an include begins.
   ROOTS = %w[core app bsp bsp/include .].freeze
 
+  # What one overlooks, and where.
+  MOST_FILES = 30
+  COUNTED = '{app,bsp,core,docs,requirements,site,statecharts,tools,verification}/**/*'
+
   # Who may not name a board.
   TEXTS = '{core,app}/**/*.{c,h,inc,yml}'
 
   def initialize(root)
     @root = root
-    @rooms = YAML.safe_load_file(File.join(root, FILE)).map do |folder, about|
+    rooms, crowded = YAML.load_stream(File.read(File.join(root, FILE), encoding: 'UTF-8'))
+    @crowded = crowded.to_h
+    @rooms = rooms.map do |folder, about|
       Room.new(folder: folder, holds: about.fetch('holds'), sees: about.fetch('sees'))
     end
   end
@@ -57,7 +64,7 @@ class Rooms
 
   # One line for each thing that is not as it must be.
   def problems
-    unknown_folders + circles + circles_of_files + named_boards +
+    unknown_folders + circles + circles_of_files + crowded_folders + named_boards +
       files.flat_map { |room, file| wrong_includes(room, file) + strays(file) }
   end
 
@@ -66,8 +73,25 @@ class Rooms
   # The deepest room that holds the file; a robot's tests are none.
   def files
     Dir.glob('{core,bsp,app,site}/**/*.{c,h,inc}', base: @root).grep_v(%r{node_modules/|\Acore/robot/\w+/test/}).sort.map do |file|
-      [(@rooms + unlisted_boards).select { |room| file.start_with?("#{room.folder}/") }.max_by { |room| room.folder.size }, file]
+      [all_rooms.select { |room| file.start_with?("#{room.folder}/") }.max_by { |room| room.folder.size }, file]
     end
+  end
+
+  def all_rooms
+    @rooms + unlisted_boards
+  end
+
+  # The deepest room whose header it is, or whose folder with a slash.
+  def owner(header)
+    all_rooms.select { |room| header.start_with?("#{room.name}/") }.max_by { |room| room.name.size }
+  end
+
+  def crowded_folders
+    counts = Dir.glob(COUNTED, base: @root).grep_v(/node_modules/).select { |file| File.file?(File.join(@root, file)) }
+                .map { |file| File.dirname(file) }.tally
+    over = counts.select { |_, count| count > MOST_FILES }
+    (over.keys - @crowded.keys).sort.map { |folder| "#{folder}: holds #{over[folder]} files, more than #{MOST_FILES}" } +
+      (@crowded.keys - over.keys).sort.map { |folder| "#{FILE}: #{folder} holds at most #{MOST_FILES} files and needs no reason" }
   end
 
   # A board that needs no more than any board is no entry of the list.
@@ -95,10 +119,10 @@ class Rooms
 
   def fine?(room, rest)
     header = rest[OF_THE_SYSTEM, :header]
-    return @rooms.none? { |one| one.name == header.split('/').first } && !header.include?('..') if header
+    return @rooms.none? { |one| one.name.split('/').first == header.split('/').first } && !header.include?('..') if header
 
     header = rest[NAMED, :header]
-    !header.nil? && room.may?(header)
+    !header.nil? && (owner(header) == room || room.sees?(header))
   end
 
   # Each refusal that belongs to one robot alone, with its folder.
@@ -182,7 +206,7 @@ class Rooms
 
   def tsort_each_child(room)
     room.sees.each do |seen|
-      other = @rooms.find { |one| one.name == seen.split('/').first }
+      other = owner(seen.end_with?('.h') ? seen : "#{seen}/")
       yield other if other && other != room
     end
   end

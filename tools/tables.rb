@@ -11,12 +11,12 @@
 # structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `modes`, for the whole table of
 # core/interface/modes.yml; `limits`, for those of requirements/; `known_limits`, for those of
 # requirements/known_limits.yml; `rooms`, for tools/rooms.yml; `decisions`, for docs/decisions;
-# `waits`, for tools/waits.yml;
+# `waits`, for tools/documents/waits.yml;
 # `robots`, for the axes of core/robot/*/robot.yml;
-# or one of tools/card_tables.rb, for the frames of the cards.
+# or one of tools/documents/card_tables.rb, for the frames of the cards.
 
 require 'optparse'
-require_relative 'card_tables'
+require_relative 'documents/card_tables'
 require_relative 'decisions'
 require_relative 'gates/plan'
 require_relative 'interface/model'
@@ -162,7 +162,7 @@ class TableSources
   # @satisfies SWR-TOOL-036
   # @satisfies SWR-TOOL-045
   def waits
-    rows = YAML.safe_load_file(File.join(@root, 'tools/waits.yml')).map do |row|
+    rows = YAML.safe_load_file(File.join(@root, 'tools/documents/waits.yml')).map do |row|
       ["`#{row['command']}`#{row['when']}", [span(*seconds_of(row['seconds'])) + machine_of(row), *row['says']].join('; ')]
     end
     markdown(['Command', 'How long it takes, about, on two free cores'], rows)

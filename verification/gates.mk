@@ -27,8 +27,8 @@ endif
 endif
 
 # One file of tests, in C or Ruby.
-ONE := $(firstword $(wildcard verification/unit/$(NAME).c verification/integration/$(NAME).c core/robot/*/test/$(NAME).c \
-    tools/test/$(NAME).rb $(foreach d,tools/chartc verification,$(d)/*/$(NAME).rb $(d)/*/*/$(NAME).rb)))
+ONE := $(firstword $(wildcard verification/unit/*/$(NAME).c verification/integration/*/$(NAME).c core/robot/*/test/$(NAME).c \
+    tools/test/$(NAME).rb tools/test/*/$(NAME).rb $(foreach d,tools/chartc verification,$(d)/*/$(NAME).rb $(d)/*/*/$(NAME).rb)))
 ifneq ($(filter one,$(MAKECMDGOALS)),)
 ifeq ($(ONE),)
 $(error NAME is '$(NAME)', but there is no such file of tests; one is test_encoder)
@@ -39,12 +39,12 @@ one: bootstrap-test ## One file of tests: make one NAME=test_encoder
 	@$(MAKE) --no-print-directory -j2 $(if $(filter %.c,$(ONE)),generated build/gcc/libtest.a,programs)
 	@$(if $(filter %.c,$(ONE)),$(CEEDLING) test:$(NAME),env -u MAKEFLAGS -u MAKELEVEL -u NAME ruby $(ONE) -v)
 
-ALL_APP := $(wildcard app/*/*.c bsp/*/*.c)
+ALL_APP := $(wildcard app/*/*.c app/*/*/*.c bsp/*/*.c bsp/*/*/*.c)
 OTHER_BOARDS := $(filter-out sim,$(BOARDS))
 # A static program loads no library while it runs.
 STATIC_BOARDS := $(filter-out $(patsubst bsp/%/board.yml,%,$(shell grep -lx 'loads_library: true' bsp/*/board.yml)),$(OTHER_BOARDS))
 # What is verified runs on the simulated control box, whichever board the programs are for.
-BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/bench_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c)) \
+BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/bench_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c bsp/sim/model/*.c)) \
     app/control/board_inputs.c
 OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) bsp/no_bench.c $(NAMES) $(GEN)/interface/app/event_words.c \
     $(FIND_ROBOT) $(BOARD_TABLE) $(GEN)/interface/app/messages.c $(API) $(HANDLERS) $(IGTL_CODES) $(REFUSED_AXIS) $(GEN)/interface/app/columns.c \
@@ -56,8 +56,8 @@ objects: $(OBJECTS)
 
 # A box for the board sbrio where there is none, loaded before control's libraries.
 PRETENDED_BOX := build/boards/pretended_box.so
-$(PRETENDED_BOX): verification/system/pretended_box.c $(wildcard bsp/sim/sim_*.c) core/card/card_frame.c core/base/crc.c \
-    $(GEN)/robot/robot_neuro.c $(wildcard bsp/sim/*.h core/card/*.h core/robot/*.h) | $(GENERATED)
+$(PRETENDED_BOX): verification/system/pretended_box.c $(wildcard bsp/sim/model/sim_*.c) core/card/card_frame.c core/base/crc.c \
+    $(GEN)/robot/robot_neuro.c $(wildcard bsp/sim/*.h bsp/sim/model/*.h core/card/*.h core/robot/*.h) | $(GENERATED)
 	@mkdir -p $(@D)
 	@$(CC) $(WARNINGS) -O2 -g -D_GNU_SOURCE $(BSP_INCLUDES) -shared -fPIC -fvisibility=hidden -Wl,-z,defs $(filter %.c,$^) -lm -o $@
 

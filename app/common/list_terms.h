@@ -9,8 +9,8 @@
 
 #include "interface/command.h"
 #include "interface/status.h"
-#include "mode/program_step.h"
-#include "mode/trajectory_row.h"
+#include "mode/lists/program_step.h"
+#include "mode/lists/trajectory_row.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>

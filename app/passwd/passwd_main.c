@@ -8,8 +8,8 @@
  */
 #include "common/command_line.h"
 #include "limits/requirement_limits.h"
-#include "session/account.h"
-#include "session/password.h"
+#include "http/login/account.h"
+#include "http/login/password.h"
 
 #include <errno.h>
 #include <fcntl.h>

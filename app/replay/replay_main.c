@@ -12,11 +12,11 @@
  */
 #include "base/contract.h"
 #include "common/command_line.h"
-#include "replay/file_output.h"
-#include "replay/printed.h"
-#include "replay/run.h"
-#include "replay/verdict.h"
-#include "replay/what_if.h"
+#include "replay/export/file_output.h"
+#include "replay/verify/printed.h"
+#include "replay/verify/run.h"
+#include "replay/verify/verdict.h"
+#include "replay/what_if/what_if.h"
 
 #include <inttypes.h>
 #include <stdio.h>

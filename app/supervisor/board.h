@@ -2,9 +2,9 @@
 /**
  * @file
  * What the supervisor knows of the board that control is linked with: the programs that come with
- * it and what may be asked of them. The one table is made of the board's file by tools/boards.rb.
- * A pattern is a text with {names}, of which each stands for an option or for one of what
- * board_text.h knows.
+ * it and what may be asked of them. The one table is made of the board's file by
+ * tools/compile/boards.rb. A pattern is a text with {names}, of which each stands for an option or
+ * for one of what board_text.h knows.
  */
 #ifndef BORESIGHT_BOARD_H
 #define BORESIGHT_BOARD_H

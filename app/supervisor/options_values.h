@@ -3,7 +3,7 @@
 #ifndef BORESIGHT_OPTIONS_VALUES_H
 #define BORESIGHT_OPTIONS_VALUES_H
 
-#include "igtl/igtl_ports.h"
+#include "igtl/server/igtl_ports.h"
 #include "supervisor/board.h"
 
 #include <stdbool.h>

@@ -12,7 +12,7 @@
 #define BORESIGHT_TRAJECTORY_CSV_H
 
 #include "limits/requirement_limits.h"
-#include "mode/trajectory_row.h"
+#include "mode/lists/trajectory_row.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>

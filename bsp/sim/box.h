@@ -17,10 +17,10 @@
 #include "bsp_bench.h"
 #include "card/card_frame.h"
 #include "robot/robot.h"
-#include "sim/sim_card.h"
-#include "sim/sim_encoder.h"
-#include "sim/sim_motor.h"
-#include "sim/sim_switch.h"
+#include "sim/model/sim_card.h"
+#include "sim/model/sim_encoder.h"
+#include "sim/model/sim_motor.h"
+#include "sim/model/sim_switch.h"
 
 #include <stdbool.h>
 #include <stdint.h>

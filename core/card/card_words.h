@@ -2,7 +2,8 @@
 /**
  * @file
  * The words of both frames, for the codec alone. A line of a comment is a field, `BITS NAME: what
- * it says; its values`; tools/card_tables.rb makes of them the tables that a card's vendor reads.
+ * it says; its values`; tools/documents/card_tables.rb makes of them the tables that a card's
+ * vendor reads.
  */
 #ifndef BORESIGHT_CARD_WORDS_H
 #define BORESIGHT_CARD_WORDS_H

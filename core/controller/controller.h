@@ -197,7 +197,7 @@ void controller_restore(controller_t *self, const kept_positions_t *kept);
  * (contract 102), which tells the log. Nothing is held of one that is refused.
  *
  * @param row  the one that was refused
- * @return as mode/trajectory_list.h says
+ * @return as mode/lists/trajectory_list.h says
  *
  * @satisfies SWR-TRAJ-020
  */

@@ -3,7 +3,7 @@
 
 #include "interface/command.h"
 #include "limits/requirement_limits.h"
-#include "mode/velocity_share.h"
+#include "mode/velocity/velocity_share.h"
 
 bool mode_runs_in(mode_kind_t kind, workphase_t workphase)
 {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The kinematics of any robot: one switch on robot->kind, made by tools/robots.rb from the folders
- * of core/robot. There is no function pointer, so the call graph stays as it is written. Each
- * function does what that of the robot's own folder with the same end of its name says.
+ * The kinematics of any robot: one switch on robot->kind, made by tools/compile/robots.rb from the
+ * folders of core/robot. There is no function pointer, so the call graph stays as it is written.
+ * Each function does what that of the robot's own folder with the same end of its name says.
  */
 #ifndef BORESIGHT_KINEMATICS_H
 #define BORESIGHT_KINEMATICS_H

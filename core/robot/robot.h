@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a robot is, as data. tools/robot_compiler.rb makes of core/robot/<name>/robot.yml the table
- * robot_<name>, and a header of the same name with the order of its axes and lengths; nothing else
- * describes a robot. Programs find the tables by robots_find().
+ * What a robot is, as data. tools/compile/robot_compiler.rb makes of core/robot/<name>/robot.yml
+ * the table robot_<name>, and a header of the same name with the order of its axes and lengths;
+ * nothing else describes a robot. Programs find the tables by robots_find().
  */
 #ifndef BORESIGHT_ROBOT_H
 #define BORESIGHT_ROBOT_H

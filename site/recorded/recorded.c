@@ -3,8 +3,8 @@
 
 #include "base/contract.h"
 #include "common/clock.h"
-#include "replay/motion_json.h"
-#include "replay/walk.h"
+#include "replay/export/motion_json.h"
+#include "replay/verify/walk.h"
 #include "site/recorded/one_file.h"
 
 #include <stdio.h>

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file What a page does not have: a recorder with its files, a key of the box, accounts, a port
  * for stops, and the files of the console. */
-#include "http/asset.h"
-#include "http/http_positions.h"
-#include "http/http_reply.h"
+#include "http/server/asset.h"
+#include "http/handlers/http_positions.h"
+#include "http/call/http_reply.h"
 #include "interface/app/handlers.h"
-#include "session/device_mark.h"
-#include "session/password.h"
-#include "session/tls_front.h"
+#include "http/login/device_mark.h"
+#include "http/login/password.h"
+#include "http/login/tls_front.h"
 
 #include <stddef.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "site/served/connection.h"
 
-#include "gate/http_lines.h"
+#include "http/gate/http_lines.h"
 
 #include <stdlib.h>
 #include <string.h>

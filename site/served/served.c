@@ -2,8 +2,8 @@
 #include "site/served/served.h"
 
 #include "base/contract.h"
-#include "http/http_routes.h"
-#include "http/http_server.h"
+#include "http/server/http_routes.h"
+#include "http/server/http_server.h"
 #include "limits/requirement_limits.h"
 #include "robot/app/robots.h"
 #include "site/served/connection.h"

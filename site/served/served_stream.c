@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "site/served/served_stream.h"
 
-#include "http/http_reply.h"
-#include "http/http_stream.h"
+#include "http/call/http_reply.h"
+#include "http/call/http_stream.h"
 #include "site/served/connection.h"
 
 #include <string.h>

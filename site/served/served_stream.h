@@ -3,7 +3,7 @@
 #ifndef BORESIGHT_SERVED_STREAM_H
 #define BORESIGHT_SERVED_STREAM_H
 
-#include "http/http_server.h"
+#include "http/call/http_context.h"
 
 #include <stddef.h>
 

@@ -162,7 +162,7 @@ module Interface
       end
       <<~CODE
         #{C.file('Which function carries out each command.', FROM).chomp}
-        #include "controller/controller_dispatch.h"
+        #include "controller/orders/controller_dispatch.h"
 
         status_t controller_dispatch(controller_t *self, const cycle_t *cycle, const command_t *command,
                                      answer_t *answer)

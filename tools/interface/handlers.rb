@@ -24,8 +24,8 @@ module Interface
 
     def header
       C.file(SAYS, FROM) + C.guard('handlers', <<~CODE)
-        #include "http/http_call.h"
-        #include "http/http_server.h"
+        #include "http/call/http_call.h"
+        #include "http/call/http_context.h"
         #include "interface/app/routes.h"
 
         /** Answers a request that is judged and read. Returns the status that was sent. */

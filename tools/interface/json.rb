@@ -12,7 +12,7 @@ module Interface
     FROM = 'core/interface'
     SAYS = 'What the HTTP server sends, as JSON.'
     # For the names, for the forms, and for the constants of the form bit.
-    INCLUDES = %w[assets/chart_names card/card_frame exchange/exchange http/json_forms http/telemetry_units
+    INCLUDES = %w[assets/chart_names card/card_frame exchange/exchange http/view/json_forms http/view/telemetry_units
                   interface/app/names].freeze
 
     def initialize(model)

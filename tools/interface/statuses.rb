@@ -86,7 +86,7 @@ module Interface
         #{C.file('The codes by which OpenIGTLink reports refusals.', FROM).chomp}
         #include "igtl_codes.h"
 
-        #include "message/igtl_codec.h"
+        #include "igtl/wire/igtl_codec.h"
 
         uint32_t igtl_reason_code(status_t status)
         {

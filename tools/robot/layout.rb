@@ -4,7 +4,7 @@
 module Robot
   # A structure of core/robot/robot.h as bytes, for the seals that are compiled into the table.
   class Layout
-    HEADERS = %w[card/card robot/robot].map { |name| File.expand_path("../../core/#{name}.h", __dir__) }.freeze
+    HEADERS = %w[card/card robot/robot].map { |name| File.expand_path("../../core//#{name}.h", __dir__) }.freeze
     FORMATS = { 'char' => 'C', 'uint8_t' => 'C', 'uint16_t' => 'S<', 'int32_t' => 'l<', 'uint32_t' => 'L<', 'int64_t' => 'q<' }.freeze
     SIZES = { 'char' => 1, 'uint8_t' => 1, 'uint16_t' => 2, 'int32_t' => 4, 'uint32_t' => 4, 'int64_t' => 8 }.freeze
     START = 0x5EA1ED00 # SEAL_START of core/base/seal.h

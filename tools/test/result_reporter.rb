@@ -3,7 +3,7 @@
 
 # Runs minitest files and leaves their results for tools/trace.rb, saying how many tests are done:
 #
-#   ruby tools/test/result_reporter.rb tools/test/test_*.rb
+#   ruby tools/test/result_reporter.rb tools/test/test_*.rb tools/test/*/test_*.rb
 #
 # They run in the same order each time, so that what is red is red again when it is repeated; `--seed N` takes another.
 

@@ -11,19 +11,19 @@ class TestCheck < Minitest::Test
 
   def test_SWR_TOOL_041_tests_that_include_a_changed_module_are_run
     tests = change('core/axis/encoder.c').c_tests
-    assert_includes tests, 'verification/unit/test_encoder.c'
-    refute_includes tests, 'verification/unit/test_probe.c'
+    assert_includes tests, 'verification/unit/axis/test_encoder.c'
+    refute_includes tests, 'verification/unit/robot/test_probe.c'
     assert_includes change('core/robot/neuro/neuro.c').c_tests, 'core/robot/neuro/test/test_neuro.c'
   end
 
   def test_SWR_TOOL_041_of_many_tests_those_of_the_module_are_run_first
     tests = change('core/controller/controller.h').c_tests
     assert_equal 24, tests.size
-    assert_equal 'verification/unit/test_encoder.c', change('core/controller/controller.h', 'core/axis/encoder.h').c_tests.first
+    assert_equal 'verification/unit/axis/test_encoder.c', change('core/controller/controller.h', 'core/axis/encoder.h').c_tests.first
   end
 
   def test_SWR_TOOL_041_a_changed_test_is_run
-    assert_equal ['verification/unit/test_encoder.c'], change('verification/unit/test_encoder.c').c_tests
+    assert_equal ['verification/unit/axis/test_encoder.c'], change('verification/unit/axis/test_encoder.c').c_tests
     assert_equal ['tools/test/test_rooms.rb'], change('tools/test/test_rooms.rb').ruby_tests
   end
 

@@ -7,10 +7,10 @@ require 'minitest/autorun'
 require 'open3'
 require 'rbconfig'
 require 'tmpdir'
-require_relative '../glibc'
+require_relative '../debian/glibc'
 
 class TestGlibc < Minitest::Test
-  TOOL = File.expand_path('../glibc.rb', __dir__)
+  TOOL = File.expand_path('../debian/glibc.rb', __dir__)
   HEAD = "control:     file format elf32-littlearm\n\nDYNAMIC SYMBOL TABLE:\n"
   OLD = "00000000      DF *UND*  00000000 (GLIBC_2.4)  dlopen\n"
   NEW = "00000000      DF *UND*  00000000 (GLIBC_2.34) __libc_start_main\n"

@@ -101,6 +101,23 @@ class TestRooms < Minitest::Test
                           'core/high/a_state.h' => '', 'core/high/b.h' => "#include \"high/a_state.h\"\n")
   end
 
+  def test_SWR_TOOL_014_a_room_within_a_room_sees_what_it_may_alone
+    within = "#{RULES}core/high/inner: {holds: a cupboard, sees: [low]}\n"
+    files = { 'core/high/inner/a.c' => "#include \"low/open.h\"\n#include \"high/inner/a.h\"\n", 'core/high/b.c' => "#include \"high/b.h\"\n" }
+    assert_empty problems(files, within)
+    assert_equal ['core/high/b.c:1: core/high must not include "high/inner/a.h"', 'core/high/inner/a.c:1: core/high/inner must not include "high/b.h"'],
+                 problems({ 'core/high/inner/a.c' => "#include \"high/b.h\"\n", 'core/high/b.c' => "#include \"high/inner/a.h\"\n" }, within).sort
+  end
+
+  def test_SWR_TOOL_076_a_folder_with_more_files_than_one_overlooks_needs_a_reason
+    files = (0..Rooms::MOST_FILES).to_h { |number| ["verification/heap/test_#{number}.rb", ''] }
+    assert_equal ["verification/heap: holds #{Rooms::MOST_FILES + 1} files, more than #{Rooms::MOST_FILES}"], problems(files)
+    reason = "#{RULES}---\nverification/heap: a file for each number\n"
+    assert_empty problems(files, reason)
+    assert_empty problems(files.drop(1).to_h)
+    assert_equal ["tools/rooms.yml: verification/heap holds at most #{Rooms::MOST_FILES} files and needs no reason"], problems(files.drop(1).to_h, reason)
+  end
+
   def test_SWR_ROBOT_020_finds_a_refusal_of_one_robot_outside_of_its_folder
     ant = { 'core/robot/ant/kinematics.yml' => "refusals:\n  - {code: 3, name: TOO_WET, says: No.}\n",
             'core/robot/ant/ant.c' => "return STATUS_TOO_WET;\n" }

@@ -35,7 +35,7 @@ class TestTrace < Minitest::Test
         text: Without permit zero drive words leave.
         parents: [HAZ-001]
     YAML
-    'requirements/pedal.yml' => <<~YAML,
+    'requirements/core/pedal.yml' => <<~YAML,
       - id: SWR-PEDAL-001
         title: Shut gate
         text: While the gate is shut, the controller shall wait {wait_us}.
@@ -117,7 +117,7 @@ class TestTrace < Minitest::Test
   end
 
   def test_SWR_TRACE_001_e03_requirement_without_a_passed_test
-    assert_finding 'E03 requirements/pedal.yml:1: SWR-PEDAL-001 has no passed test',
+    assert_finding 'E03 requirements/core/pedal.yml:1: SWR-PEDAL-001 has no passed test',
                    'build/results/unit.json', '"pass"', '"ignore"'
   end
 
@@ -136,7 +136,7 @@ class TestTrace < Minitest::Test
   def test_SWR_TRACE_001_e06_test_that_asserts_nothing
     findings = assert_finding 'E06 verification/unit/test_gate.c:7: test_SWR_PEDAL_001_waits asserts nothing',
                               'verification/unit/test_gate.c', 'check(value);', '/* check(value); */'
-    assert_includes findings, 'E03 requirements/pedal.yml:1: SWR-PEDAL-001 has no passed test'
+    assert_includes findings, 'E03 requirements/core/pedal.yml:1: SWR-PEDAL-001 has no passed test'
   end
 
   def test_SWR_TRACE_001_e06_runner_counted_no_assertion
@@ -146,32 +146,32 @@ class TestTrace < Minitest::Test
   end
 
   def test_SWR_TRACE_001_e07_requirement_that_nothing_fulfils
-    assert_finding 'E07 requirements/pedal.yml:1: SWR-PEDAL-001 is fulfilled by no function or chart',
+    assert_finding 'E07 requirements/core/pedal.yml:1: SWR-PEDAL-001 is fulfilled by no function or chart',
                    'statecharts/gate.scxml', /SWR-PEDAL-001(.*)SWR-PEDAL-001/m, 'SWR-PEDAL-002\\1'
   end
 
   def test_SWR_TRACE_001_e08_id_used_twice
-    assert_finding 'E08 requirements/pedal.yml:9: SWR-PEDAL-001 is already used at requirements/pedal.yml:1',
-                   'requirements/pedal.yml', 'SWR-PEDAL-002', 'SWR-PEDAL-001'
+    assert_finding 'E08 requirements/core/pedal.yml:9: SWR-PEDAL-001 is already used at requirements/core/pedal.yml:1',
+                   'requirements/core/pedal.yml', 'SWR-PEDAL-002', 'SWR-PEDAL-001'
   end
 
   def test_SWR_TRACE_001_e09_unknown_parent
-    assert_finding 'E09 requirements/pedal.yml:1: SWR-PEDAL-001 has the unknown parent RC-002',
-                   'requirements/pedal.yml', 'RC-001', 'RC-002'
+    assert_finding 'E09 requirements/core/pedal.yml:1: SWR-PEDAL-001 has the unknown parent RC-002',
+                   'requirements/core/pedal.yml', 'RC-001', 'RC-002'
     assert_finding 'E09 requirements/risk.yml:6: RC-001 has the unknown parent HAZ-002',
                    'requirements/risk.yml', '[HAZ-001]', '[HAZ-002]'
   end
 
   def test_SWR_TRACE_001_e10_not_exactly_one_shall
-    assert_finding 'E10 requirements/pedal.yml:9: SWR-PEDAL-002 says shall 2 times',
-                   'requirements/pedal.yml', 'shall open', 'shall open and shall close'
-    assert_finding 'E10 requirements/pedal.yml:9: SWR-PEDAL-002 says shall 0 times',
-                   'requirements/pedal.yml', 'shall open', 'will open'
+    assert_finding 'E10 requirements/core/pedal.yml:9: SWR-PEDAL-002 says shall 2 times',
+                   'requirements/core/pedal.yml', 'shall open', 'shall open and shall close'
+    assert_finding 'E10 requirements/core/pedal.yml:9: SWR-PEDAL-002 says shall 0 times',
+                   'requirements/core/pedal.yml', 'shall open', 'will open'
   end
 
   def test_SWR_TRACE_001_e11_risk_control_without_requirement
     assert_finding 'E11 requirements/risk.yml:6: RC-001 is carried out by no requirement',
-                   'requirements/pedal.yml', '[RC-001]', "['derived: so']"
+                   'requirements/core/pedal.yml', '[RC-001]', "['derived: so']"
   end
 
   def test_SWR_TRACE_001_e12_hazard_without_risk_control
@@ -204,8 +204,8 @@ class TestTrace < Minitest::Test
   end
 
   def test_SWR_TRACE_001_e14_requirement_without_parent
-    assert_finding 'E14 requirements/pedal.yml:9: SWR-PEDAL-002 has neither a parent nor',
-                   'requirements/pedal.yml', "['derived: someone must get through']", '[]'
+    assert_finding 'E14 requirements/core/pedal.yml:9: SWR-PEDAL-002 has neither a parent nor',
+                   'requirements/core/pedal.yml', "['derived: someone must get through']", '[]'
   end
 
   def test_SWR_SITE_019_a_hazard_has_a_whole_scene_or_a_reason
@@ -237,23 +237,23 @@ class TestTrace < Minitest::Test
       ['level: unit', 'level: hope'] => 'SWR-PEDAL-001 has the unknown level "hope"',
       ['While the', 'As the'] => 'SWR-PEDAL-001 does not begin with While, When, If, Where or The' }
       .each do |(old, new), text|
-        assert_finding "E15 requirements/pedal.yml:1: #{text}", 'requirements/pedal.yml', old, new
+        assert_finding "E15 requirements/core/pedal.yml:1: #{text}", 'requirements/core/pedal.yml', old, new
       end
-    assert_finding 'E15 requirements/pedal.yml:9: REQ-PEDAL-002 is neither HAZ-, RC-, SWR- nor LIM-',
-                   'requirements/pedal.yml', 'SWR-PEDAL-002', 'REQ-PEDAL-002'
+    assert_finding 'E15 requirements/core/pedal.yml:9: REQ-PEDAL-002 is neither HAZ-, RC-, SWR- nor LIM-',
+                   'requirements/core/pedal.yml', 'SWR-PEDAL-002', 'REQ-PEDAL-002'
   end
 
   def test_SWR_TRACE_001_e15_unreadable_files
-    assert_finding 'E15 requirements/pedal.yml:', 'requirements/pedal.yml', '- id: SWR-PEDAL-002', '- id: ['
+    assert_finding 'E15 requirements/core/pedal.yml:', 'requirements/core/pedal.yml', '- id: SWR-PEDAL-002', '- id: ['
     assert_finding 'E15', 'build/results/unit.json', ']', ''
   end
 
   def test_SWR_TRACE_001_e16_tested_only_at_a_smaller_level
-    assert_finding 'E16 requirements/pedal.yml:1: SWR-PEDAL-001 is to be tested at level system, it is at unit',
-                   'requirements/pedal.yml', 'level: unit', 'level: system'
+    assert_finding 'E16 requirements/core/pedal.yml:1: SWR-PEDAL-001 is to be tested at level system, it is at unit',
+                   'requirements/core/pedal.yml', 'level: unit', 'level: system'
     system = { test: 'test_SWR_PEDAL_001_x', file: 'verification/system/test_x.rb', result: 'pass', assertions: 1 }
-    items = COMPLETE.fetch('requirements/pedal.yml').sub('level: unit', 'level: integration')
-    in_project('build/results/system.json' => JSON.generate([system]), 'requirements/pedal.yml' => items,
+    items = COMPLETE.fetch('requirements/core/pedal.yml').sub('level: unit', 'level: integration')
+    in_project('build/results/system.json' => JSON.generate([system]), 'requirements/core/pedal.yml' => items,
                'verification/system/test_x.rb' => "  def test_SWR_PEDAL_001_x\n") do |root|
       output, status = trace('check', root)
       assert status.success?, output

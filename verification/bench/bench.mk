@@ -12,7 +12,7 @@ build/gcc/bin/bench-samples: $(BENCH_SCENE) build/gcc/libcore.a
 	@echo "built $@"
 
 BENCH_RECORDINGS := $(call object,verification/bench/recordings.c verification/integration/support/rig.c \
-    verification/integration/support/recorded.c $(BOX_SOURCES) $(wildcard app/recording/*.c) $(FIND_ROBOT))
+    verification/integration/support/recorded.c $(BOX_SOURCES) $(wildcard app/recording/format/*.c app/recording/read/*.c app/recording/write/recording_writer.c) $(FIND_ROBOT))
 build/gcc/bin/bench-recordings: $(BENCH_RECORDINGS) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c $(LIBS_boresight-recorder) -lm -o $@
@@ -28,7 +28,7 @@ build/gcc/bin/bench-codec: verification/bench/codec.cpp $(CODEC)
 SOURCES_bench-step := verification/bench/step.c $(FIND_ROBOT)
 $(eval $(call program,bench-step))
 
-build/gcc/bin/bench-clients: $(call object,verification/bench/clients.c app/message/igtl_inbox.c) $(CODEC)
+build/gcc/bin/bench-clients: $(call object,verification/bench/clients.c app/igtl/wire/igtl_inbox.c) $(CODEC)
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $^ -o $@
 	@echo "built $@"

@@ -13,9 +13,9 @@
  * line of JSON, times in us. Exits 1 with a sentence when an answer stays out.
  */
 #include "base/contract.h"
-#include "message/igtl_codec.h"
-#include "message/igtl_inbox.h"
-#include "message/igtl_packet.h"
+#include "igtl/wire/igtl_codec.h"
+#include "igtl/wire/igtl_inbox.h"
+#include "igtl/wire/igtl_packet.h"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>

@@ -11,8 +11,8 @@
 // one function with its name, so that callgrind can count it.
 
 extern "C" {
-#include "message/igtl_codec.h"
-#include "message/igtl_packet.h"
+#include "igtl/wire/igtl_codec.h"
+#include "igtl/wire/igtl_packet.h"
 }
 
 #include <igtlMessageHeader.h>

@@ -45,7 +45,7 @@ class Errand
   def initialize(robot)
     @robot = robot
     @workflow = Workflow.new(robot)
-    targets = Targets.new(File.expand_path("../../core/robot/#{ROBOT}/targets.yml", __dir__))
+    targets = Targets.new(File.expand_path("../../core/robot//#{ROBOT}/targets.yml", __dir__))
     @registration = targets.registration
     @poses = targets.each_target.map { |target| Geometry.rows(target.rotation, target.point) }.cycle
     @off_nm = 0

@@ -3,7 +3,7 @@
 
 require_relative 'support'
 
-# How large recordings are, in simulated time. The limits are held by verification/integration/test_recording_size.c.
+# How large recordings are, in simulated time. The limits are held by verification/integration/recording/test_recording_size.c.
 class Recordings
   PROGRAM = File.join(ROOT, 'build/gcc/bin/bench-recordings')
   FILE = File.join(BENCH_OUT, 'recording.bsr')

@@ -12,8 +12,8 @@
 #include "base/contract.h"
 #include "fight/witness.h"
 #include "interface/interface_layout.h"
-#include "recording/recording_reader.h"
-#include "replay/replay.h"
+#include "recording/read/recording_reader.h"
+#include "replay/verify/replay.h"
 #include "robot/app/robots.h"
 
 #include <stdio.h>

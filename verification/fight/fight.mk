@@ -3,8 +3,8 @@
 
 .PHONY: fight
 
-build/gcc/bin/fight-witness: $(call object,$(wildcard verification/fight/*.c verification/witness/*.c app/recording/*.c) \
-    app/replay/replay.c app/replay/field_name.c $(GEN)/interface/app/fields.c $(NAMES) $(FIND_ROBOT)) build/gcc/libcore.a
+build/gcc/bin/fight-witness: $(call object,$(wildcard verification/fight/*.c verification/witness/*.c app/recording/format/*.c app/recording/read/*.c app/recording/write/recording_writer.c) \
+    app/replay/verify/replay.c app/replay/verify/field_name.c $(GEN)/interface/app/fields.c $(NAMES) $(FIND_ROBOT)) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $^ $(LIBS_boresight-replay) -lm -o $@
 	@echo "built $@"

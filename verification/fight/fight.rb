@@ -22,7 +22,7 @@ class Fight
 
   # Returns what the witness says of a fight of at least so many seconds. The recording of a broken rule is kept.
   def self.judge(seconds, seed, accounts)
-    kept = File.expand_path("../../build/fight/#{seed}", __dir__)
+    kept = File.expand_path("../../build/fight//#{seed}", __dir__)
     FileUtils.rm_rf(kept)
     robot = Boresight.start(arguments: ['--robot', Errand::ROBOT, '--accounts', accounts], recordings: kept)
     verdict = record(robot, seconds, Random.new(seed))

@@ -5,10 +5,10 @@
  * checksum is put right, the second how the rest is cut. A sentence that does not hold ends the
  * program.
  */
-#include "message/igtl_codec.h"
-#include "message/igtl_crc64.h"
-#include "message/igtl_packet.h"
-#include "message/igtl_inbox.h"
+#include "igtl/wire/igtl_codec.h"
+#include "igtl/wire/igtl_crc64.h"
+#include "igtl/wire/igtl_packet.h"
+#include "igtl/wire/igtl_inbox.h"
 #include "fuzz/sentence.h"
 
 #include <stdlib.h>

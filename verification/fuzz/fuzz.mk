@@ -9,7 +9,7 @@ FUZZ_CC := clang-19
 # What is fuzzed counts its branches and is watched; the controller and the box only play along, and are quick.
 FUZZ_FLAGS := $(WARNINGS) -ffp-contract=off -O2 -g -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY) -fno-sanitize-recover=all
 FUZZ_WATCHED := -fsanitize=fuzzer-no-link,address,undefined
-FUZZED := $(wildcard app/message/*.c app/dialect/*.c) $(AXIS_TERMS) $(LIST_TERMS) $(IGTL_CODES)
+FUZZED := $(wildcard app/igtl/wire/*.c app/igtl/dialect/*.c app/igtl/workphase/*.c app/igtl/lists/*.c) $(AXIS_TERMS) $(LIST_TERMS) $(IGTL_CODES)
 FUZZ_TARGETS := codec dialect ports request
 FUZZ_PROGRAMS := $(FUZZ_TARGETS:%=$(FUZZ)/bin/%)
 FUZZ_DIALECT := $(filter-out %codec_fuzz.c %ports_fuzz.c %request_fuzz.c,$(wildcard verification/fuzz/*.c))
@@ -28,25 +28,25 @@ $(FUZZ)/%.o: %.c $(FUZZ_WORDS) | $(GENERATED)
 
 $(FUZZ)/app/%.o $(FUZZ)/verification/fuzz/codec_fuzz.o $(FUZZ)/verification/fuzz/ports_fuzz.o $(FUZZ)/verification/fuzz/request_fuzz.o: FUZZ_WATCH = $(FUZZ_WATCHED)
 # The words of the scenes tell what is compared with; to trace it would take half of the time.
-$(FUZZ)/app/dialect/%.o: FUZZ_WATCH = $(FUZZ_WATCHED) -fno-sanitize-coverage=trace-cmp
+$(FUZZ)/app/igtl/dialect/%.o $(FUZZ)/app/igtl/workphase/%.o $(FUZZ)/app/igtl/lists/%.o: FUZZ_WATCH = $(FUZZ_WATCHED) -fno-sanitize-coverage=trace-cmp
 
-$(FUZZ)/bin/codec: $(call fuzz_object,verification/fuzz/codec_fuzz.c $(wildcard app/message/*.c))
+$(FUZZ)/bin/codec: $(call fuzz_object,verification/fuzz/codec_fuzz.c $(wildcard app/igtl/wire/*.c))
 	@mkdir -p $(@D)
 	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined $^ -o $@
 	@echo "built $@"
 
-$(FUZZ)/bin/ports: $(call fuzz_object,verification/fuzz/ports_fuzz.c $(wildcard app/igtl/igtl_ports*.c))
+$(FUZZ)/bin/ports: $(call fuzz_object,verification/fuzz/ports_fuzz.c $(wildcard app/igtl/server/igtl_ports*.c))
 	@mkdir -p $(@D)
 	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined $^ -o $@
 	@echo "built $@"
 
-$(FUZZ)/bin/request: $(call fuzz_object,verification/fuzz/request_fuzz.c $(wildcard app/request/*.c) app/http/telemetry_units.c $(AXIS_TERMS) $(API))
+$(FUZZ)/bin/request: $(call fuzz_object,verification/fuzz/request_fuzz.c $(wildcard app/request/*.c) app/http/view/telemetry_units.c $(AXIS_TERMS) $(API))
 	@mkdir -p $(@D)
 	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined $^ -lm -o $@
 	@echo "built $@"
 
 $(FUZZ)/bin/dialect: $(call fuzz_object,$(FUZZ_DIALECT) $(FUZZED)) \
-    $(call object,verification/integration/support/rig.c verification/supervise/reign.c $(wildcard verification/witness/*.c) $(BOX_SOURCES) $(NAMES)) build/gcc/libcore.a
+    $(call object,verification/integration/support/rig.c verification/supervise/watch/reign.c $(wildcard verification/witness/*.c) $(BOX_SOURCES) $(NAMES)) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@
 	@echo "built $@"

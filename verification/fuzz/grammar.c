@@ -2,8 +2,8 @@
 #include "fuzz/grammar.h"
 
 #include "fuzz/words.h"
-#include "message/igtl_codec.h"
-#include "message/igtl_crc64.h"
+#include "igtl/wire/igtl_codec.h"
+#include "igtl/wire/igtl_crc64.h"
 
 #include <stdio.h>
 #include <string.h>

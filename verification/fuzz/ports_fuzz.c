@@ -2,7 +2,7 @@
 /** @file Any text as a file of ports: it is understood whole, or refused with its line and a
  * reason. */
 #include "fuzz/sentence.h"
-#include "igtl/igtl_ports.h"
+#include "igtl/server/igtl_ports.h"
 
 #include <stdlib.h>
 #include <string.h>

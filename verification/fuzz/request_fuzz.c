@@ -6,7 +6,7 @@
  * program: what is refused has a place, what is taken is within its bounds, and nothing else is
  * written.
  */
-#include "http/telemetry_units.h"
+#include "http/view/telemetry_units.h"
 #include "interface/app/routes.h"
 #include "request/request_body.h"
 #include "request/request_headers.h"

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "fuzz/witness.h"
 
-#include "dialect/igtl_border.h"
-#include "dialect/transform_proposals.h"
-#include "dialect/workphase_words.h"
+#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/transform_proposals.h"
+#include "igtl/workphase/workphase_words.h"
 #include "fuzz/sentence.h"
 #include "limits/requirement_limits.h"
-#include "message/igtl_crc64.h"
+#include "igtl/wire/igtl_crc64.h"
 #include "procedure/command_kinds.h"
 #include "unit/support/commands.h"
 

@@ -8,13 +8,13 @@
 #ifndef BORESIGHT_FUZZ_WORLD_H
 #define BORESIGHT_FUZZ_WORLD_H
 
-#include "dialect/igtl_dialect.h"
-#include "dialect/transform_dialect.h"
-#include "dialect/workphase_dialect.h"
+#include "igtl/dialect/igtl_dialect.h"
+#include "igtl/dialect/transform_dialect.h"
+#include "igtl/workphase/workphase_dialect.h"
 #include "integration/support/rig.h"
-#include "supervise/reign.h"
-#include "message/igtl_inbox.h"
-#include "message/igtl_outbox.h"
+#include "supervise/watch/reign.h"
+#include "igtl/wire/igtl_inbox.h"
+#include "igtl/wire/igtl_outbox.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -5,7 +5,7 @@
 import { readFileSync } from "node:fs";
 import { zstdDecompressSync } from "node:zlib";
 
-// As app/recording/recording.h has it; bytes of the header and of a block.
+// As app/recording/format/recording.h has it; bytes of the header and of a block.
 const HEADER = { size: 256, robot: 80, structures: 96, layout: 120, frameLayout: 128, run: 136 };
 const BLOCK = { magic: 0x4b425342, prefix: 64, cycle: 8, records: 12, rawSize: 16, size: 20 };
 const TRAILER = { magic: 0x4e455342, runEnd: 0x45525342, blocks: 4 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervise/flips.h"
 
-#include "supervise/chance.h"
+#include "supervise/stage/chance.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,8 +5,8 @@
 #include "integration/support/refused_way.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
-#include "supervise/operator.h"
-#include "supervise/operator_history.h"
+#include "supervise/operator/operator.h"
+#include "supervise/operator/operator_history.h"
 
 #include <stdio.h>
 

@@ -4,8 +4,8 @@
 #define BORESIGHT_SCENE_H
 
 #include "supervise/digest.h"
-#include "supervise/stage.h"
-#include "supervise/witness.h"
+#include "supervise/stage/stage.h"
+#include "supervise/watch/witness.h"
 
 /** Owned by the program. */
 typedef struct {

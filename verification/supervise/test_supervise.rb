@@ -69,7 +69,7 @@ class TestSupervise < Minitest::Test
 
   # What of its file decides what it can show.
   def self.facts(robot)
-    YAML.safe_load_file(File.expand_path("../../core/robot/#{robot}/robot.yml", __dir__))
+    YAML.safe_load_file(File.expand_path("../../core/robot//#{robot}/robot.yml", __dir__))
   end
 
   def self.card?(robot, card)

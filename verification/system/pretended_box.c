@@ -8,8 +8,8 @@
 #include "base/contract.h"
 #include "card/card_frame.h"
 #include "robot/robot_neuro.h"
-#include "sim/sim_card.h"
-#include "sim/sim_encoder.h"
+#include "sim/model/sim_card.h"
+#include "sim/model/sim_encoder.h"
 
 #include <gpiod.h>
 #include <linux/spi/spidev.h>

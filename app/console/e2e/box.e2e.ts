@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The drawer of the simulated box in a real browser, on the running system of verification/system/test_http_box.rb.
+// The drawer of the simulated box in a real browser, on the running system of verification/system/http/test_http_box.rb.
 // Needed from the environment:
 //   BORESIGHT_URL    where the console is served
 //   BORESIGHT_LOGIN  name and password, with a space between them

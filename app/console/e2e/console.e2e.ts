@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console in a real browser against a running system, which verification/system/test_console.rb starts. After
+// The console in a real browser against a running system, which verification/system/http/test_console.rb starts. After
 // START_UP the axes home while the pedal is pressed. Needed from the environment:
 //   BORESIGHT_URL       where the console is served
 //   BORESIGHT_HTTP_PID  process of the server
@@ -23,7 +23,7 @@ function variable(name: string): string {
   const value = process.env[name];
   if (value === undefined) {
     throw new Error(
-      `${name} is not set; run verification/system/test_console.rb`,
+      `${name} is not set; run verification/system/http/test_console.rb`,
     );
   }
   return value;

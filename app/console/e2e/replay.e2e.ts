@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A page that boresight-replay has written, opened from its file; verification/system/test_replay_files.rb runs this.
+// A page that boresight-replay has written, opened from its file; verification/system/recording/test_replay_files.rb runs this.
 //   BORESIGHT_PAGE     the file
 //   BORESIGHT_EVENT    sentence of an event in it
 //   BORESIGHT_CYCLE    cycle of that event

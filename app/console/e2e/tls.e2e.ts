@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console in a real browser over TLS, which verification/system/test_http_tls.rb has put in front of a running system.
+// The console in a real browser over TLS, which verification/system/http/test_http_tls.rb has put in front of a running system.
 // Needed from the environment:
 //   BORESIGHT_URL        where the console is served; its host is this machine
 //   BORESIGHT_AUTHORITY  SHA-256 of the public key of who signed the certificate, base64

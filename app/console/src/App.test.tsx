@@ -12,7 +12,7 @@ import type { RobotState } from "@interface";
 import { App, Emergency } from "./App";
 import { Boundary } from "./parts/Boundary";
 import { applyKeptTheme } from "./parts/ThemeChoice";
-import { TelemetryStore } from "./store";
+import { TelemetryStore } from "./state/store";
 import { makeRobot } from "./testing/robot";
 import { FakeSurroundings } from "./testing/surroundings";
 

@@ -6,27 +6,27 @@ import {
   useState,
   useSyncExternalStore,
 } from "react";
-import { Banner } from "./panels/Banner";
-import { Command } from "./panels/Command";
-import { SystemLamps } from "./panels/Lamps";
-import { Login } from "./panels/Login";
-import { StopButton } from "./panels/StopButton";
+import { Banner } from "./panels/shell/Banner";
+import { Command } from "./panels/shell/Command";
+import { SystemLamps } from "./panels/shell/Lamps";
+import { Login } from "./panels/shell/Login";
+import { StopButton } from "./panels/shell/StopButton";
 import { Boundary } from "./parts/Boundary";
-import { Clock } from "./parts/Clock";
+import { Clock } from "./parts/drawn/Clock";
 import { Losses } from "./parts/Losses";
 import { RecentActs } from "./parts/RecentActs";
 import { ThemeChoice } from "./parts/ThemeChoice";
-import { mayCommand, Operation, Stale } from "./operation";
-import { useOutlook } from "./outlook";
+import { mayCommand, Operation, Stale } from "./state/operation";
+import { useOutlook } from "./state/outlook";
 import type { RobotState } from "@interface";
 import { Help } from "./help/Help";
-import type { ConsoleView, TelemetryStore } from "./store";
-import type { Trace } from "./trace";
-import { useTitle } from "./title";
+import type { ConsoleView, TelemetryStore } from "./state/store";
+import type { Trace } from "./words/trace";
+import { useTitle } from "./words/title";
 import { useChosenView, views, type ViewEntry } from "./views/views";
 
 /** Nobody needs it who has a robot. */
-const Box = lazy(async () => ({ default: (await import("./panels/Box")).Box }));
+const Box = lazy(async () => ({ default: (await import("./panels/box/Box")).Box }));
 
 function Navigation({ chosen }: { chosen: ViewEntry }) {
   return (

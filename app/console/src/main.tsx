@@ -4,7 +4,7 @@ import { createRoot } from "react-dom/client";
 import { App, Emergency } from "./App";
 import { Boundary } from "./parts/Boundary";
 import { applyKeptTheme } from "./parts/ThemeChoice";
-import { TelemetryStore } from "./store";
+import { TelemetryStore } from "./state/store";
 import "./style.css";
 
 applyKeptTheme();

@@ -6,8 +6,8 @@
 // status 1 and a sentence at the first difference.
 
 extern "C" {
-#include "message/igtl_codec.h"
-#include "message/igtl_packet.h"
+#include "igtl/wire/igtl_codec.h"
+#include "igtl/wire/igtl_packet.h"
 }
 
 #include <igtlCapabilityMessage.h>

@@ -8,7 +8,7 @@
 #define BORESIGHT_RECORDED_H
 
 #include "integration/support/rig.h"
-#include "recording/recording_writer.h"
+#include "recording/write/recording_writer.h"
 
 #include <stdbool.h>
 #include <stdint.h>

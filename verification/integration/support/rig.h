@@ -8,7 +8,7 @@
 #include "controller/controller.h"
 #include "robot/robot.h"
 #include "sim/box.h"
-#include "sim/sim_random.h"
+#include "sim/model/sim_random.h"
 
 #include <stdbool.h>
 #include <stdint.h>

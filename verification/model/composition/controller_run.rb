@@ -15,7 +15,7 @@ class ControllerRun
 
   # Lists of numbers, one for each of COLUMNS; the block may change controller_drive.c.
   def self.seen(composition, episodes: EPISODES)
-    drive = File.read("#{ROOT}/core/controller/controller_drive.c")
+    drive = File.read("#{ROOT}/core/controller/cycle/controller_drive.c")
     Dir.mktmpdir do |folder|
       CompositionProgram.new(composition).write(folder)
       File.write("#{folder}/controller_drive.c", block_given? ? yield(drive) : drive)

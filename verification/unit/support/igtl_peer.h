@@ -7,8 +7,8 @@
 #ifndef BORESIGHT_IGTL_PEER_H
 #define BORESIGHT_IGTL_PEER_H
 
-#include "message/igtl_codec.h"
-#include "message/igtl_outbox.h"
+#include "igtl/wire/igtl_codec.h"
+#include "igtl/wire/igtl_outbox.h"
 
 #include <stdint.h>
 #include <stdio.h>

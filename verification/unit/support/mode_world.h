@@ -10,7 +10,7 @@
 
 #include "axis/axis.h"
 #include "limits/requirement_limits.h"
-#include "mode/mode_frame.h"
+#include "mode/leg/mode_frame.h"
 #include "robot/robot_neuro.h"
 
 #include <stdbool.h>

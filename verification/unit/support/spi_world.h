@@ -10,8 +10,8 @@
 
 #include "card/card_frame.h"
 #include "robot/robot.h"
-#include "sim/sim_card.h"
-#include "sim/sim_encoder.h"
+#include "sim/model/sim_card.h"
+#include "sim/model/sim_encoder.h"
 
 #include <errno.h>
 #include <linux/spi/spidev.h>

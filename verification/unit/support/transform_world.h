@@ -9,8 +9,8 @@
 #define BORESIGHT_TRANSFORM_WORLD_H
 
 #include "base/rigid.h"
-#include "dialect/igtl_dialect.h"
-#include "dialect/transform_dialect.h"
+#include "igtl/dialect/igtl_dialect.h"
+#include "igtl/dialect/transform_dialect.h"
 #include "interface/command.h"
 #include "interface/snapshot.h"
 #include "robot/robot.h"

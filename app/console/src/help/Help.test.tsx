@@ -2,7 +2,7 @@
 // Rule under test: help explains each key and word, can be reached and left by the keyboard, and its keys switched off.
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test } from "vitest";
-import { systemLamps } from "../lamps";
+import { systemLamps } from "../state/lamps";
 import { makeStatus } from "../testing/robot";
 import { views } from "../views/views";
 import { glossary } from "./glossary";

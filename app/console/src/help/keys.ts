@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys that lead somewhere: ? to the help, g and a letter to a view. They can be switched off, and are while one types.
 import { useEffect, useState } from "react";
-import { keep, recall } from "../keep";
+import { keep, recall } from "../state/keep";
 import { views, type ViewEntry } from "../views/views";
 
 const KEY = "keys";

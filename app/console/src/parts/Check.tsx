@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Path } from "@interface";
-import { words } from "../format";
-import type { HeldList, Verdict } from "../lists";
-import type { Commanding } from "../operation";
-import { refusalOf } from "../refusal";
+import { words } from "../words/format";
+import type { HeldList, Verdict } from "../state/lists";
+import type { Commanding } from "../state/operation";
+import { refusalOf } from "../state/refusal";
 import { Order } from "./Order";
 
 /** Where it is wrong, as people say it: /steps/2 is the third step. */

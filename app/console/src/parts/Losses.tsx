@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useSyncExternalStore } from "react";
 import type { Status } from "@interface";
-import type { Operation } from "../operation";
-import type { ConsoleView } from "../store";
+import type { Operation } from "../state/operation";
+import type { ConsoleView } from "../state/store";
 
 /**
  * What this page has lost and why, until somebody has read it.

@@ -10,7 +10,7 @@ import {
 } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { Act, Authority } from "@interface";
-import { useCommanding, type Operation } from "../operation";
+import { useCommanding, type Operation } from "../state/operation";
 import { makeCommander, type Commander } from "../testing/commander";
 import { Order, OrderNotes } from "./Order";
 

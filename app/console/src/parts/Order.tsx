@@ -2,9 +2,9 @@
 import { useId, type ReactNode } from "react";
 import "./Order.css";
 import type { Path } from "@interface";
-import type { Outcome } from "../acts";
-import { words } from "../format";
-import type { Commanding } from "../operation";
+import type { Outcome } from "../state/acts";
+import { words } from "../words/format";
+import type { Commanding } from "../state/operation";
 
 export interface OrderProperties {
   commanding: Commanding;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useSyncExternalStore } from "react";
-import type { Outcome } from "../acts";
-import type { Level } from "../lamps";
-import { mayCommand, type Operation } from "../operation";
+import type { Outcome } from "../state/acts";
+import type { Level } from "../state/lamps";
+import { mayCommand, type Operation } from "../state/operation";
 import { nameOf } from "./Order";
-import { Shape } from "./Shape";
+import { Shape } from "./drawn/Shape";
 import "./RecentActs.css";
 
 const levels: Readonly<Record<Outcome["state"], Level>> = {

@@ -2,9 +2,9 @@
 import { useEffect, useRef, useState } from "react";
 import type { KeyboardEvent, PointerEvent, SVGProps } from "react";
 import type { Axis } from "@interface";
-import { formatValue } from "../format";
-import { isKnown } from "../trust";
-import { percentOf } from "./Track";
+import { formatValue } from "../words/format";
+import { isKnown } from "../state/trust";
+import { percentOf } from "./drawn/Track";
 import "./Slider.css";
 
 const DIGITS = 2;

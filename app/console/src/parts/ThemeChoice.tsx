@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from "react";
-import { keep, recall } from "../keep";
+import { keep, recall } from "../state/keep";
 
 const themes = ["system", "light", "dark"] as const;
 type Theme = (typeof themes)[number];

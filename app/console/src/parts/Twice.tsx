@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Path } from "@interface";
-import type { Commanding } from "../operation";
+import type { Commanding } from "../state/operation";
 import { AskTwice } from "./AskTwice";
 
 export interface TwiceProperties {

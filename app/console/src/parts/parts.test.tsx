@@ -8,7 +8,7 @@ import {
   screen,
 } from "@testing-library/react";
 import { afterEach, expect, test, vi } from "vitest";
-import { Clock } from "./Clock";
+import { Clock } from "./drawn/Clock";
 import { applyKeptTheme, ThemeChoice } from "./ThemeChoice";
 
 afterEach(() => {

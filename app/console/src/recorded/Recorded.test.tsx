@@ -13,8 +13,8 @@ import type { ReaderPort, Report } from "./messages";
 import { Recorded } from "./Recorded";
 import { bytesOf } from "./recorded_file";
 
-vi.mock("../panels/Plots", () => ({ Plots: () => null }));
-vi.mock("../panels/Charts", () => ({ SeenCharts: () => null }));
+vi.mock("../panels/motors/Plots", () => ({ Plots: () => null }));
+vi.mock("../panels/system/Charts", () => ({ SeenCharts: () => null }));
 
 class FakeReader implements ReaderPort {
   onmessage: ReaderPort["onmessage"] = null;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { LogEntry } from "@interface";
-import { formatUtc } from "../format";
+import { formatUtc } from "../words/format";
 
 /** All events; the button of one goes to its cycle. */
 export function Events({

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Robot } from "@interface";
-import { words } from "../format";
+import { words } from "../words/format";
 import { WideTable } from "../parts/WideTable";
 import type { Frame } from "./recording";
 

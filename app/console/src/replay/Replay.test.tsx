@@ -13,13 +13,13 @@ import { makeAxis } from "../testing/robot";
 import { Recording, type RecordingDocument } from "./recording";
 import { Replay } from "./Replay";
 
-vi.mock("../panels/Plots", () => ({
+vi.mock("../panels/motors/Plots", () => ({
   Plots: ({ trace }: { trace: { length: number } }) => (
     <p>{trace.length} rows are drawn.</p>
   ),
 }));
 
-vi.mock("../panels/Charts", () => ({
+vi.mock("../panels/system/Charts", () => ({
   SeenCharts: ({ seen }: { seen: Record<string, { change: unknown }> }) => (
     <p>{Object.keys(seen).length} states are known.</p>
   ),

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useMemo, useState } from "react";
-import { formatUtc, words } from "../format";
-import { Axes } from "../panels/Axes";
-import { Banner } from "../panels/Banner";
-import { SeenCharts } from "../panels/Charts";
-import { DrawnRobot } from "../panels/Drawing";
-import { Plots } from "../panels/Plots";
+import { formatUtc, words } from "../words/format";
+import { Axes } from "../panels/procedure/Axes";
+import { Banner } from "../panels/shell/Banner";
+import { SeenCharts } from "../panels/system/Charts";
+import { DrawnRobot } from "../panels/procedure/Drawing";
+import { Plots } from "../panels/motors/Plots";
 import { Boundary } from "../parts/Boundary";
 import { Panel } from "../parts/Panel";
 import { ThemeChoice } from "../parts/ThemeChoice";
-import { signOf } from "../sign";
+import { signOf } from "../words/sign";
 import { Events } from "./Events";
 import { Frames } from "./Frames";
 import {

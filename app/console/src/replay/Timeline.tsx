@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { LogEntry } from "@interface";
-import { words } from "../format";
+import { words } from "../words/format";
 import type { Recording, Span } from "./recording";
 import "./Timeline.css";
 

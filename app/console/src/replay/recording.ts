@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording as app/replay/motion_json.h has written it, for looking at any of its cycles.
+// A recording as app/replay/export/motion_json.h has written it, for looking at any of its cycles.
 import type { LogEntry, Robot, RobotState } from "@interface";
-import { observe, type Seen } from "../chart_states";
-import { words } from "../format";
-import { signOf, type SignKind } from "../sign";
-import type { ConsoleView } from "../store";
-import { Trace } from "../trace";
+import { observe, type Seen } from "../words/chart_states";
+import { words } from "../words/format";
+import { signOf, type SignKind } from "../words/sign";
+import type { ConsoleView } from "../state/store";
+import { Trace } from "../words/trace";
 import { Tape, type Row } from "./tape";
 
 const FORMAT = 2;

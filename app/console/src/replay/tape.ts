@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads what app/replay/tape.h writes and describes: a value of which each row says only what is new.
+// Reads what app/replay/data/tape.h writes and describes: a value of which each row says only what is new.
 
 /** The cycles since the row before, negative where numbers stand; then pairs of a distance and a value. */
 export type Row = readonly [number, ...unknown[]];

@@ -3,10 +3,10 @@
 // next step, workphase and buttons are looked at together after each act.
 import { renderToStaticMarkup } from "react-dom/server";
 import { expect, test } from "vitest";
-import { lampsOf } from "../lamps";
-import { Banner } from "../panels/Banner";
-import { signOf } from "../sign";
-import type { ConsoleView } from "../store";
+import { lampsOf } from "../state/lamps";
+import { Banner } from "../panels/shell/Banner";
+import { signOf } from "../words/sign";
+import type { ConsoleView } from "../state/store";
 import { Chance } from "./chance";
 import type { Play } from "./play";
 import { readTable, Theatre } from "./table";

@@ -4,7 +4,7 @@ import { act, cleanup, fireEvent, render } from "@testing-library/react";
 import { vi } from "vitest";
 import type { RobotState } from "@interface";
 import { App } from "../App";
-import { TelemetryStore } from "../store";
+import { TelemetryStore } from "../state/store";
 import { FakeSurroundings } from "../testing/surroundings";
 import { PAGE_NUMBER, type Act, type Play } from "./play";
 

@@ -21,7 +21,7 @@ const PAGE_LOOKS = [500, 500, 500];
 
 const table = readTable();
 const theatre = new Theatre(table);
-const BANNER = readRepository("app/console/src/panels/Banner.tsx");
+const BANNER = readRepository("app/console/src/panels/shell/Banner.tsx");
 const bannerParts = [
   ...new Set(BANNER.match(/(?<=className="[^"]*)\b(banner-|sign)[a-z-]*/g)),
 ];

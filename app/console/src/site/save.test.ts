@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: a link to a file of the server leads nowhere, and the file comes by the transport.
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { saveText } from "../download";
+import { saveText } from "../words/download";
 import { saveByTransport } from "./save";
 
-vi.mock("../download", () => ({ saveText: vi.fn() }));
+vi.mock("../words/download", () => ({ saveText: vi.fn() }));
 
 let answer: Response;
 const request = vi.fn(() => Promise.resolve(answer));

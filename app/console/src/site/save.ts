@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A file that the console links to at its server comes from the robot of the page. Followed, the link would lead away.
-import { saveText } from "../download";
+import { saveText } from "../words/download";
 import type { Transport } from "../transport/transport";
 
 export function saveByTransport({ request }: Pick<Transport, "request">) {

@@ -2,7 +2,7 @@
 // A page that commands, before a server that answers everything and writes down what it was asked.
 import { vi } from "vitest";
 import type { Authority, Mode, Modes, Robot, Role, Step } from "@interface";
-import { Operation } from "../operation";
+import { Operation } from "../state/operation";
 import { makeAuthority, makeSession } from "./robot";
 
 /** What the tests say of the robot stands in its place. */

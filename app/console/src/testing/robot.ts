@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot for the tests, as the server would describe it.
-import { Trace } from "../trace";
+import { Trace } from "../words/trace";
 import type {
   Authority,
   Axis,
@@ -15,7 +15,7 @@ import type {
   Stage,
   Status,
 } from "@interface";
-import type { Operation } from "../operation";
+import type { Operation } from "../state/operation";
 import type { ViewProperties } from "../views/view";
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A server and a clock that the tests are in charge of.
 import type { Act, Hello, LogEntry, RobotState } from "@interface";
-import type { Surroundings } from "../store";
+import type { Surroundings } from "../state/store";
 import type {
   Stream,
   StreamEvent,

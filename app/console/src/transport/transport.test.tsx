@@ -11,7 +11,7 @@ import {
 import { afterEach, expect, test, vi } from "vitest";
 import type { Path } from "@interface";
 import { App } from "../App";
-import { TelemetryStore } from "../store";
+import { TelemetryStore } from "../state/store";
 import { makeRobot } from "../testing/robot";
 import type { StreamListener, Transport } from "./transport";
 

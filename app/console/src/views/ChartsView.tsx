@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { Charts } from "../panels/Charts";
+import { Charts } from "../panels/system/Charts";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Communication } from "@interface";
-import { useAnswer } from "../answer";
-import { useCommanding } from "../operation";
-import { Connections } from "../panels/Connections";
-import { Pages } from "../panels/Pages";
-import { Ports } from "../panels/Ports";
+import { useAnswer } from "../state/answer";
+import { useCommanding } from "../state/operation";
+import { Connections } from "../panels/system/Connections";
+import { Pages } from "../panels/system/Pages";
+import { Ports } from "../panels/system/Ports";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 

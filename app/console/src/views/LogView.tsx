@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-import { LogFiles, RecordingFiles } from "../panels/Archive";
-import { LogFileLevel } from "../panels/LogFileLevel";
-import { LogNote } from "../panels/LogNote";
-import { LogSearch } from "../panels/LogSearch";
+import { LogFiles, RecordingFiles } from "../panels/log/Archive";
+import { LogFileLevel } from "../panels/log/LogFileLevel";
+import { LogNote } from "../panels/log/LogNote";
+import { LogSearch } from "../panels/log/LogSearch";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Mode } from "@interface";
-import { words } from "../format";
-import { useCommanding, useKept } from "../operation";
-import { reasonAgainst, usePoses } from "../outlook";
-import { isNeedleMode, NeedleOrder, Poses } from "../panels/Needle";
-import { ModeList } from "../panels/ModeList";
-import type { ModePanelProperties } from "../panels/mode_panel";
-import { Program } from "../panels/Program";
-import { Sweep } from "../panels/Sweep";
-import { Trajectory } from "../panels/Trajectory";
-import { Velocity } from "../panels/Velocity";
+import { words } from "../words/format";
+import { useCommanding, useKept } from "../state/operation";
+import { reasonAgainst, usePoses } from "../state/outlook";
+import { isNeedleMode, NeedleOrder, Poses } from "../panels/modes/Needle";
+import { ModeList } from "../panels/modes/ModeList";
+import type { ModePanelProperties } from "../panels/modes/mode_panel";
+import { Program } from "../panels/modes/Program";
+import { Sweep } from "../panels/modes/Sweep";
+import { Trajectory } from "../panels/modes/Trajectory";
+import { Velocity } from "../panels/modes/Velocity";
 import { Order, OrderNotes } from "../parts/Order";
 import { Panel } from "../parts/Panel";
-import { Progress } from "../parts/Progress";
+import { Progress } from "../parts/drawn/Progress";
 import type { ViewProperties } from "./view";
 import "./ModesView.css";
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 import { lazy, Suspense } from "react";
-import { Motors } from "../panels/Motors";
-import { Needle } from "../panels/Needle";
-import { Positions } from "../panels/Positions";
+import { Motors } from "../panels/motors/Motors";
+import { Needle } from "../panels/modes/Needle";
+import { Positions } from "../panels/motors/Positions";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 
 const Plots = lazy(async () => ({
-  default: (await import("../panels/Plots")).Plots,
+  default: (await import("../panels/motors/Plots")).Plots,
 }));
 
 /** Each axis by itself. */

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-import { Aim } from "../panels/Aim";
-import { Axes } from "../panels/Axes";
-import { Drawing } from "../panels/Drawing";
-import { Log } from "../panels/Log";
-import { Procedure } from "../panels/Procedure";
-import { Targeting } from "../panels/Targeting";
+import { Aim } from "../panels/procedure/Aim";
+import { Axes } from "../panels/procedure/Axes";
+import { Drawing } from "../panels/procedure/Drawing";
+import { Log } from "../panels/log/Log";
+import { Procedure } from "../panels/procedure/Procedure";
+import { Targeting } from "../panels/procedure/Targeting";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 

@@ -2,7 +2,7 @@
 // Rule under test: each slot is told with what was found in it, and each stage of the cycles with how long it took.
 import { cleanup, render, screen, within } from "@testing-library/react";
 import { afterEach, expect, test, vi } from "vitest";
-import { barOf, className } from "../panels/Stages";
+import { barOf, className } from "../panels/procedure/Stages";
 import { makeCommander } from "../testing/commander";
 import { makeCard, makeRobot, makeViewProperties } from "../testing/robot";
 import { StatusView } from "./StatusView";

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useRobot } from "../outlook";
-import { CardHealth } from "../panels/CardHealth";
-import { Cards } from "../panels/Cards";
-import { Loop } from "../panels/Loop";
-import { Stages } from "../panels/Stages";
-import { System } from "../panels/System";
+import { useRobot } from "../state/outlook";
+import { CardHealth } from "../panels/system/CardHealth";
+import { Cards } from "../panels/system/Cards";
+import { Loop } from "../panels/system/Loop";
+import { Stages } from "../panels/procedure/Stages";
+import { System } from "../panels/system/System";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 

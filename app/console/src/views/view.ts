@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Modes, RobotState } from "@interface";
-import type { Operation } from "../operation";
-import type { ConsoleView } from "../store";
-import type { Trace } from "../trace";
+import type { Operation } from "../state/operation";
+import type { ConsoleView } from "../state/store";
+import type { Trace } from "../words/trace";
 
 /** What each view is given. */
 export interface ViewProperties {

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Card } from "@interface";
+import { formatNumber } from "../../words/format";
+import { Shape } from "../../parts/drawn/Shape";
+import { WideTable } from "../../parts/WideTable";
+
+const columns = [
+  { number: "Slot" },
+  "Axis",
+  { number: "Driver" },
+  { number: "Motor" },
+  { number: "Supply" },
+  { number: "Current" },
+  { number: "Damaged commands" },
+  { number: "Out of order" },
+  { number: "Watchdog trips" },
+  { number: "Damaged reports" },
+  { number: "Disordered reports" },
+  { number: "Missed reports" },
+  "What is wrong",
+];
+
+function degrees(tenths: number): string {
+  return `${formatNumber(tenths / 10, 1)} °C`;
+}
+
+/** The measurements of a card; empty once it is lost, as they are old then. */
+function Measured({ card }: { card: Card }) {
+  const cells =
+    card.link === "lost"
+      ? ["", "", "", ""]
+      : [
+          degrees(card.driver_temperature_dc),
+          degrees(card.motor_temperature_dc),
+          `${formatNumber(card.supply_mv / 1000, 1)} V`,
+          `${String(card.current_ma)} mA`,
+        ];
+  return cells.map((cell, column) => (
+    <td key={column} className="number">
+      {cell}
+    </td>
+  ));
+}
+
+function Health({ card }: { card: Card }) {
+  const troubles = [
+    ...(card.link === "lost" ? ["It is lost."] : []),
+    ...card.troubles.map(({ text }) => text),
+  ];
+  const level = troubles.length === 0 ? "normal" : "attention";
+  return (
+    <tr>
+      <th scope="row" className="number">
+        {card.slot}
+      </th>
+      <td>{card.axis ?? "none"}</td>
+      <Measured card={card} />
+      <td className="number">{card.commands_damaged}</td>
+      <td className="number">{card.commands_out_of_order}</td>
+      <td className="number">{card.watchdog_trips}</td>
+      <td className="number">{card.frame_errors - card.frames_out_of_order}</td>
+      <td className="number">{card.frames_out_of_order}</td>
+      <td className="number">{card.frames_missed}</td>
+      <td data-level={level}>
+        <Shape level={level} />
+        {troubles.length === 0 ? "nothing" : troubles.join(" ")}
+      </td>
+    </tr>
+  );
+}
+
+/**
+ * What each card that was heard measures and counts of itself.
+ *
+ * @satisfies SWR-CARD-014
+ * @satisfies SWR-LINK-041
+ */
+export function CardHealth({ cards }: { cards: readonly Card[] }) {
+  return (
+    <WideTable label="Health of the cards" columns={columns}>
+      {[...cards]
+        .filter(({ type }) => type !== "none")
+        .sort((one, other) => one.slot - other.slot)
+        .map((card) => (
+          <Health key={card.slot} card={card} />
+        ))}
+    </WideTable>
+  );
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Does the robot move, may it, and if not, why: one word for it, to be read from where the robot stands.
+import type { Axis, Named, PermitReason, RobotState } from "@interface";
+import type { ConsoleView } from "../state/store";
+
+export type SignKind =
+  | "moving"
+  | "may"
+  | "armed"
+  | "stands"
+  | "estop"
+  | "lost"
+  | "fault"
+  | "stale"
+  | "absent";
+
+export interface Sign {
+  kind: SignKind;
+  word: string;
+  /** Which axes, or why not. */
+  says: string;
+}
+
+const words: Readonly<Record<SignKind, string>> = {
+  moving: "MOVING",
+  may: "MAY MOVE",
+  armed: "ARMED",
+  stands: "STANDS",
+  estop: "E-STOP",
+  lost: "CARD LOST",
+  fault: "FAULT",
+  stale: "DATA STALE",
+  absent: "NO DATA",
+};
+
+/** What each reason makes of a robot that it keeps from moving. The most pressing first, as the server tells them. */
+const kinds: Readonly<Record<PermitReason, SignKind>> = {
+  MEMORY: "fault",
+  INPUTS_UNREAD: "fault",
+  ESTOP_PULLED: "estop",
+  LINK_LOST: "lost",
+  CARDS_UNPROTECTED: "stands",
+  LOOP_STOPPED: "fault",
+  PEDAL_FAULT: "fault",
+  AXIS_FAULT: "fault",
+  ESTOP_LATCHED: "stands",
+  SCANNER_ACTIVE: "stands",
+  AXIS_DISABLED: "stands",
+  NOTHING_ARMED: "stands",
+  NOT_HOMED: "stands",
+  NEEDLE_IN: "stands",
+  LIMIT_SWITCH: "stands",
+  SOFT_LIMIT: "stands",
+  COUPLED_LIMIT: "stands",
+  PEDAL_UNPROVEN: "stands",
+  PEDAL_RELEASED: "armed",
+};
+
+const ranks = Object.keys(kinds);
+
+function rankOf({ name }: Named): number {
+  return ranks.indexOf(name);
+}
+
+/** Nothing but the pedal is missing. */
+function isArmed({ permit: { reasons } }: Axis): boolean {
+  return reasons.every(({ name }) => name === "PEDAL_RELEASED");
+}
+
+function mostPressing(axes: readonly Axis[]): Named<PermitReason> | undefined {
+  return axes
+    .flatMap(({ permit }) => permit.reasons)
+    .sort((one, other) => rankOf(one) - rankOf(other))[0];
+}
+
+function makeSign(kind: SignKind, says: string): Sign {
+  return { kind, word: words[kind], says };
+}
+
+function namesOf(axes: readonly Axis[]): string {
+  return axes.map(({ name }) => name).join(", ");
+}
+
+function signOfStanding(axes: readonly Axis[]): Sign {
+  const reason = mostPressing(axes);
+  return makeSign(
+    reason === undefined ? "stands" : (kinds[reason.name] ?? "stands"),
+    reason?.text ?? "",
+  );
+}
+
+function signOfRobot({ motors: { axes } }: RobotState): Sign {
+  const driven = axes.filter((axis) => axis.is_driven);
+  if (driven.length > 0) {
+    return makeSign("moving", namesOf(driven));
+  }
+  const free = axes.filter(({ permit }) => permit.allowed);
+  if (free.length > 0) {
+    return makeSign("may", namesOf(free));
+  }
+  const armed = axes.filter(isArmed);
+  return armed.length > 0
+    ? makeSign("armed", mostPressing(armed)?.text ?? "")
+    : signOfStanding(axes);
+}
+
+/** @satisfies SWR-CON-020 */
+export function signOf(view: ConsoleView): Sign {
+  if (view.robot === null) {
+    return makeSign("absent", "");
+  }
+  return view.freshness === "stale"
+    ? makeSign("stale", "")
+    : signOfRobot(view.robot);
+}

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller/cycle/controller_move.h"
+
+#include "controller/controller_facts.h"
+#include "controller/controller_order.h"
+#include "safety/permit.h"
+
+static void follow_pedal(controller_t *self, const cycle_t *cycle)
+{
+    const bool is_open = pedal_gate_is_open(&self->pedal);
+    if (is_open && !procedure_is_moving(&self->procedure)) {
+        controller_tell_order(self, cycle, ARMING_EVENT_PEDAL_DOWN, STATUS_OK);
+    } else if (!is_open && procedure_is_moving(&self->procedure)) {
+        controller_tell_order(self, cycle, ARMING_EVENT_PEDAL_UP, STATUS_OK);
+    } else {
+        /* Nothing has changed. */
+    }
+}
+
+/* The cap is the permit's, known before the mode plans anything. */
+static void fill_frame(controller_t *self, const cycle_t *cycle, bool is_every_axis_homed,
+                       mode_frame_t *frame)
+{
+    const uint32_t percent = permit_cap_percent(is_every_axis_homed);
+    frame->robot = cycle->robot;
+    frame->axes = self->axes;
+    frame->axis_count = self->axis_count;
+    frame->is_every_axis_homed = is_every_axis_homed;
+    frame->workphase = procedure_workphase(&self->procedure);
+    frame->is_moving = procedure_is_moving(&self->procedure);
+    frame->elapsed_us = cycle->inputs->elapsed_us;
+    frame->rows = self->rows;
+    frame->program = &self->program;
+    frame->is_dose_reached = cycle->inputs->dose_reached != 0U;
+    frame->is_treatment_stopped = cycle->inputs->treatment_stopped != 0U;
+    frame->links = self->links;
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        frame->speed_cap_percent[i] = percent;
+    }
+}
+
+/* What the mode says becomes events, and the end of the order. */
+static void tell(controller_t *self, const cycle_t *cycle, const mode_result_t *result)
+{
+    for (uint32_t i = 0U; i < result->note_count; i++) {
+        const mode_note_t *const note = &result->notes[i];
+        controller_note(self, cycle, note->id, note->axis, note->value);
+    }
+    if (result->progress == MODE_DONE) {
+        controller_tell_order(self, cycle, ARMING_EVENT_DONE, STATUS_OK);
+    } else if (result->progress == MODE_FAILED) {
+        const bool is_of_axis = result->axis != MODE_NO_AXIS;
+        controller_because(self, is_of_axis ? EVENT_CAUSE_AXIS : EVENT_CAUSE_NONE,
+                           is_of_axis ? result->axis : 0U);
+        controller_tell_order(self, cycle, ARMING_EVENT_FAULT, result->status);
+        controller_because(self, EVENT_CAUSE_NONE, 0U);
+    } else {
+        /* It goes on. */
+    }
+}
+
+void controller_move(controller_t *self, const cycle_t *cycle, mode_result_t *result)
+{
+    follow_pedal(self, cycle);
+    mode_frame_t frame;
+    fill_frame(self, cycle, controller_is_homed(self), &frame);
+    mode_step(&self->mode, &frame, result);
+    tell(self, cycle, result);
+}

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller/orders/controller_trajectory.h"
+
+#include "base/contract.h"
+#include "controller/controller_facts.h"
+
+#include <string.h>
+
+static const char contract_module[] = "controller";
+
+static status_t begin_list(controller_t *self, const command_t *command)
+{
+    trajectory_list_t *const list = &self->mode.list;
+    const status_t status = trajectory_list_begin(list, command_as_list_begin(command)->count);
+    if (status == STATUS_OK) {
+        list->source = (command->source == (uint32_t)COMMAND_SOURCE_HTTP)
+                           ? (uint32_t)TRAJECTORY_SOURCE_HTTP
+                           : (uint32_t)TRAJECTORY_SOURCE_IGTL;
+        list->peer = command->peer;
+    }
+    return status;
+}
+
+static status_t add_row(controller_t *self, const cycle_t *cycle, const command_t *command,
+                        answer_t *answer)
+{
+    const command_row_t *const sent = command_as_row(command);
+    trajectory_row_t row = {.time_ms = sent->time_ms};
+    (void)memcpy(row.ticks, sent->ticks, sizeof row.ticks);
+    (void)memcpy(row.speeds_ticks_per_s, sent->speeds_ticks_per_s, sizeof row.speeds_ticks_per_s);
+    const solution_t judged =
+        trajectory_list_add(&self->mode.list, self->rows, cycle->robot, sent->index, &row);
+    answer->axis = (uint32_t)judged.axis;
+    answer->is_maximum = (uint32_t)judged.is_maximum;
+    return judged.status;
+}
+
+status_t controller_obey_trajectory(controller_t *self, const cycle_t *cycle,
+                                    const command_t *command, answer_t *answer)
+{
+    status_t status = STATUS_OK;
+    if (!controller_is_of_workphase(self, command)) {
+        status = STATUS_WRONG_WORKPHASE;
+    } else if (procedure_is_armed(&self->procedure)) {
+        status = STATUS_NOT_AT_REST;
+    } else if (command->kind == (uint32_t)COMMAND_LIST_BEGIN) {
+        status = begin_list(self, command);
+    } else if (command->kind == (uint32_t)COMMAND_LIST_ROW) {
+        status = add_row(self, cycle, command, answer);
+    } else {
+        answer->checksum = command_as_list(command)->checksum;
+        status = trajectory_list_end(&self->mode.list, answer->checksum);
+        if (status == STATUS_OK) {
+            controller_note(self, cycle, EVENT_TRAJECTORY_HELD, 0U, (int32_t)self->mode.list.count);
+        }
+    }
+    return status;
+}
+
+solution_t controller_hold(controller_t *self, const robot_t *robot, const trajectory_row_t *rows,
+                           uint32_t count, uint32_t *row)
+{
+    REQUIRE(102U, self->has_started == 0U);
+    trajectory_list_t *const list = &self->mode.list;
+    uint32_t crc = 0U;
+    solution_t result = {.status = trajectory_list_begin(list, count)};
+    *row = 0U;
+    for (uint32_t i = 0U; (i < count) && (result.status == STATUS_OK); i++) {
+        crc = trajectory_list_crc(crc, &rows[i]);
+        *row = i;
+        result = trajectory_list_add(list, self->rows, robot, i, &rows[i]);
+    }
+    if (result.status == STATUS_OK) {
+        result.status = trajectory_list_end(list, crc);
+        list->source = (uint32_t)TRAJECTORY_SOURCE_FILE;
+    }
+    controller_seal(self);
+    return result;
+}
+
+solution_t controller_judge_trajectory(const controller_t *self, const cycle_t *cycle, uint32_t crc)
+{
+    const trajectory_t trajectory = {.list = &self->mode.list, .rows = self->rows};
+    return trajectory_mode_judge(&trajectory, crc, cycle->robot, self->axes);
+}

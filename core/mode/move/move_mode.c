@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "mode/move/move_mode.h"
+
+#include "safety/needle.h"
+
+#include <string.h>
+
+/* Slack around a target inside which an axis counts as aligned when the next leg is chosen. */
+#define ALIGNED_TICKS 2
+
+bool move_mode_is_aligned(const move_mode_t *self, const robot_t *robot,
+                          const axis_t axes[ROBOT_AXIS_MAX])
+{
+    bool is_aligned = true;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const int64_t slack = (int64_t)robot->axes[i].deadband_ticks + ALIGNED_TICKS;
+        const int64_t way =
+            (int64_t)self->target_ticks[i] - (int64_t)axes[i].encoder.position_ticks;
+        const bool is_needle = i == robot->needle_axis;
+        is_aligned = is_aligned && (is_needle || ((way <= slack) && (way >= -slack)));
+    }
+    return is_aligned;
+}
+
+/* Tissue is not cut sideways: the base is aligned with the needle out. All axes are held. */
+static void begin_leg(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame)
+{
+    const robot_t *const robot = frame->robot;
+    const int32_t needle_ticks = frame->axes[robot->needle_axis].encoder.position_ticks;
+    int32_t ends[ROBOT_AXIS_MAX];
+    (void)memcpy(ends, self->target_ticks, sizeof ends);
+    if (move_mode_is_aligned(self, robot, frame->axes)) {
+        /* Only the needle is left. */
+    } else if (needle_ticks > needle_out_ticks(robot)) {
+        leg_positions(frame, ends);
+        ends[robot->needle_axis] = needle_retracted_ticks(robot);
+    } else {
+        ends[robot->needle_axis] = needle_ticks;
+    }
+    leg_begin(leg, frame, LEG_EVERY_AXIS, ends);
+}
+
+static bool is_last(const move_mode_t *self, const leg_t *leg)
+{
+    return memcmp(leg->profile.end_ticks, self->target_ticks, sizeof self->target_ticks) == 0;
+}
+
+void move_mode_step(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame,
+                    mode_result_t *result)
+{
+    if (leg->is_running == 0U) {
+        begin_leg(self, leg, frame);
+    }
+    if (leg_step(leg, frame, result) && is_last(self, leg)) {
+        result->progress = MODE_DONE;
+    }
+}

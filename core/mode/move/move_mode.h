@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * A move to a target, in legs: the needle is retracted, every other axis is aligned, the needle is
+ * inserted. Legs that are not needed are skipped, and each leg is chosen from where the axes stand.
+ */
+#ifndef BORESIGHT_MOVE_MODE_H
+#define BORESIGHT_MOVE_MODE_H
+
+#include "mode/leg/leg.h"
+#include "mode/leg/mode_frame.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct {
+    int32_t target_ticks[ROBOT_AXIS_MAX];
+} move_mode_t;
+
+/** Every axis but the needle stands where it shall, but for a slack of some ticks. */
+bool move_mode_is_aligned(const move_mode_t *self, const robot_t *robot,
+                          const axis_t axes[ROBOT_AXIS_MAX]);
+
+/**
+ * One cycle; done once the last leg has arrived.
+ *
+ * @satisfies SWR-DEMO-001
+ * @satisfies SWR-MOTION-002
+ */
+void move_mode_step(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame,
+                    mode_result_t *result);
+
+#endif

@@ -1,0 +1,737 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# The rule under test: what core/interface says of a value is what operator and network are told, and a wrong file is
+# refused with its line.
+
+require 'fileutils'
+require 'json'
+require 'minitest/autorun'
+require 'open3'
+require 'stringio'
+require 'tmpdir'
+require_relative '../../compile/interface_compiler'
+
+class TestInterfaceCompiler < Minitest::Test
+  CHARTS = { 'charts' => [{ 'name' => 'lamp', 'regions' => [
+    { 'name' => 'state', 'leaves' => [{ 'id' => 'bright', 'value' => 1 }, { 'id' => 'dark', 'value' => 0 }] }
+  ] }] }.freeze
+
+  COLOURS = <<~YAML
+    header: colour
+    says: Colours.
+    enumerations:
+      - name: colour
+        says: Why something was refused.
+        values:
+          - {code: 0, name: OK, says: "Done."}
+          - code: 1
+            name: NOT_RED
+            says: >-
+              It is not "red", but
+              another colour.
+          - {code: 7, name: LAST, of: axis, says: "The last."}
+    structures:
+      - name: paint
+        says: What is painted with.
+        fields:
+          - {name: colour, type: colour, says: "Of the paint."}
+          - {name: lamp, type: chart lamp.state}
+          - {name: rest_ml, type: uint32, says: "Left in the tin."}
+          - {name: is_dry, type: flag}
+  YAML
+
+  MESSAGES = <<~YAML
+    messages:
+      - name: tin
+        says: A tin of paint.
+        members:
+          - {name: maker, type: text, or_null: true}
+  YAML
+
+  EVENTS = <<~YAML
+    header: event
+    says: Events.
+    enumerations:
+      - name: event_severity
+        says: How much.
+        values:
+          - {code: 0, name: LOW, says: "Low."}
+          - {code: 1, name: CRITICAL, says: "High."}
+      - name: event_cause
+        says: Why.
+        values:
+          - {code: 0, name: NONE, says: "By itself."}
+          - {code: 1, name: AXIS, peer: axis, says: "By axis {peer}."}
+      - name: event_id
+        prefix: EVENT
+        says: What.
+        count: true
+        values:
+          - {code: 0, name: SPILT, severity: critical, subject: colour, value: ticks, says: "{subject} by {value}."}
+          - {code: 1, name: DRIED, severity: low, subject: axis, value: [not_yet, at_last], says: "{subject} {value}."}
+  YAML
+
+  def test_SWR_CMD_004_compiled_names_and_sentences_are_those_of_the_file
+    with_output do |folder|
+      File.write(File.join(folder, 'main.c'), <<~CODE)
+        #include "colour.h"
+        #include "names.h"
+        #include <stdio.h>
+        int main(void)
+        {
+            for (int value = -1; value < 3; value++) {
+                (void)printf("%s|%s\\n", colour_name(value), colour_text(value));
+            }
+            (void)printf("%s|%s\\n", colour_name(COLOUR_LAST), colour_text(COLOUR_LAST));
+            return 0;
+        }
+      CODE
+      assert_equal <<~TEXT, output_of(folder, 'main.c', 'app/names.c')
+        UNKNOWN|Unknown.
+        OK|Done.
+        NOT_RED|It is not "red", but another colour.
+        UNKNOWN|Unknown.
+        LAST|The last.
+      TEXT
+    end
+  end
+
+  # What two robots add to the colours.
+  ROBOTS = {
+    'colours.yml' => COLOURS.sub("says: Why something was refused.\n", "says: Why.\n    robots: refusals\n"),
+    '../robot/ant/kinematics.yml' => <<~YAML,
+      axes: {}
+      refusals:
+        - {code: 9, name: TOO_STEEP, says: "An ant cannot climb that."}
+        - {code: 3, name: TOO_WET, says: "An ant cannot swim."}
+    YAML
+    '../robot/bee/kinematics.yml' => "axes: {}\n",
+    '../robot/cat/kinematics.yml' => "refusals:\n  - {code: 8, name: TOO_COLD, says: \"No.\"}\n"
+  }.freeze
+
+  def test_SWR_ROBOT_020_what_robots_refuse_stands_among_the_others_by_its_code
+    with_output(ROBOTS) do |folder|
+      values = File.read(File.join(folder, 'colour.h')).scan(/COLOUR_\w+ = \d+/)
+      assert_equal ['COLOUR_OK = 0', 'COLOUR_NOT_RED = 1', 'COLOUR_TOO_WET = 3', 'COLOUR_LAST = 7',
+                    'COLOUR_TOO_COLD = 8', 'COLOUR_TOO_STEEP = 9'], values
+      File.write(File.join(folder, 'main.c'), <<~CODE)
+        #include "names.h"
+        #include <stdio.h>
+        int main(void)
+        {
+            (void)printf("%s|%s", colour_name(3), colour_text(9));
+            return 0;
+        }
+      CODE
+      assert_equal 'TOO_WET|An ant cannot climb that.', output_of(folder, 'main.c', 'app/names.c')
+    end
+  end
+
+  def test_SWR_ROBOT_020_what_is_shared_is_the_same_wherever_it_stands
+    alone = COLOURS.sub('      - {code: 7', %(      - {code: 3, name: TOO_WET, says: "An ant cannot swim."}\n\\0))
+    with_robot = ROBOTS.slice('colours.yml').merge(
+      '../robot/ant/kinematics.yml' => %(refusals:\n  - {code: 3, name: TOO_WET, says: "An ant cannot swim."}\n)
+    )
+    assert_equal layout('colours.yml' => alone), layout(with_robot)
+  end
+
+  def test_SWR_ROBOT_020_a_robot_has_no_code_and_no_name_that_another_has
+    { 'code: 8' => ['code: 3', 'has the code of TOO_WET: 3'], 'name: TOO_COLD' => ['name: OK', 'has the name of OK: OK'],
+      'says:' => ['said:', 'said: is unknown'] }.each do |old, (new, reason)|
+      file = '../robot/cat/kinematics.yml'
+      message = refusal(ROBOTS.merge(file => ROBOTS.fetch(file).sub(old, new)))
+      assert_match(%r{cat/kinematics\.yml:2: }, message)
+      assert_includes message, reason
+    end
+  end
+
+  def test_SWR_ROBOT_020_robots_add_to_what_asks_for_it_alone
+    with_output(ROBOTS.merge('colours.yml' => COLOURS)) do |folder|
+      refute_includes File.read(File.join(folder, 'colour.h')), 'TOO_WET'
+    end
+  end
+
+  def test_SWR_TOOL_011_structures_keep_their_documentation
+    with_output do |folder|
+      header = File.read(File.join(folder, 'colour.h'))
+      assert_includes header, <<~CODE
+        /** What is painted with. */
+        typedef struct {
+            /** colour_t. Of the paint. */
+            uint32_t colour;
+            /** lamp_state_t. */
+            uint32_t lamp;
+            /** Left in the tin. */
+            uint32_t rest_ml;
+            /** 0 or 1. */
+            uint32_t is_dry;
+        } paint_t;
+      CODE
+    end
+  end
+
+  COUNTED = COLOURS.sub('values:', "count: true\n    values:").sub('code: 7', 'code: 2')
+                   .sub("structures:\n", "    sets:\n      - {name: SAD, says: \"Not wanted.\", values: [NOT_RED, LAST]}\nstructures:\n")
+
+  def test_SWR_TOOL_011_a_set_is_a_bit_for_each_of_its_values
+    with_output('colours.yml' => COUNTED) do |output|
+      assert_includes(File.read(File.join(output, 'colour.h')), <<~'CODE')
+        /** Bit n, value n: Not wanted. */
+        #define COLOURS_SAD \
+            (((uint64_t)1U << (uint32_t)COLOUR_NOT_RED) | \
+             ((uint64_t)1U << (uint32_t)COLOUR_LAST))
+      CODE
+    end
+  end
+
+  def test_SWR_TOOL_012_refuses_a_set_of_what_there_is_not_or_that_has_no_bit
+    assert_match(/GREEN/, refusal('colours.yml' => COUNTED.sub('[NOT_RED, LAST]', '[GREEN]')))
+    uncounted = COUNTED.sub("    count: true\n", '')
+    assert_match(/code above 63/, refusal('colours.yml' => uncounted.sub('code: 2', 'code: 64')))
+    with_output('colours.yml' => uncounted.sub('code: 2', 'code: 63')) { |output| assert File.exist?(File.join(output, 'colour.h')) }
+  end
+
+  # A set whose values name it, where they stand.
+  NAMING = COUNTED.sub(', values: [NOT_RED, LAST]', '').sub('of: axis', 'of: axis, sets: [SAD]').sub('name: OK', 'name: OK, sets: [SAD]')
+
+  def test_SWR_TOOL_073_a_value_names_the_sets_that_it_is_in
+    with_output('colours.yml' => NAMING) do |output|
+      assert_includes(File.read(File.join(output, 'colour.h')), <<~'CODE')
+        #define COLOURS_SAD \
+            (((uint64_t)1U << (uint32_t)COLOUR_OK) | \
+             ((uint64_t)1U << (uint32_t)COLOUR_LAST))
+      CODE
+    end
+  end
+
+  def test_SWR_TOOL_073_refuses_a_set_that_is_not_there_or_that_has_no_values
+    assert_match(/colours\.yml:\d+: .* is GLAD; expected SAD/, refusal('colours.yml' => NAMING.sub('of: axis, sets: [SAD]', 'of: axis, sets: [GLAD]')))
+    assert_match(/has SAD, which has no values/, refusal('colours.yml' => NAMING.gsub(', sets: [SAD]', '')))
+  end
+
+  def test_SWR_TOOL_011_an_event_has_severity_subject_and_value
+    with_output do |folder|
+      File.write(File.join(folder, 'main.c'), <<~CODE)
+        #include "colour.h"
+        #include "event_words.h"
+        #include <stdio.h>
+        int main(void)
+        {
+            (void)printf("%d %d %d\\n", (int)event_severity(EVENT_SPILT), (int)event_severity(EVENT_DRIED),
+                         (int)event_severity((event_id_t)2));
+            (void)printf("%s%s\\n", event_subject_name(EVENT_SPILT, 7U), event_value_unit(EVENT_SPILT));
+            (void)printf("%d\\n", event_subject_owner(EVENT_SPILT, COLOUR_LAST) == EVENT_WORD_AXIS);
+            (void)printf("%d %s\\n", event_subject_word(EVENT_DRIED) == EVENT_WORD_AXIS,
+                         event_value_name(EVENT_DRIED, 1));
+            (void)printf("%d\\n", event_peer_word(EVENT_CAUSE_AXIS) == EVENT_WORD_AXIS);
+            return 0;
+        }
+      CODE
+      assert_equal "1 0 1\nLAST ticks\n1\n1 at_last\n1\n",
+                   output_of(folder, 'main.c', 'event.c', 'app/event_words.c', 'app/names.c')
+    end
+  end
+
+  SHOWN = COLOURS.sub('says: "Of the paint."', 'says: "Of the paint.", shown: {in: tin, as: name, when: [is_dry]}')
+                 .sub('lamp.state}', 'lamp.state, shown: tin}')
+                 .sub('tin."}', 'tin.", unit: reading, shown: {in: tin, key: litres}}')
+
+  def test_SWR_TOOL_011_a_value_that_is_none_of_those_counted_is_shown_as_null
+    counted = SHOWN.sub('code: 7', 'code: 2').sub("says: Why something was refused.\n", "\\0    count: true\n")
+                   .sub('when: [is_dry]', 'when: [colour]')
+    with_output('colours.yml' => counted) do |folder|
+      assert_includes File.read(File.join(folder, 'app/messages.c')), 'if ((paint->colour < COLOUR_COUNT)) {'
+    end
+  end
+
+  def test_SWR_TOOL_011_console_knows_each_message_as_the_server_writes_it
+    with_output('colours.yml' => SHOWN) do |folder|
+      assert_includes File.read(File.join(folder, 'app/messages.c')), <<~CODE
+        cJSON *json_tin(const paint_t *paint, const json_tin_t *also)
+        {
+            cJSON *const object = cJSON_CreateObject();
+            if ((paint->is_dry != 0U)) {
+                json_add_text(object, "colour", colour_name((int32_t)paint->colour));
+            } else {
+                json_add_null(object, "colour");
+            }
+            json_add_text(object, "lamp", chart_lamp_state_name(paint->lamp));
+            json_add_number(object, "litres", (double)paint->rest_ml);
+            if (also->maker != NULL) {
+                json_add_text(object, "maker", also->maker);
+            } else {
+                json_add_null(object, "maker");
+            }
+            return object;
+        }
+      CODE
+      types = File.read(File.join(folder, 'app/api.ts'))
+      assert_includes types, <<~CODE
+        export interface Tin {
+          /** Of the paint. */
+          colour: Colour | null;
+          lamp: LampState;
+          /** Left in the tin. */
+          litres: number;
+          maker: string | null;
+        }
+      CODE
+      assert_includes types, %(export type Colour =\n  | "OK"\n  | "NOT_RED"\n  | "LAST";)
+      assert_includes types, %(export type LampState =\n  | "dark"\n  | "bright";)
+    end
+  end
+
+  def test_SWR_TOOL_011_console_checks_each_message_by_a_table
+    messages = "#{MESSAGES}      - {name: size, type: [small, large]}\n      - {name: lid, type: lid}\n" \
+               "      - {name: coats, type: uint32, maximum: 3, unit: count}\n      - {name: wear, type: int32, minimum: -5, unit: ratio}\n" \
+               "  - name: lid\n    says: On top.\n    members:\n      - {name: tags, type: text, list: true}\n"
+    with_output('colours.yml' => SHOWN, 'messages.yml' => messages) do |folder|
+      types = File.read(File.join(folder, 'app/api.ts'))
+      assert_includes types, <<~CODE
+        export const Lid: Shape<Lid> = {
+          members: {
+            tags: ["list", "string"],
+          },
+        };
+
+        export const Tin: Shape<Tin> = {
+          members: {
+            colour: ["null", Colour],
+            lamp: LampState,
+            litres: ["whole", 0, 4294967295],
+            maker: ["null", "string"],
+            size: ["words", ["small","large"]],
+            lid: Lid,
+            coats: ["whole", 0, 3],
+            wear: ["whole", -5, 2147483647],
+          },
+        };
+      CODE
+      assert_includes types, %(export const LampState: Kind = ["words", ["dark","bright"]];)
+    end
+  end
+
+  def test_SWR_TOOL_012_refuses_bounds_of_what_is_no_whole_number
+    messages = MESSAGES.sub('or_null: true', 'maximum: 3')
+    assert_includes refusal('colours.yml' => SHOWN, 'messages.yml' => messages), 'bounds what is no whole number'
+  end
+
+  # What is wrong with a number beside others of a tin; nil: nothing.
+  def found_with(members)
+    refusal('colours.yml' => SHOWN, 'messages.yml' => MESSAGES + members)
+  end
+
+  UNIT = "      - {name: unit, type: [mm, deg]}\n"
+
+  def test_SWR_TOOL_028_a_number_has_its_unit_in_its_name_beside_it_or_says_what_it_is
+    ["      - {name: width_mm, type: number}\n", "      - {name: bytes, type: uint64}\n",
+     "#{UNIT}      - {name: width, type: number, unit: axis}\n", "      - {name: coats, type: uint32, unit: count}\n",
+     "#{UNIT}      - {name: flow_per_s, type: number, unit: axis}\n",
+     "      - {name: text, type: text}\n      - {name: value, type: int32, unit: text}\n"].each do |members|
+      with_output('colours.yml' => SHOWN, 'messages.yml' => MESSAGES + members) { |folder| assert File.exist?(File.join(folder, 'app/api.ts')), members }
+    end
+  end
+
+  def test_SWR_TOOL_028_refuses_a_number_without_a_unit
+    { "      - {name: width, type: number}\n" => 'is the number width without a unit; end it in one of mm, deg',
+      "      - {name: flow_per_s, type: number}\n" => 'is the number flow_per_s without a unit',
+      "      - {name: summary, type: uint32}\n" => 'is the number summary without a unit',
+      "      - {name: width, type: number, unit: axis}\n" => 'has the unit of width in unit, which is not there',
+      "      - {name: value, type: int32, unit: text}\n" => 'has the unit of value in text, which is not there',
+      "      - {name: width_mm, type: number, unit: count}\n" => 'is count, but width_mm ends in a unit',
+      "      - {name: width, type: number, unit: inch}\n" => 'is inch; expected axis or count' }.each do |members, reason|
+      message = found_with(members)
+      assert_includes message, reason
+      assert_match(/messages\.yml:6: /, message)
+    end
+    shown = SHOWN.sub('unit: reading, ', '')
+    assert_includes refusal('colours.yml' => shown), 'is the number litres without a unit'
+  end
+
+  def test_SWR_TOOL_028_refuses_positions_and_speeds_of_axes_without_their_unit
+    axis = "  - name: wheel\n    says: A wheel.\n    axis: true\n    members:\n      - {name: note, type: text}\n"
+    messages = MESSAGES + axis
+    field = ->(key, form) { SHOWN.sub('{in: tin, key: litres}', "{in: wheel, key: #{key}, as: #{form}}") }
+    assert_includes refusal('colours.yml' => field.call('place', 'position'), 'messages.yml' => messages),
+                    'has the unit of place in unit, which is not there'
+    assert_includes refusal('colours.yml' => field.call('turn', 'speed'), 'messages.yml' => messages + UNIT),
+                    'is the speed turn; expected a name that ends in _per_s'
+    with_output('colours.yml' => field.call('turn_per_s', 'speed'), 'messages.yml' => messages + UNIT) do |folder|
+      assert_includes File.read(File.join(folder, 'app/api.ts')), 'turn_per_s: number;'
+    end
+  end
+
+  # The length of an array stands where its name says.
+  def test_SWR_TOOL_011_a_header_includes_where_its_lengths_stand
+    { 'COLOUR_COUNT' => [], 'LIMIT_TINS' => ['limits/requirement_limits.h'], 'ROBOT_AXIS_MAX' => ['robot/robot.h'] }
+      .each do |count, expected|
+        with_output('colours.yml' => TINS.sub('ROBOT_AXIS_MAX', count)) do |folder|
+          assert_equal expected, File.read(File.join(folder, 'colour.h')).scan(/include "(.*)"/).flatten, count
+        end
+      end
+  end
+
+  TINS = <<~YAML
+    #{COLOURS.chomp}
+      - name: shelf
+        fields:
+          - {name: number, type: uint32}
+          - {name: tins, type: paint, count: ROBOT_AXIS_MAX}
+  YAML
+
+  def test_SWR_TOOL_011_the_place_of_each_field_is_known
+    with_output('colours.yml' => TINS) do |folder|
+      FileUtils.mkdir_p(File.join(folder, 'robot'))
+      File.write(File.join(folder, 'robot/robot.h'), "#define ROBOT_AXIS_MAX 3\n")
+      File.write(File.join(folder, 'main.c'), <<~CODE)
+        #include "fields.h"
+        #include <stdio.h>
+        int main(void)
+        {
+            for (const field_t *field = fields_shelf; field->name != NULL; field++) {
+                (void)printf("%s %d %d %d %s\\n", field->name, (int)field->offset, (int)field->size,
+                             (int)field->element_size, (field->inside == fields_paint) ? "paint" : "-");
+            }
+            (void)printf("%s\\n", fields_paint[2].name);
+            (void)printf("%s\\n", fields_paint[0].word(0));
+            return 0;
+        }
+      CODE
+      assert_equal "number 0 4 4 -\ntins 4 48 16 paint\nrest_ml\nOK\n", output_of(folder, 'main.c', 'app/fields.c', 'app/names.c')
+    end
+  end
+
+  def test_SWR_TOOL_011_same_bytes_on_every_run
+    outputs = Array.new(2) { with_output { |folder| contents(folder) } }
+    assert_equal outputs.first, outputs.last
+  end
+
+  AGREED = {
+    'a field has another name' => ['name: rest_ml', 'name: left_ml'],
+    'a field has another type' => ['type: uint32', 'type: int32'],
+    'a field is gone' => [/^ *- {name: is_dry, type: flag}\n/, ''],
+    'an enumerator has another name' => ['name: LAST', 'name: FINAL'],
+    'an enumerator has another number' => ['code: 7', 'code: 8']
+  }.freeze
+
+  AGREED.each do |what, (old, new)|
+    define_method("test_SWR_TOOL_013_layout_differs_when_#{what.tr(' ', '_')}") do
+      refute_equal layout, layout('colours.yml' => COLOURS.sub(old, new))
+    end
+  end
+
+  def test_SWR_TOOL_013_layout_differs_when_a_chart_has_another_state
+    refute_equal layout, layout('charts.json' => JSON.generate(CHARTS).sub('dark', 'dim'))
+  end
+
+  def test_SWR_TOOL_013_layout_differs_when_a_further_header_declares_something_else
+    ["#define A 1\n", "#define B \\\n 2\n", 'typedef enum { A, B } a_t;',
+     "typedef struct {\n    union { struct { int x; int y; } a; int b; } u;\n    int c;\n} a_t;"].each do |text|
+      without, with, again, other = ['', text, "/* Words. */\n#{text.gsub(' ', '  ')}", text.sub(/\d|B|x/, 'z')]
+                                    .map { |more| layout({ 'more.h' => more }, 'more.h') }
+      assert_equal with, again, text
+      refute_equal with, without, text
+      refute_equal with, other, text
+    end
+  end
+
+  def test_SWR_TOOL_013_layout_is_the_same_when_functions_of_a_further_header_differ
+    type = 'typedef struct { int a; } a_t;'
+    more = "#{type}\nvoid a_init(a_t *self);\nstatic inline int a_get(const a_t *self)\n{\n    return self->a;\n}\n"
+    assert_equal layout({ 'more.h' => type }, 'more.h'), layout({ 'more.h' => more }, 'more.h')
+  end
+
+  def test_SWR_EXCH_022_the_fields_that_every_process_may_write_are_listed_with_their_counts
+    segment = <<~C
+      typedef struct {
+          struct {
+              uint32_t count SEGMENT_ON_LINE; /**< Of beats; not listed. */
+          } beats[PROCESSES];
+          uint64_t stops SEGMENT_ON_LINE; /**< A semicolon; in words. */
+          uint32_t files[3] SEGMENT_ON_LINE;
+          segment_note_t note;
+      } segment_others_t;
+    C
+    in_folder('more.h' => segment) do |folder, output|
+      run_tool(folder, output, 'more.h')
+      listed = File.read(File.join(output, 'segment_fields.h'))[/#define SEGMENT_OTHERS_FIELDS.*/m].scan(/^    FIELD\((.*?)\)/).flatten
+      assert_equal ['beats, PROCESSES', 'stops, 1U', 'files, 3', 'note, 1U'], listed
+    end
+  end
+
+  def test_SWR_TOOL_013_layout_is_the_same_when_words_differ
+    assert_equal layout, layout('colours.yml' => COLOURS.gsub('The last.', 'The very last.').gsub('tin.', 'can.'))
+  end
+
+  # [what is written instead of what, the line, what the refusal says]
+  REFUSALS = {
+    'a value used twice' => ['code: 7', 'code: 1', 13, 'has the code of NOT_RED: 1'],
+    'a name used twice' => ['name: LAST', 'name: OK', 13, 'has the name of OK: OK'],
+    'a value without a sentence' => [', says: "The last."', '', 13, 'says: is missing'],
+    'an empty sentence' => ['"The last."', '""', 13, 'is empty; expected a text'],
+    'a name that is none in C' => ['name: LAST', 'name: Last', 13, 'is Last; expected a name of A-Z, 0-9 and _'],
+    'a code that is no number' => ['code: 7', 'code: seven', 13, 'is seven; expected a whole number'],
+    'an unknown key' => ['code: 7', 'codes: 7', 13, 'codes: is unknown'],
+    'a gap in what is counted' => ["says: Why something was refused.\n", "says: Why.\n    count: true\n", 14,
+                                   'has the code 7; expected 2, as it is counted'],
+    'an unknown type' => ['type: uint32', 'type: uint33', 20, 'is uint33; expected uint32, int32'],
+    'a chart that is none' => ['chart lamp.state', 'chart lamp.hue', 19, 'is of lamp.hue; expected one of lamp.state'],
+    'bits of nothing' => ['type: uint32', 'type: bits shape', 20, 'is bits of shape, which is no enumeration'],
+    'two fields of one name' => ['name: is_dry', 'name: rest_ml', 21, 'is the second rest_ml'],
+    'padding behind it' => ['type: uint32', 'type: uint64', 21, 'has padding behind it'],
+    'padding before a field' => ['{name: colour, type: colour',
+                                 "{name: age, type: uint32}\n      - {name: c, type: uint64",
+                                 19, 'has padding before c'],
+    'a message that is none' => ['"Left in the tin."', '"x", shown: box', 20, 'is in box, which is no message'],
+    'a form that is none' => ['"Left in the tin."', '"x", shown: {in: tin, as: cube}', 20, 'has the form cube'],
+    'a form that does not fit' => ['"Left in the tin."', '"x", shown: {in: tin, as: named}', 20, 'uint32 has not'],
+    'a condition that is none' => ['"Left in the tin."', '"x", shown: {in: tin, when: [colour]}', 20,
+                                   'is shown when colour, which is no flag, no status and of nothing that is counted'],
+    'the end of a comment' => ['"Left in the tin."', '"x */"', 20, 'holds the end of a comment']
+  }.freeze
+
+  REFUSALS.each do |what, (old, new, line, reason)|
+    define_method("test_SWR_TOOL_012_refuses_#{what.tr(' ', '_')}") do
+      assert_refused('colours.yml', COLOURS, old, new, line, reason)
+    end
+  end
+
+  EVENT_REFUSALS = {
+    'an event without severity' => [', severity: low', '', 20, 'has no severity'],
+    'a severity that is none' => ['severity: low', 'severity: high', 20, 'is high; expected low or critical'],
+    'a subject that is none' => ['subject: axis', 'subject: shape', 20, 'is shape; expected axis, card, part, length, number'],
+    'a value that is none' => ['value: ticks', 'value: miles', 19, 'is miles; expected ticks, percent, nm, millionths, number'],
+    'three words for a flag' => ['[not_yet, at_last]', '[a, b, c]', 20, 'has 3 words; expected 2, for 0 and 1'],
+    'a sentence with what is not there' => [', value: ticks', '', 19, 'says {value}, which it has not'],
+    'a sentence without its value' => [' by {value}', '', 19, 'does not say {value}'],
+    'a cause with what is not there' => [', peer: axis', '', 13, 'says {peer}, which it has not']
+  }.freeze
+
+  EVENT_REFUSALS.each do |what, (old, new, line, reason)|
+    define_method("test_SWR_TOOL_012_refuses_#{what.tr(' ', '_')}") do
+      assert_refused('events.yml', EVENTS, old, new, line, reason)
+    end
+  end
+
+  MODES = <<~YAML
+    header: mode_list
+    says: Modes.
+    enumerations:
+      - {name: workphase, says: Where., values: [{code: 0, name: HERE, says: "Here."}, {code: 1, name: THERE, says: "There."}]}
+      - {name: mode_axes, says: Whose., values: [{code: 0, name: ALL, says: "All."}]}
+      - {name: mode_needle, says: What., values: [{code: 0, name: NONE, says: "None."}]}
+      - name: command_kind
+        prefix: COMMAND
+        says: By what.
+        values: [{code: 0, name: NONE, says: "No."}, {code: 1, name: WORKPHASE, says: "W."}, {code: 2, name: GO, says: "Go."}]
+      - name: mode_kind
+        prefix: MODE
+        says: What.
+        count: true
+        values:
+          - {code: 0, name: NONE, command: NONE, workphases: [], unhomed: true, axes: ALL, needle: NONE, says: "Nothing."}
+          - {code: 1, name: WAIT, command: WORKPHASE, workphases: [HERE], unhomed: true, axes: ALL, needle: NONE, says: "It waits."}
+          - {code: 2, name: GO, command: GO, workphases: [HERE, THERE], unhomed: false, axes: ALL, needle: NONE, says: "It goes."}
+          - {code: 3, name: REST, command: WORKPHASE, workphases: [THERE], unhomed: true, axes: ALL, needle: NONE, says: "It rests."}
+  YAML
+
+  def test_SWR_TOOL_011_the_table_of_modes_says_what_is_special_about_each
+    with_output('modes.yml' => MODES) do |folder|
+      assert_includes File.read(File.join(folder, 'mode_list.c')), <<~CODE
+        [MODE_GO] = {.command = (uint32_t)COMMAND_GO,
+                 .workphases = IN(WORKPHASE_HERE) | IN(WORKPHASE_THERE),
+                 .axes = (uint32_t)MODE_AXES_ALL,
+                 .needle = (uint32_t)MODE_NEEDLE_NONE,
+                 .may_be_unhomed = false},
+      CODE
+    end
+  end
+
+  COMMANDS = MODES.sub('prefix: COMMAND', "prefix: COMMAND\n    count: true")
+                  .sub(/^    values: \[\{code: 0, name: NONE, says: "No.*$/, <<~YAML.gsub(/^/, '    ').rstrip)
+                    values:
+                      - {code: 0, name: NONE, from: [], says: "No."}
+                      - {code: 1, name: WORKPHASE, from: [PAGE], obeyed_by: workphase, payload: workphase, says: "W."}
+                      - {code: 2, name: GO, from: [PAGE, NETWORK], says: "Go."}
+                      - {code: 3, name: TURN, from: [PAGE], obeyed_by: turn, payload: turn, workphases: [THERE], says: "Turn."}
+                      - {code: 4, name: TURN_BACK, from: [], obeyed_by: turn, payload: turn, says: "Turn back."}
+                  YAML
+                  .sub('  - name: mode_kind', <<~YAML.gsub(/^/, '  ').rstrip).concat(<<~YAML)
+                    - {name: command_source, says: Who., values: [{code: 0, name: NETWORK, says: "N."}, {code: 1, name: PAGE, says: "P."}]}
+                    - name: mode_kind
+                  YAML
+                    structures:
+                      - {name: command_workphase, fields: [{name: workphase, type: workphase}]}
+                      - {name: command_turn, fields: [{name: axis, type: uint32}, {name: by_ticks, type: int32}]}
+                      - {name: command, fields: [{name: kind, type: command_kind}, {name: as, type: payload command_kind}]}
+                  YAML
+
+  def test_SWR_TOOL_011_the_table_of_commands_says_where_each_is_obeyed
+    with_output('commands.yml' => COMMANDS) do |folder|
+      source = File.read(File.join(folder, 'command.c'))
+      assert_includes source, '[COMMAND_WORKPHASE] = {.workphases = IN_ALL,'
+      assert_includes source, "[COMMAND_GO] = {.workphases = IN(WORKPHASE_HERE) |\n        IN(WORKPHASE_THERE),"
+      assert_includes source, '[COMMAND_TURN] = {.workphases = IN(WORKPHASE_THERE),'
+      assert_includes File.read(File.join(folder, 'mode_list.h')), '/** Turn. Only in THERE. */'
+      assert_includes File.read(File.join(folder, 'app', 'names.c')), 'return "Only in HERE or THERE.";'
+    end
+  end
+
+  def test_SWR_TOOL_080_what_a_command_says_is_a_member_of_one_union_with_an_accessor
+    with_output('commands.yml' => COMMANDS) do |folder|
+      assert_includes File.read(File.join(folder, 'mode_list.h')), <<~CODE
+        typedef union {
+            command_workphase_t workphase; /**< WORKPHASE. */
+            command_turn_t turn; /**< TURN, TURN_BACK. */
+        } command_payload_t;
+      CODE
+      assert_includes File.read(File.join(folder, 'command_access.c')), <<~CODE
+        const command_turn_t *command_as_turn(const command_t *command)
+        {
+            REQUIRE(2U, has_form(command, COMMAND_FORM_TURN));
+            return &command->as.turn;
+        }
+      CODE
+      assert_match(/case 3:\n    case 4:\n        return fields_command_turn;/, File.read(File.join(folder, 'app', 'fields.c')))
+    end
+  end
+
+  def test_SWR_TOOL_080_who_may_send_a_command_and_what_carries_it_out_are_of_its_row
+    with_output('commands.yml' => COMMANDS) do |folder|
+      assert_includes File.read(File.join(folder, 'command.c')), '.sources = BY(COMMAND_SOURCE_PAGE) | BY(COMMAND_SOURCE_NETWORK),'
+      assert_includes File.read(File.join(folder, 'command_dispatch.c')), <<~CODE
+        case (uint32_t)COMMAND_TURN:
+            case (uint32_t)COMMAND_TURN_BACK:
+                status = controller_obey_turn(self, cycle, command, answer);
+      CODE
+    end
+  end
+
+  COMMAND_REFUSALS = {
+    'a command without senders' => ['from: [PAGE, NETWORK], says', 'says', 14, 'has no from'],
+    'a sender that there is not' => ['from: [PAGE, NETWORK]', 'from: [NOBODY]', 14, 'is NOBODY; expected NETWORK or PAGE'],
+    'a command that nothing carries out' => ['from: [], obeyed_by: turn,', 'from: [],', 16, 'has no obeyed_by and arms no mode'],
+    'a function for a command that arms a mode' => ['name: GO, from: [PAGE, NETWORK],', 'name: GO, from: [PAGE, NETWORK], obeyed_by: go,',
+                                                    14, 'stands with a command that arms a mode'],
+    'a payload without its structure' => ['payload: workphase', 'payload: phase', 13, 'is phase; expected a structure command_NAME']
+  }.freeze
+
+  COMMAND_REFUSALS.each do |what, (old, new, line, reason)|
+    define_method("test_SWR_TOOL_080_refuses_#{what.tr(' ', '_')}") { assert_refused('commands.yml', COMMANDS, old, new, line, reason) }
+  end
+
+  def test_SWR_TOOL_080_refuses_a_structure_that_is_of_no_command
+    changed = COMMANDS.sub('name: command_turn', 'name: command_bend').gsub('payload: turn, ', '')
+    assert_includes refusal('commands.yml' => changed), 'command_bend: is the payload of no command'
+  end
+
+  def test_SWR_TOOL_012_refuses_workphases_of_a_command_that_arms_a_mode
+    old = 'name: GO, from: [PAGE, NETWORK], says: "Go."'
+    assert_refused('commands.yml', COMMANDS, old, old.sub('says', 'workphases: [HERE], says'), 14, 'stand in modes.yml, with GO')
+  end
+
+  MODE_REFUSALS = {
+    'a mode without axes' => ['workphases: [HERE], unhomed: true, axes: ALL', 'workphases: [HERE], unhomed: true', 17,
+                              'has no axes'],
+    'a mode in no workphase' => ['[HERE, THERE]', '[NOWHERE]', 18, 'is NOWHERE; expected HERE or THERE'],
+    'a mode by no command' => ['command: GO', 'command: COME', 18, 'is COME; expected NONE or WORKPHASE or GO'],
+    'two modes by one command' => ['REST, command: WORKPHASE', 'REST, command: GO', 19, 'is armed by GO like GO'],
+    'two modes of one workphase' => ['[THERE]', '[HERE]', 19, 'is armed by WORKPHASE HERE like WAIT']
+  }.freeze
+
+  MODE_REFUSALS.each do |what, (old, new, line, reason)|
+    define_method("test_SWR_TOOL_012_refuses_#{what.tr(' ', '_')}") do
+      assert_refused('modes.yml', MODES, old, new, line, reason)
+    end
+  end
+
+  def test_SWR_TOOL_012_refuses_a_key_used_twice_in_a_message
+    message = refusal('colours.yml' => COLOURS.sub('"Left in the tin."', '"x", shown: {in: tin, key: maker}'))
+    assert_match(/messages\.yml:5: .* is the second maker in tin/, message)
+  end
+
+  def test_SWR_TOOL_012_refuses_a_name_defined_in_two_files
+    assert_includes refusal('other.yml' => COLOURS.sub('header: colour', 'header: other')), 'colour: is defined twice'
+  end
+
+  def test_SWR_TOOL_012_refuses_what_is_no_yaml
+    assert_match(/colours\.yml:\d+: file: is not YAML/, refusal('colours.yml' => "a: [\n"))
+  end
+
+  def test_SWR_TOOL_012_a_refusal_writes_nothing
+    in_folder('colours.yml' => COLOURS.sub('code: 7', 'code: 1')) do |folder, output|
+      run_tool(folder, output)
+      refute File.exist?(output)
+    end
+  end
+
+  private
+
+  def assert_refused(file, text, old, new, line, reason)
+    changed = text.sub(old, new)
+    refute_equal text, changed
+    message = refusal(file => changed)
+    assert_match(/#{file}:#{line}: /, message)
+    assert_includes message, reason
+  end
+
+  def refusal(files)
+    in_folder(files) do |folder, output|
+      text, is_content = run_tool(folder, output)
+      refute is_content
+      text
+    end
+  end
+
+  def with_output(files = {})
+    in_folder(files) do |folder, output|
+      text, is_content = run_tool(folder, output)
+      assert is_content, text
+      yield output
+    end
+  end
+
+  def in_folder(files)
+    Dir.mktmpdir do |core|
+      folder = File.join(core, 'interface')
+      { 'colours.yml' => COLOURS, 'messages.yml' => MESSAGES, 'events.yml' => EVENTS,
+        'charts.json' => JSON.generate(CHARTS) }.merge(files).each do |name, text|
+        FileUtils.mkdir_p(File.dirname(File.join(folder, name)))
+        File.write(File.join(folder, name), text)
+      end
+      yield folder, File.join(folder, 'interface')
+    end
+  end
+
+  # What it says, and whether it is content.
+  def run_tool(folder, output, *headers)
+    errors = StringIO.new
+    status = Interface::Command.run([folder, File.join(folder, 'charts.json'), output,
+                                     *headers.map { |header| File.join(folder, header) }], errors: errors)
+    [errors.string, status.zero?]
+  end
+
+  # The number that all processes must have.
+  def layout(files = {}, *headers)
+    in_folder(files) do |folder, output|
+      text, is_content = run_tool(folder, output, *headers)
+      assert is_content, text
+      File.read(File.join(output, 'interface_layout.h'))[/UINT64_C\(0x(\h{16})\)/, 1]
+    end
+  end
+
+  def contents(folder)
+    Dir[File.join(folder, '**/*.*')].to_h { |file| [file.delete_prefix(folder), File.read(file)] }
+  end
+
+  def output_of(folder, *sources)
+    program = File.join(folder, 'main')
+    output, status = Open3.capture2e('gcc', '-std=c99', '-pedantic', '-Wall', '-Wextra', '-Werror', '-Wconversion',
+                                     '-Wmissing-prototypes', "-I#{folder}", "-I#{folder}/app", "-I#{File.dirname(folder)}", '-o',
+                                     program,
+                                     *sources.map { |source| File.join(folder, source) })
+    assert status.success?, output
+    `#{program}`
+  end
+end

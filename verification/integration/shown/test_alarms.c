@@ -1,0 +1,356 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file Rule under test: what is wrong is listed with its part, its cause and since when, in the
+ * words of the log, and where the needle was known to stand last outlives what is wrong. */
+#include "unity.h"
+
+#include "common/event_text.h"
+#include "common/utc_text.h"
+#include "http/view/alarm_json.h"
+#include "http/view/telemetry_json.h"
+#include "http/view/telemetry_units.h"
+#include "integration/support/rig.h"
+#include "robot/robot_neuro.h"
+#include "safety/needle.h"
+
+#include <cjson/cJSON.h>
+#include <stdio.h>
+#include <string.h>
+
+#define US_PER_CYCLE 1000U
+#define LOOK_CYCLES 100U /* Of the server. */
+
+static rig_t rig;
+static telemetry_view_t view;
+static cJSON *alarms;
+static cJSON *needle;
+
+static void forget(void)
+{
+    cJSON_Delete(alarms);
+    cJSON_Delete(needle);
+    alarms = NULL;
+    needle = NULL;
+}
+
+void setUp(void)
+{
+    (void)memset(&view, 0, sizeof view);
+}
+
+void tearDown(void)
+{
+    forget();
+}
+
+/* The server looks. */
+static void look(void)
+{
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        const exchange_event_t event = {.event = rig.events[i],
+                                        .utc_us = (uint64_t)rig.events[i].cycle * US_PER_CYCLE};
+        alarms_take(&view.alarms, &event);
+    }
+    rig_forget(&rig);
+    view.robot = &rig.robot;
+    view.snapshot = rig.outputs.snapshot;
+    alarms_see(&view.alarms, &view.snapshot);
+    forget();
+    alarms = alarm_json_list(&view);
+    needle = alarm_json_needle(&view);
+}
+
+static void run(uint32_t cycles)
+{
+    for (uint32_t i = 0U; i < cycles; i += LOOK_CYCLES) {
+        rig_cycles(&rig, LOOK_CYCLES);
+        look();
+    }
+}
+
+/* The needle goes deeper. */
+static void insert(void)
+{
+    rig_start_moving(&rig);
+    while (rig_position(&rig, NEURO_AXIS_INSERTION) <= needle_out_ticks(&rig.robot)) {
+        rig_cycle(&rig);
+    }
+    look();
+}
+
+static const char *text_of(int index, const char *key)
+{
+    return cJSON_GetStringValue(cJSON_GetObjectItem(cJSON_GetArrayItem(alarms, index), key));
+}
+
+static double number_of(const cJSON *object, const char *key)
+{
+    return cJSON_GetNumberValue(cJSON_GetObjectItem(object, key));
+}
+
+static bool is_true(const char *key)
+{
+    return cJSON_IsTrue(cJSON_GetObjectItem(needle, key)) != 0;
+}
+
+static int find(const char *event)
+{
+    for (int i = 0; i < cJSON_GetArraySize(alarms); i++) {
+        if (strcmp(text_of(i, "event"), event) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+void test_SWR_HTTP_064_nothing_is_listed_of_a_robot_that_is_well(void)
+{
+    rig_start_homed(&rig);
+    look();
+    TEST_ASSERT_EQUAL_INT(0, cJSON_GetArraySize(alarms));
+    rig_start_moving(&rig);
+    look();
+    TEST_ASSERT_EQUAL_INT(0, cJSON_GetArraySize(alarms));
+}
+
+void test_SWR_HTTP_064_a_lost_card_is_named_with_its_axis_cause_and_time(void)
+{
+    char since[UTC_TEXT_SIZE];
+
+    insert();
+    rig_box(&rig, "card insertion silent");
+    rig_cycles(&rig, 20U);
+    const uint32_t lost = rig.events[0].cycle;
+    look();
+    utc_text_write((uint64_t)lost * US_PER_CYCLE, since);
+    TEST_ASSERT_EQUAL_STRING("CARD_LOST", text_of(0, "event"));
+    TEST_ASSERT_EQUAL_STRING("LINK_LOST", text_of(0, "reason"));
+    TEST_ASSERT_EQUAL_STRING("insertion", text_of(0, "axis"));
+    TEST_ASSERT_EQUAL_STRING("3 (insertion)", text_of(0, "subject"));
+    TEST_ASSERT_EQUAL_STRING("Card 3 (insertion) is lost. No frame of it came for several cycles: "
+                             "check its cable and its supply.",
+                             text_of(0, "text"));
+    TEST_ASSERT_EQUAL_STRING(since, text_of(0, "since"));
+    TEST_ASSERT_EQUAL_DOUBLE((double)(rig.outputs.snapshot.cycle - lost) / 1000.0,
+                             number_of(cJSON_GetArrayItem(alarms, 0), "age_s"));
+}
+
+void test_SWR_HTTP_064_an_axis_with_a_fault_is_told_in_the_sentence_of_its_event(void)
+{
+    char sentence[EVENT_TEXT_SIZE];
+
+    insert();
+    rig_box(&rig, "encoder insertion stuck");
+    while (rig_count(&rig, EVENT_AXIS_NO_COUNTS) == 0U) {
+        rig_cycle(&rig);
+    }
+    event_t event = {.id = EVENT_STARTED};
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        event = (rig.events[i].id == (uint32_t)EVENT_AXIS_NO_COUNTS) ? rig.events[i] : event;
+    }
+    look();
+    event_text_sentence(&rig.robot, &event, NULL, sentence, sizeof sentence);
+    TEST_ASSERT_EQUAL_STRING("AXIS_NO_COUNTS", text_of(0, "event"));
+    TEST_ASSERT_EQUAL_STRING("AXIS_FAULT", text_of(0, "reason"));
+    TEST_ASSERT_EQUAL_STRING("insertion", text_of(0, "axis"));
+    TEST_ASSERT_EQUAL_STRING(sentence, text_of(0, "text"));
+}
+
+void test_SWR_HTTP_064_the_most_pressing_comes_first_and_all_are_there(void)
+{
+    insert();
+    rig_box(&rig, "card yaw warm");
+    rig_box(&rig, "encoder insertion stuck");
+    run(1000U);
+    rig_box(&rig, "card 3 silent");
+    rig_box(&rig, "estop pull");
+    run(1000U);
+    TEST_ASSERT_EQUAL_STRING("ESTOP_PULLED", text_of(0, "event"));
+    TEST_ASSERT_EQUAL_STRING("The e-stop is pulled: release it.", text_of(0, "text"));
+    TEST_ASSERT_EQUAL_INT(1, find("CARD_LOST"));
+    TEST_ASSERT_EQUAL_INT(2, find("AXIS_NO_COUNTS"));
+    TEST_ASSERT_GREATER_THAN_INT(2, find("CARD_UNWELL"));
+    TEST_ASSERT_EQUAL_STRING("Card 5 (yaw) is not well. Its driver is warm: let it rest, look at "
+                             "fan and load.",
+                             text_of(find("CARD_UNWELL"), "text"));
+}
+
+void test_SWR_HTTP_064_what_is_over_is_not_listed(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "estop pull");
+    run(200U);
+    TEST_ASSERT_EQUAL_STRING("ESTOP_PULLED", text_of(0, "reason"));
+    rig_box(&rig, "estop reset");
+    run(200U);
+    TEST_ASSERT_EQUAL_STRING("ESTOP_LATCHED", text_of(0, "reason"));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    run(200U);
+    TEST_ASSERT_EQUAL_INT(0, cJSON_GetArraySize(alarms));
+}
+
+void test_SWR_HTTP_064_a_server_that_was_started_later_says_what_it_knows(void)
+{
+    insert();
+    rig_box(&rig, "card insertion silent");
+    rig_cycles(&rig, 100U);
+    rig_forget(&rig);
+    look();
+    TEST_ASSERT_EQUAL_STRING("Card 3 (insertion) is lost. The cause is not known: check its cable "
+                             "and its supply.",
+                             text_of(0, "text"));
+    TEST_ASSERT_NULL(text_of(0, "since"));
+    rig_box(&rig, "card insertion normal");
+    rig_start_moving(&rig);
+    rig_box(&rig, "motor insertion stuck");
+    rig_cycles(&rig, 3000U);
+    rig_forget(&rig);
+    (void)memset(&view, 0, sizeof view);
+    look();
+    TEST_ASSERT_EQUAL_STRING("Axis insertion: The axis has a fault: command START_UP.",
+                             text_of(find("AXIS_REFERENCE_LOST"), "text"));
+}
+
+void test_SWR_HTTP_064_a_position_in_doubt_is_an_alarm_and_an_axis_never_homed_none(void)
+{
+    rig_start(&rig);
+    rig_cycles(&rig, 100U);
+    look();
+    TEST_ASSERT_EQUAL_INT(0, cJSON_GetArraySize(alarms));
+    rig_start_homed(&rig);
+    look();
+    rig_box(&rig, "card yaw silent");
+    run(200U);
+    rig_box(&rig, "card yaw normal");
+    run(200U);
+    (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    run(200U);
+    TEST_ASSERT_EQUAL_INT(0, find("AXIS_UNVERIFIED"));
+    TEST_ASSERT_EQUAL_STRING("NOT_HOMED", text_of(0, "reason"));
+    TEST_ASSERT_EQUAL_STRING("yaw", text_of(0, "axis"));
+}
+
+void test_SWR_HTTP_064_cards_that_never_answered_and_motors_that_are_too_hot_are_named(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "motor feet hot");
+    run(3000U);
+    TEST_ASSERT_EQUAL_STRING("AXIS_DISABLED", text_of(find("AXIS_HOT"), "reason"));
+    TEST_ASSERT_EQUAL_STRING("feet", text_of(find("AXIS_HOT"), "axis"));
+    view.snapshot.cards[rig.robot.axes[NEURO_AXIS_YAW].slot].link = CARD_LINK_STATE_ABSENT;
+    cJSON_Delete(alarms);
+    alarms = alarm_json_list(&view);
+    TEST_ASSERT_EQUAL_STRING("yaw", text_of(find("CARD_LOST"), "axis"));
+}
+
+void test_SWR_HTTP_064_a_recorder_that_records_nothing_is_listed(void)
+{
+    rig_start_homed(&rig);
+    rig.is_recorder_failing = 1U;
+    run(200U);
+    TEST_ASSERT_EQUAL_INT(0, find("RECORDING_STOPPED"));
+    TEST_ASSERT_NULL(text_of(0, "reason"));
+    TEST_ASSERT_EQUAL_STRING("Cycles are not recorded: the recorder is not writing them.",
+                             text_of(0, "text"));
+}
+
+void test_SWR_HTTP_065_the_needle_stands_where_its_axis_stands(void)
+{
+    insert();
+    TEST_ASSERT_EQUAL_STRING("insertion",
+                             cJSON_GetStringValue(cJSON_GetObjectItem(needle, "axis")));
+    TEST_ASSERT_TRUE(is_true("is_known"));
+    TEST_ASSERT_TRUE(is_true("may_be_in"));
+    TEST_ASSERT_EQUAL_DOUBLE(0.0, number_of(needle, "age_s"));
+    TEST_ASSERT_EQUAL_DOUBLE(telemetry_units_position(&rig.robot.axes[NEURO_AXIS_INSERTION],
+                                                      rig_position(&rig, NEURO_AXIS_INSERTION)),
+                             number_of(needle, "position"));
+    rig_box(&rig, "estop pull");
+    run(200U);
+    TEST_ASSERT_TRUE(is_true("is_known"));
+    TEST_ASSERT_TRUE(is_true("may_be_in"));
+    rig_start_homed(&rig);
+    look();
+    TEST_ASSERT_FALSE(is_true("may_be_in"));
+}
+
+void test_SWR_HTTP_065_after_a_fault_the_last_known_position_stays_and_ages(void)
+{
+    insert();
+    const double before = number_of(needle, "position");
+    rig_box(&rig, "card insertion silent");
+    run(LIMIT_SILENT_KEPT_CYCLES + 2000U);
+    TEST_ASSERT_FALSE(is_true("is_known"));
+    TEST_ASSERT_TRUE(is_true("may_be_in"));
+    TEST_ASSERT_DOUBLE_WITHIN(0.5, before, number_of(needle, "position"));
+    TEST_ASSERT_DOUBLE_WITHIN(0.1, 2.0, number_of(needle, "age_s"));
+    rig_box(&rig, "estop pull");
+    run(1000U);
+    TEST_ASSERT_DOUBLE_WITHIN(0.1, 3.0, number_of(needle, "age_s"));
+    TEST_ASSERT_TRUE(is_true("may_be_in"));
+}
+
+void test_SWR_HTTP_065_counts_of_an_axis_that_was_never_homed_are_no_position(void)
+{
+    rig_start(&rig);
+    rig_cycles(&rig, 100U);
+    (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    rig_press(&rig);
+    run(500U);
+    rig_box(&rig, "card insertion silent");
+    run(500U);
+    TEST_ASSERT_TRUE(cJSON_IsNull(cJSON_GetObjectItem(needle, "position")) != 0);
+    TEST_ASSERT_TRUE(cJSON_IsNull(cJSON_GetObjectItem(needle, "age_s")) != 0);
+    TEST_ASSERT_FALSE(is_true("is_known"));
+    TEST_ASSERT_TRUE(is_true("may_be_in"));
+}
+
+void test_SWR_HTTP_065_a_fault_that_says_no_position_keeps_the_one_seen_before(void)
+{
+    insert();
+    const double before = number_of(needle, "position");
+    rig_box(&rig, "encoder insertion stuck");
+    run(2000U);
+    TEST_ASSERT_EQUAL_INT(0, find("AXIS_NO_COUNTS"));
+    TEST_ASSERT_FALSE(is_true("is_known"));
+    TEST_ASSERT_DOUBLE_WITHIN(1.0, before, number_of(needle, "position"));
+}
+
+void test_SWR_HTTP_066_a_reason_against_an_axis_names_the_part_that_is_in_trouble(void)
+{
+    static const char *const expected =
+        "Card 3 (insertion) is lost. No frame of it came for several cycles: check its cable and "
+        "its supply.";
+    insert();
+    rig_box(&rig, "card insertion silent");
+    run(200U);
+    cJSON *const motors = telemetry_json_motors(&view);
+    const cJSON *axis = NULL;
+    cJSON_ArrayForEach(axis, cJSON_GetObjectItem(motors, "axes"))
+    {
+        const cJSON *const reason = cJSON_GetArrayItem(
+            cJSON_GetObjectItem(cJSON_GetObjectItem(axis, "permit"), "reasons"), 0);
+        TEST_ASSERT_EQUAL_STRING("LINK_LOST",
+                                 cJSON_GetStringValue(cJSON_GetObjectItem(reason, "name")));
+        TEST_ASSERT_EQUAL_STRING(expected,
+                                 cJSON_GetStringValue(cJSON_GetObjectItem(reason, "text")));
+    }
+    cJSON_Delete(motors);
+}
+
+void test_SWR_HTTP_066_the_fault_of_an_axis_is_told_at_that_axis_alone(void)
+{
+    insert();
+    rig_box(&rig, "encoder insertion stuck");
+    run(1000U);
+    cJSON *const motors = telemetry_json_motors(&view);
+    const cJSON *axis = NULL;
+    cJSON_ArrayForEach(axis, cJSON_GetObjectItem(motors, "axes"))
+    {
+        char *const permit = cJSON_PrintUnformatted(cJSON_GetObjectItem(axis, "permit"));
+        const bool is_insertion =
+            strcmp("insertion", cJSON_GetStringValue(cJSON_GetObjectItem(axis, "name"))) == 0;
+        TEST_ASSERT_EQUAL(is_insertion, strstr(permit, "Axis insertion should have") != NULL);
+        cJSON_free(permit);
+    }
+    cJSON_Delete(motors);
+}

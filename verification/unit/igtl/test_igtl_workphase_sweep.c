@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: a client commands a sweep by the word, an axis and that it is free; it is told
+ * that it is armed, and how it has ended.
+ */
+#include "base/crc.h"
+#include "base/fixed.h"
+#include "base/rigid.h"
+#include "charts/arming_chart.h"
+#include "common/axis_terms.h"
+#include "common/list_terms.h"
+#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_dialect.h"
+#include "igtl/dialect/igtl_questions.h"
+#include "igtl/dialect/igtl_requests.h"
+#include "igtl/workphase/workphase_answer.h"
+#include "igtl/lists/workphase_array.h"
+#include "igtl/workphase/workphase_dialect.h"
+#include "igtl/workphase/workphase_draping.h"
+#include "igtl/lists/workphase_lists.h"
+#include "igtl/workphase/workphase_needle.h"
+#include "igtl/workphase/workphase_peer.h"
+#include "igtl/workphase/workphase_poll.h"
+#include "igtl/lists/workphase_program.h"
+#include "igtl/workphase/workphase_receive.h"
+#include "igtl/lists/workphase_text.h"
+#include "igtl/lists/workphase_trajectory.h"
+#include "igtl/workphase/workphase_watch.h"
+#include "igtl/workphase/workphase_words.h"
+#include "interface/app/names.h"
+#include "interface/mode_list.h"
+#include "igtl/wire/igtl_codec.h"
+#include "igtl/wire/igtl_crc64.h"
+#include "igtl/wire/igtl_packet.h"
+#include "mode/lists/program_step.h"
+#include "mode/lists/trajectory_row.h"
+#include "igtl/wire/igtl_outbox.h"
+#include "limits/requirement_limits.h"
+#include "robot/robot_cards.h"
+#include "robot/robot_neuro.h"
+#include "unit/support/workphase_world.h"
+#include "unity.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+void setUp(void)
+{
+    world_start(IGTL_LANGUAGE_BRP_2013);
+    (void)memcpy(robot.axes, robot_neuro.axes, sizeof robot.axes);
+}
+
+void tearDown(void)
+{
+}
+
+void test_SWR_SWEEP_013_an_axis_and_that_it_is_free_become_a_command(void)
+{
+    say(0U, "Text", "SWEEP rotation FREE");
+    expect_command(COMMAND_SWEEP, NEURO_AXIS_ROTATION);
+    TEST_ASSERT_EQUAL_UINT32(1U, command.as.sweep.is_free);
+    say(0U, "Text", "SWEEP rotation");
+    expect_command(COMMAND_SWEEP, NEURO_AXIS_ROTATION);
+    TEST_ASSERT_EQUAL_UINT32(0U, command.as.sweep.is_free);
+    expect_no_command();
+}
+
+void test_SWR_SWEEP_013_it_is_told_that_it_is_armed_and_how_it_has_ended(void)
+{
+    say(0U, "CMD_5", "SWEEP rotation FREE");
+    EXPECT(0U, "STRING ACK_5 SWEEP rotation FREE");
+    expect_command(COMMAND_SWEEP, NEURO_AXIS_ROTATION);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
+    EXPECT_BEGIN(0U, "STATUS ACK_SWEEP 1 ");
+    TEST_ASSERT_TRUE(workphase_dialect_has_order(&dialect, 0U));
+    answer_to(&command, ANSWER_DONE, STATUS_OK, 1U);
+    EXPECT_BEGIN(0U, "STATUS SWEEP 1 ");
+    say(0U, "Text", "SWEEP rotation");
+    expect_command(COMMAND_SWEEP, NEURO_AXIS_ROTATION);
+    answer_to(&command, ANSWER_REFUSED, STATUS_NOT_FREE, 1U);
+    EXPECT_BEGIN(0U, "STATUS SWEEP ");
+}
+
+void test_SWR_SWEEP_013_what_is_no_sweep_or_another_ones_is_refused(void)
+{
+    static const char *const texts[] = {"SWEEP", "SWEEP ", "SWEEP nose FREE", "SWEEP rotation free",
+                                        "SWEEP rotation FREE FREE"};
+    for (uint32_t i = 0U; i < (sizeof texts / sizeof texts[0]); i++) {
+        say(0U, "Text", texts[i]);
+        expect_no_command();
+        EXPECT_BEGIN(0U, "STATUS SWEEP ");
+    }
+}
+
+void test_SWR_SWEEP_013_only_who_commands_commands_a_sweep(void)
+{
+    enter(0U, "CMD_1", "MANUAL");
+    pass_us(0U);
+    say(1U, "Text", "SWEEP rotation FREE");
+    EXPECT_BEGIN(1U, "STATUS SWEEP 5 NO_AUTHORITY|");
+    expect_no_command();
+}
+
+void test_SWR_SWEEP_013_another_word_is_another_word(void)
+{
+    say(0U, "CMD_1", "SWEEPS rotation FREE");
+    EXPECT(0U, "STRING ACK_1 SWEEPS rotation FREE");
+    EXPECT_BEGIN(0U, "STATUS SWEEPS");
+    expect_no_command();
+}

@@ -1,0 +1,484 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: the table says where each mode runs and what is special about it; the mode that
+ * was begun runs there under the pedal, and rests without it.
+ */
+#include "unity.h"
+
+#include "axis/axis.h"
+#include "base/crc.h"
+#include "interface/command.h"
+#include "interface/mode_list.h"
+#include "mode/homing/homing_mode.h"
+#include "mode/jog/jog_mode.h"
+#include "mode/leg/leg.h"
+#include "mode/mode.h"
+#include "mode/leg/mode_frame.h"
+#include "mode/move/move_mode.h"
+#include "mode/lists/program_list.h"
+#include "mode/lists/program_step.h"
+#include "mode/program/program_mode.h"
+#include "mode/retract/retract_mode.h"
+#include "mode/lists/trajectory_list.h"
+#include "mode/lists/trajectory_row.h"
+#include "mode/trajectory/trajectory_mode.h"
+#include "motion/cubic.h"
+#include "robot/coupled_limit.h"
+#include "robot/coupled_path.h"
+#include "robot/joints.h"
+#include "robot/robot_neuro.h"
+#include "safety/coupled_guard.h"
+#include "safety/needle.h"
+#include "unit/support/mode_world.h"
+
+#include <string.h>
+
+static mode_state_t mode;
+static const mode_request_t request = {.axes = LEG_AXIS(NEURO_AXIS_YAW),
+                                       .way = {.axis = NEURO_AXIS_YAW, .end_ticks = 200},
+                                       .move = {{-400, 150, -200, 0, 500, 30, -60}}};
+
+void setUp(void)
+{
+    world_start();
+    mode = (mode_state_t){.kind = MODE_NONE};
+}
+
+void tearDown(void)
+{
+}
+
+static void begin(mode_kind_t kind, workphase_t workphase)
+{
+    mode_begin(&mode, kind, &request);
+    frame.workphase = workphase;
+}
+
+static void steps(uint32_t count)
+{
+    for (uint32_t i = 0U; i < count; i++) {
+        mode_step(&mode, &frame, &result);
+        world_follow();
+    }
+}
+
+static void run(void)
+{
+    uint32_t cycles = 0U;
+    do {
+        TEST_ASSERT_LESS_THAN_UINT32(100000U, cycles);
+        cycles++;
+        steps(1U);
+    } while (result.progress == MODE_RUNNING);
+}
+
+static void expect_rest(void)
+{
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        TEST_ASSERT_TRUE(world_rests(i));
+    }
+}
+
+/* A letter for each mode that runs in a workphase; a small one has a command of its own. */
+void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
+{
+    static const char *const runs[WORKPHASE_COUNT] = {
+        [WORKPHASE_UNDEFINED] = ".............", [WORKPHASE_START_UP] = ".H..r........",
+        [WORKPHASE_PLANNING] = "....r........",  [WORKPHASE_CALIBRATION] = "....r........",
+        [WORKPHASE_TARGETING] = "....r...l....", [WORKPHASE_MOVE_TO_TARGET] = "..M.r....i.g.",
+        [WORKPHASE_MANUAL] = "...jratv..p.s",    [WORKPHASE_STOP] = "....r........",
+        [WORKPHASE_EMERGENCY] = "....r........",
+    };
+    for (uint32_t i = 0U; i < WORKPHASE_COUNT; i++) {
+        mode_kind_t own = MODE_NONE;
+        for (uint32_t kind = 0U; kind < MODE_KIND_COUNT; kind++) {
+            mode_begin(&mode, (mode_kind_t)kind, &request);
+            TEST_ASSERT_EQUAL((runs[i][kind] != '.') ? kind : (uint32_t)MODE_NONE,
+                              mode_in(&mode, (workphase_t)i));
+            own = ((runs[i][kind] >= 'A') && (runs[i][kind] <= 'Z')) ? (mode_kind_t)kind : own;
+        }
+        TEST_ASSERT_EQUAL(own, mode_of((workphase_t)i));
+    }
+}
+
+void test_SWR_MODE_001_each_mode_is_armed_by_its_command(void)
+{
+    static const mode_kind_t armed[COMMAND_KIND_COUNT] = {[COMMAND_JOG] = MODE_JOG,
+                                                          [COMMAND_JOG_BY] = MODE_JOG,
+                                                          [COMMAND_RETRACT] = MODE_RETRACT,
+                                                          [COMMAND_HOME_AXIS] = MODE_HOME_AXIS,
+                                                          [COMMAND_RUN_TRAJECTORY] =
+                                                              MODE_TRAJECTORY,
+                                                          [COMMAND_VELOCITY] = MODE_VELOCITY,
+                                                          [COMMAND_ALIGN] = MODE_ALIGN,
+                                                          [COMMAND_INSERT] = MODE_INSERT,
+                                                          [COMMAND_POSE] = MODE_POSE,
+                                                          [COMMAND_RUN_PROGRAM] = MODE_PROGRAM,
+                                                          [COMMAND_SWEEP] = MODE_SWEEP};
+    for (uint32_t i = 0U; i < COMMAND_KIND_COUNT; i++) {
+        TEST_ASSERT_EQUAL(armed[i], mode_of_command(i));
+    }
+    TEST_ASSERT_EQUAL(MODE_NONE, mode_of_command(UINT32_MAX));
+    TEST_ASSERT_FALSE(mode_runs_in(MODE_JOG, WORKPHASE_COUNT));
+    TEST_ASSERT_EQUAL(MODE_NONE, mode_of((workphase_t)WORKPHASE_COUNT));
+}
+
+void test_SWR_MODE_002_a_mode_needs_all_axes_the_commanded_ones_or_that_of_the_needle(void)
+{
+    const uint32_t two = LEG_AXIS(NEURO_AXIS_HEAD) | LEG_AXIS(NEURO_AXIS_PITCH);
+    TEST_ASSERT_EQUAL_HEX32(LEG_EVERY_AXIS, mode_axes(MODE_HOMING, two, &robot));
+    TEST_ASSERT_EQUAL_HEX32(LEG_EVERY_AXIS, mode_axes(MODE_MOVE, two, &robot));
+    TEST_ASSERT_EQUAL_HEX32(two, mode_axes(MODE_JOG, two, &robot));
+    TEST_ASSERT_EQUAL_HEX32(two, mode_axes(MODE_VELOCITY, two, &robot));
+    TEST_ASSERT_EQUAL_HEX32(two, mode_axes(MODE_HOME_AXIS, two, &robot));
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_INSERTION), mode_axes(MODE_RETRACT, two, &robot));
+    begin(MODE_JOG, WORKPHASE_MANUAL);
+    TEST_ASSERT_TRUE(mode_needs(&mode, NEURO_AXIS_YAW));
+    TEST_ASSERT_FALSE(mode_needs(&mode, NEURO_AXIS_HEAD));
+}
+
+void test_SWR_MEMORY_006_a_mode_that_there_is_not_is_none(void)
+{
+    mode.kind = MODE_KIND_COUNT;
+    TEST_ASSERT_EQUAL(MODE_NONE, mode_in(&mode, WORKPHASE_MANUAL));
+    mode.kind = UINT32_MAX;
+    TEST_ASSERT_EQUAL(MODE_NONE, mode_in(&mode, WORKPHASE_MANUAL));
+}
+
+void test_SWR_AXIS_006_a_move_needs_its_axes_homed(void)
+{
+    TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_RETRACT));
+    TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_HOMING));
+    TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_JOG));
+    TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_HOME_AXIS));
+    TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_NONE));
+    TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_MOVE));
+    TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_TRAJECTORY));
+    TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_ALIGN));
+    TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_INSERT));
+    TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_POSE));
+    TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_SWEEP));
+}
+
+static bool heeds(mode_kind_t kind, uint32_t axis, bool is_driven)
+{
+    const uint32_t driven = is_driven ? LEG_AXIS(axis) : 0U;
+    return (mode_heeding_needle(&mode, kind, &robot, driven) & LEG_AXIS(axis)) != 0U;
+}
+
+void test_SWR_JOG_001_the_jogged_axis_heeds_the_needle(void)
+{
+    mode_begin(&mode, MODE_JOG, &request);
+    TEST_ASSERT_TRUE(heeds(MODE_JOG, NEURO_AXIS_YAW, true));
+    TEST_ASSERT_TRUE(heeds(MODE_JOG, NEURO_AXIS_YAW, false));
+    TEST_ASSERT_FALSE(heeds(MODE_JOG, NEURO_AXIS_LATERAL, true));
+}
+
+void test_SWR_JOG_016_whatever_homes_across_the_needle_heeds_it(void)
+{
+    TEST_ASSERT_TRUE(heeds(MODE_HOMING, NEURO_AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_HOMING, NEURO_AXIS_LATERAL, false));
+    TEST_ASSERT_FALSE(heeds(MODE_HOMING, NEURO_AXIS_INSERTION, true));
+    TEST_ASSERT_TRUE(heeds(MODE_HOME_AXIS, NEURO_AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_HOME_AXIS, NEURO_AXIS_INSERTION, true));
+    TEST_ASSERT_FALSE(heeds(MODE_HOMING, NEURO_AXIS_ROTATION, true));
+}
+
+void test_SWR_JOG_001_a_move_takes_the_needle_out_itself(void)
+{
+    TEST_ASSERT_FALSE(heeds(MODE_MOVE, NEURO_AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_NONE, NEURO_AXIS_LATERAL, true));
+}
+
+/* So nothing drives it deeper from where nobody knows, whatever the mode says. */
+void test_SWR_JOG_003_a_needle_that_is_drawn_out_heeds_itself(void)
+{
+    const mode_request_t needle = {.axes = mode_axes(MODE_RETRACT, 0U, &robot)};
+    mode_begin(&mode, MODE_RETRACT, &needle);
+    TEST_ASSERT_TRUE(heeds(MODE_RETRACT, NEURO_AXIS_INSERTION, true));
+    TEST_ASSERT_FALSE(heeds(MODE_RETRACT, NEURO_AXIS_LATERAL, true));
+}
+
+void test_SWR_JOG_002_a_motion_of_one_axis_is_judged_before_it_is_armed_and_nothing_else_is(void)
+{
+    const mode_request_t no_axis = {.way = {.axis = 9U, .end_ticks = 0}};
+    TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND, mode_judge(MODE_JOG, &no_axis, &robot, axes).status);
+    TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND,
+                      mode_judge(MODE_HOME_AXIS, &no_axis, &robot, axes).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_HOME_AXIS, &request, &robot, axes).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_HOMING, &no_axis, &robot, axes).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_MOVE, &no_axis, &robot, axes).status);
+}
+
+void test_SWR_ALIGN_004_an_insertion_and_a_pose_are_judged_before_they_are_armed(void)
+{
+    TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_ALIGN, &request, &robot, axes).status);
+    TEST_ASSERT_EQUAL(STATUS_NOT_ALIGNED, mode_judge(MODE_INSERT, &request, &robot, axes).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_POSE, &request, &robot, axes).status);
+    world_put(NEURO_AXIS_INSERTION, 30000);
+    TEST_ASSERT_EQUAL(STATUS_NEEDLE_IN, mode_judge(MODE_POSE, &request, &robot, axes).status);
+}
+
+void test_SWR_ALIGN_001_an_alignment_and_then_an_insertion_run_to_their_ends(void)
+{
+    begin(MODE_ALIGN, WORKPHASE_TARGETING);
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    begin(MODE_INSERT, WORKPHASE_MOVE_TO_TARGET);
+    TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_INSERT, &request, &robot, axes).status);
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    TEST_ASSERT_EQUAL_INT32(-60, axes[NEURO_AXIS_YAW].encoder.position_ticks);
+}
+
+void test_SWR_POSE_001_a_pose_runs_to_its_end_and_heeds_the_needle(void)
+{
+    world_put(NEURO_AXIS_INSERTION, 7);
+    begin(MODE_POSE, WORKPHASE_MANUAL);
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    TEST_ASSERT_EQUAL_INT32(-60, axes[NEURO_AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(7, axes[NEURO_AXIS_INSERTION].encoder.position_ticks);
+    TEST_ASSERT_TRUE(heeds(MODE_POSE, NEURO_AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_POSE, NEURO_AXIS_ROTATION, true));
+}
+
+void test_SWR_AXIS_034_the_homing_of_one_axis_is_done_once_it_is_homed_and_another_lost(void)
+{
+    begin(MODE_HOME_AXIS, WORKPHASE_MANUAL);
+    world_lose(NEURO_AXIS_YAW);
+    world_lose(NEURO_AXIS_LATERAL);
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    TEST_ASSERT_TRUE(axis_is_homing(&axes[NEURO_AXIS_YAW]));
+    TEST_ASSERT_FALSE(axis_is_homing(&axes[NEURO_AXIS_LATERAL]));
+    world_grade(NEURO_AXIS_YAW, AXIS_REFERENCE_VERIFIED);
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    expect_rest();
+}
+
+void test_SWR_PEDAL_005_without_the_pedal_every_mode_rests_and_goes_on_from_there(void)
+{
+    begin(MODE_MOVE, WORKPHASE_MOVE_TO_TARGET);
+    steps(300U);
+    TEST_ASSERT_EQUAL_UINT32(1U, mode.leg.is_running);
+    frame.is_moving = false;
+    steps(1U);
+    expect_rest();
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    frame.is_moving = true;
+    const int32_t there = axes[NEURO_AXIS_HEAD].encoder.position_ticks;
+    TEST_ASSERT_INT32_WITHIN(390, -200, there);
+    steps(1U);
+    TEST_ASSERT_EQUAL_INT32(there, mode.leg.profile.start_ticks[NEURO_AXIS_HEAD]);
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    TEST_ASSERT_EQUAL_INT32(-400, axes[NEURO_AXIS_HEAD].encoder.position_ticks);
+    expect_rest();
+}
+
+void test_SWR_JOG_004_a_jog_runs_to_its_end(void)
+{
+    begin(MODE_JOG, WORKPHASE_MANUAL);
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    TEST_ASSERT_EQUAL_INT32(200, axes[NEURO_AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_HEAD].encoder.position_ticks);
+}
+
+void test_SWR_MOTION_023_a_needle_that_is_out_is_retracted_already_even_without_the_pedal(void)
+{
+    begin(MODE_RETRACT, WORKPHASE_MOVE_TO_TARGET);
+    frame.is_moving = false;
+    world_put(NEURO_AXIS_INSERTION, 30000);
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    expect_rest();
+    frame.is_moving = true;
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    expect_rest();
+    TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.is_running);
+    frame.is_moving = false;
+    begin(MODE_RETRACT, WORKPHASE_MOVE_TO_TARGET);
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+}
+
+void test_SWR_AXIS_006_homing_is_done_once_every_axis_is_homed_even_without_the_pedal(void)
+{
+    begin(MODE_HOMING, WORKPHASE_START_UP);
+    frame.is_moving = false;
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    frame.is_moving = true;
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    expect_rest();
+    world_lose(NEURO_AXIS_LATERAL);
+    frame.is_moving = false;
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    expect_rest();
+    frame.is_moving = true;
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    TEST_ASSERT_TRUE(axis_is_homing(&axes[NEURO_AXIS_LATERAL]));
+}
+
+void test_SWR_MEMORY_002_an_armed_motion_that_is_not_known_any_more_fails_at_rest(void)
+{
+    begin(MODE_MOVE, WORKPHASE_MOVE_TO_TARGET);
+    mode.kind ^= 4U;
+    mode_step(&mode, &frame, &result);
+    TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+    TEST_ASSERT_EQUAL(STATUS_FAULT_PRESENT, result.status);
+    TEST_ASSERT_EQUAL_UINT32(MODE_NO_AXIS, result.axis);
+    TEST_ASSERT_EQUAL_UINT32(0U, result.note_count);
+    expect_rest();
+}
+
+void test_SWR_PHASE_005_what_was_given_up_homes_no_axis_and_runs_no_leg(void)
+{
+    world_lose(NEURO_AXIS_LATERAL);
+    begin(MODE_HOMING, WORKPHASE_START_UP);
+    steps(1U);
+    TEST_ASSERT_TRUE(axis_is_homing(&axes[NEURO_AXIS_LATERAL]));
+    mode.leg.is_running = 1U;
+    mode.leg.settled_cycles = 3U;
+    mode_stop(&mode, axes, robot.axis_count);
+    TEST_ASSERT_FALSE(axis_is_homing(&axes[NEURO_AXIS_LATERAL]));
+    TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.is_running);
+    TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.settled_cycles);
+}
+
+void test_SWR_PHASE_005_a_mode_that_is_begun_does_not_go_on_with_the_leg_of_another(void)
+{
+    begin(MODE_MOVE, WORKPHASE_MOVE_TO_TARGET);
+    steps(100U);
+    begin(MODE_JOG, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.is_running);
+    steps(1U);
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_YAW), mode.leg.axes);
+}
+
+void test_SWR_EVENT_001_a_mode_notes_in_order_and_one_note_too_many_is_dropped(void)
+{
+    for (uint32_t i = 0U; i < MODE_NOTES; i++) {
+        mode_note(&result, EVENT_AXIS_TAKEN, i, (int32_t)i);
+        TEST_ASSERT_EQUAL_INT32(i, result.notes[i].value);
+    }
+    mode_fail(&result, EVENT_HOMING_BARRED, NEURO_AXIS_HEAD, 0);
+    TEST_ASSERT_EQUAL_UINT32(MODE_NOTES, result.note_count);
+    TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+}
+
+void test_SWR_TRAJ_011_without_the_pedal_the_time_of_a_trajectory_stands(void)
+{
+    static trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
+    const trajectory_row_t row = {.time_ms = 20U};
+    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_begin(&mode.list, 2U));
+    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_add(&mode.list, rows, &robot, 0U, &row).status);
+    const trajectory_row_t last = {.time_ms = 2020U};
+    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_add(&mode.list, rows, &robot, 1U, &last).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_end(&mode.list, mode.list.crc));
+    const mode_request_t run_it = {.start_ms = 20U};
+    frame.rows = rows;
+    frame.workphase = WORKPHASE_MANUAL;
+    mode_begin(&mode, MODE_TRAJECTORY, &run_it);
+    steps(1000U);
+    const uint32_t time_us = mode.trajectory.time_us;
+    TEST_ASSERT_GREATER_THAN_UINT32(20000U, time_us);
+    frame.is_moving = false;
+    steps(100U);
+    expect_rest();
+    TEST_ASSERT_EQUAL_UINT32(time_us, mode.trajectory.time_us);
+    frame.is_moving = true;
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+}
+
+/* One step, where the axes stand. */
+static void begin_program(program_list_t *list)
+{
+    const program_step_t there = {
+        .depth_ticks = robot.axes[NEURO_AXIS_INSERTION].target_minimum_ticks, .dwell_ms = 400U};
+    mode_request_t asked = {.axes = LEG_EVERY_AXIS};
+    (void)memcpy(asked.move.target_ticks, robot.poses[POSE_HOME].ticks,
+                 sizeof asked.move.target_ticks);
+    asked.move.target_ticks[NEURO_AXIS_INSERTION] = there.depth_ticks;
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        world_put(i, asked.move.target_ticks[i]);
+    }
+    TEST_ASSERT_EQUAL(STATUS_OK, program_list_begin(list, 1U, 0U, asked.move.target_ticks));
+    TEST_ASSERT_EQUAL(STATUS_OK,
+                      program_list_add(list, &robot, asked.move.target_ticks, 0U, &there).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, program_list_end(list, list->crc));
+    frame.program = list;
+    frame.workphase = WORKPHASE_MOVE_TO_TARGET;
+    frame.is_treatment_stopped = false;
+    mode_begin(&mode, MODE_PROGRAM, &asked);
+}
+
+static void step_until_dwelling(void)
+{
+    for (uint32_t i = 0U; (i < 10000U) && (mode.program.stage != PROGRAM_STAGE_DWELLS); i++) {
+        steps(1U);
+    }
+    TEST_ASSERT_EQUAL_UINT32(PROGRAM_STAGE_DWELLS, mode.program.stage);
+}
+
+void test_SWR_PROG_006_without_the_pedal_the_dwell_of_a_program_stands(void)
+{
+    static program_list_t list;
+    begin_program(&list);
+    step_until_dwelling();
+    steps(100U);
+    const uint32_t dwelt_us = mode.program.dwelt_us;
+    frame.is_moving = false;
+    steps(100U);
+    expect_rest();
+    TEST_ASSERT_EQUAL_UINT32(dwelt_us, mode.program.dwelt_us);
+    frame.is_moving = true;
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+}
+
+void test_SWR_PROG_008_the_stop_ends_a_program_in_a_pause_too_and_nothing_else(void)
+{
+    static program_list_t list;
+    begin_program(&list);
+    frame.is_treatment_stopped = true;
+    for (uint32_t i = 0U; i < 2U; i++) {
+        frame.is_moving = i == 0U;
+        steps(1U);
+        TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+        TEST_ASSERT_EQUAL(STATUS_PROGRAM_STOPPED, result.status);
+        expect_rest();
+    }
+    mode_stop(&mode, axes, robot.axis_count);
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    TEST_ASSERT_EQUAL_UINT32(0U, result.note_count);
+    begin_program(&list);
+    begin(MODE_JOG, WORKPHASE_MANUAL);
+    frame.is_treatment_stopped = true;
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+}
+
+void test_SWR_PROG_011_share_and_time_left_are_those_of_the_dwell(void)
+{
+    static program_list_t list;
+    begin_program(&list);
+    step_until_dwelling();
+    steps(100U);
+    mode_share_t share = mode_share(&mode, MODE_PROGRAM, axes, robot.axis_count);
+    TEST_ASSERT_EQUAL_UINT32(250U, share.done_per_mille);
+    TEST_ASSERT_EQUAL_UINT32(300U, share.left_ms);
+    mode.program.dwell_ms = 100U;
+    share = mode_share(&mode, MODE_PROGRAM, axes, robot.axis_count);
+    TEST_ASSERT_EQUAL_UINT32(1000U, share.done_per_mille);
+    TEST_ASSERT_EQUAL_UINT32(0U, share.left_ms);
+}

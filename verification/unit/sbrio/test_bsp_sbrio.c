@@ -1,0 +1,765 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: the board exchanges frames with real cards' firmware behind the kernel's SPI
+ * without anybody waiting for it, refuses what cannot work in one sentence, and gives the drives
+ * power only while its wires were found good. Below are spidev's ioctls and libgpiod's header.
+ */
+#include "unity.h"
+
+#include "bsp.h"
+#include "card/card_frame.h"
+#include "limits/requirement_limits.h"
+#include "mock_gpiod.h"
+#include "robot/robot_neuro.h"
+#include "sbrio/bsp_sbrio.c"
+#include "sbrio/bus_check.h"
+#include "sbrio/card_buses.h"
+#include "sbrio/kernel_watchdog.h"
+#include "sbrio/pins.h"
+#include "sbrio/spi_bus.h"
+#include "sbrio/spi_device.h"
+#include "sbrio/wire_test.h"
+#include "sbrio/wiring.h"
+#include "sbrio/wiring_text.h"
+#include "sim/model/sim_card.h"
+#include "sim/model/sim_encoder.h"
+#include "sim/model/sim_motor.h"
+
+#include "unit/support/gpio_world.h"
+#include "unit/support/spi_world.h"
+
+#include <dirent.h>
+#include <signal.h>
+#include <sys/time.h>
+
+TEST_INCLUDE_PATH("/usr/include")
+
+#define LINES "gpio:/dev/gpiochip0,pedal_a=0,pedal_b=1,estop=2,scanner=3,power=8,lamp_alive=9"
+#define ONE_BUS "spidev:/dev/spidev1.0,slots=0-9,clock=100000000;"
+/* Time for the self test, however busy this machine is. */
+#define PATIENT ";slow:20"
+#define OUR_SLOTS 0xFEU /* Of the cards that there are. */
+#define POWER (gpio_world[0].lines[8].value)
+#define NS_PER_MS UINT64_C(1000000)
+#define NS_PER_US UINT64_C(1000)
+
+static bsp_identity_t identity;
+static bool is_board_open;
+static uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
+static uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
+static bsp_exchange_t result;
+static char error[256];
+
+void setUp(void)
+{
+    gpio_world_init();
+    spi_world_init(&robot_neuro);
+    (void)memset(received, 0xEE, sizeof received);
+    is_board_open = false;
+    error[0] = '\0';
+}
+
+void tearDown(void)
+{
+    if (is_board_open) {
+        bsp_close();
+    }
+    TEST_ASSERT_EQUAL_INT(0, POWER);
+    spi_world_end();
+}
+
+static void open_board(const char *address)
+{
+    is_board_open = bsp_open(address, &identity, error, sizeof error);
+    TEST_ASSERT_TRUE_MESSAGE(is_board_open, error);
+}
+
+static void assert_refused(const char *address, const char *sentence)
+{
+    TEST_ASSERT_FALSE(bsp_open(address, &identity, error, sizeof error));
+    TEST_ASSERT_EQUAL_STRING(sentence, error);
+}
+
+static void assert_test_fails(const char *address, const char *sentence)
+{
+    open_board(address);
+    TEST_ASSERT_FALSE(bsp_self_test(error, sizeof error));
+    TEST_ASSERT_EQUAL_STRING(sentence, error);
+    TEST_ASSERT_EQUAL_INT(0, POWER);
+}
+
+static void write_frames(uint32_t sequence)
+{
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        const card_command_t command = {.slot = slot,
+                                        .sequence = sequence,
+                                        .control = CARD_CONTROL_CLEAR_FAULT,
+                                        .axis_id = CARD_NO_AXIS};
+        card_frame_encode_command(&command, frames[slot]);
+    }
+}
+
+static void start(uint32_t send)
+{
+    bsp_start(send, (const uint8_t(*)[CARD_FRAME_BYTES])frames);
+}
+
+static void finish(uint64_t patience_ms)
+{
+    bsp_finish(bsp_now_ns() + (patience_ms * NS_PER_MS), received, &result);
+}
+
+static void exchange(uint32_t sequence)
+{
+    write_frames(sequence);
+    start(OUR_SLOTS);
+    finish(1000U);
+}
+
+static void assert_results(uint32_t slots, bsp_slot_result_t expected)
+{
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        const bsp_slot_result_t one = ((slots & (1U << slot)) != 0U) ? expected : BSP_SLOT_NOT_SENT;
+        TEST_ASSERT_EQUAL_UINT8(one, result.results[slot]);
+    }
+}
+
+/* Each card that is there has heard `sequence`. */
+static void assert_heard(uint32_t sequence)
+{
+    for (uint32_t slot = 1U; slot <= 7U; slot++) {
+        card_report_t report;
+        TEST_ASSERT_EQUAL(CARD_FRAME_OK, card_frame_decode_report(received[slot], slot, &report));
+        TEST_ASSERT_EQUAL_UINT32(sequence, report.accepted_sequence);
+    }
+}
+
+/* One after the other, as they go over the wire. */
+static void expect_times(uint64_t least_ns)
+{
+    uint64_t before_ns = result.started_ns;
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        if (((result.received >> slot) & 1U) != 0U) {
+            TEST_ASSERT_TRUE(result.sampled_ns[slot] >= (before_ns + least_ns));
+            before_ns = result.sampled_ns[slot];
+        } else {
+            TEST_ASSERT_EQUAL_UINT64(0U, result.sampled_ns[slot]);
+        }
+    }
+}
+
+void test_SWR_BSP_007_each_report_has_the_time_of_its_chip_select(void)
+{
+    open_board(ONE_BUS LINES);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_SAMPLE_ERROR_SPI_US, identity.sample_error_us);
+    exchange(1U);
+    TEST_ASSERT_EQUAL_HEX32(OUR_SLOTS, result.received);
+    expect_times(1U);
+}
+
+void test_SWR_BSP_007_with_a_gap_each_frame_has_its_own_time(void)
+{
+    open_board("spidev:/dev/spidev1.0,slots=0-4,clock=100000000,gap=1;" LINES);
+    exchange(1U);
+    TEST_ASSERT_NOT_EQUAL_HEX32(0U, result.received);
+    expect_times(0U);
+}
+
+void test_SWR_SPI_003_frames_of_all_slots_are_exchanged_in_one_message(void)
+{
+    open_board(ONE_BUS LINES);
+    exchange(1U);
+    TEST_ASSERT_EQUAL_HEX32(OUR_SLOTS, result.received);
+    exchange(2U);
+    assert_results(OUR_SLOTS, BSP_SLOT_OK);
+    assert_heard(1U);
+    TEST_ASSERT_EQUAL_UINT(2U, spi_world_devices[0].messages);
+    TEST_ASSERT_EQUAL_UINT(20U, spi_world_devices[0].frames);
+    TEST_ASSERT_EQUAL_INT(0, result.error);
+    TEST_ASSERT_TRUE((result.started_ns != 0U) && (result.finished_ns > result.started_ns));
+}
+
+void test_SWR_SPI_003_with_a_gap_each_frame_has_a_message_of_its_own(void)
+{
+    spi_world_wrong.needs_gap = true;
+    open_board("spidev:/dev/spidev1.0,slots=1-7,clock=90000000,gap=10;slow:100;" LINES);
+    spi_world_devices[0].first_slot = 1U;
+    spi_world_devices[0].slot_count = 7U;
+    exchange(1U);
+    exchange(2U);
+    assert_heard(1U);
+    TEST_ASSERT_EQUAL_UINT(14U, spi_world_devices[0].messages);
+}
+
+void test_SWR_SPI_003_two_buses_work_at_once(void)
+{
+    open_board("spidev:/dev/spidev1.0,slots=0-4,clock=50000000;"
+               "spidev:/dev/spidev2.0,slots=5-9,clock=50000000;" LINES);
+    exchange(1U);
+    exchange(2U);
+    assert_results(OUR_SLOTS, BSP_SLOT_OK);
+    assert_heard(1U);
+    TEST_ASSERT_EQUAL_UINT(10U, spi_world_devices[0].frames);
+    TEST_ASSERT_EQUAL_UINT(10U, spi_world_devices[1].frames);
+}
+
+void test_SWR_SPI_003_two_devices_of_a_bus_take_turns(void)
+{
+    open_board("spidev:/dev/spidev1.0,slots=0-4,clock=100000000;"
+               "spidev:/dev/spidev1.1,slots=5-9,clock=100000000;" LINES);
+    exchange(1U);
+    exchange(2U);
+    assert_results(OUR_SLOTS, BSP_SLOT_OK);
+    assert_heard(1U);
+    TEST_ASSERT_EQUAL_UINT(10U, spi_world_devices[2].frames);
+}
+
+void test_SWR_SPI_003_a_bus_whose_slots_are_not_sent_rests(void)
+{
+    open_board("spidev:/dev/spidev1.0,slots=0-4,clock=50000000;"
+               "spidev:/dev/spidev2.0,slots=5-9,clock=50000000;" LINES);
+    write_frames(1U);
+    start(0x2U);
+    finish(1000U);
+    assert_results(0x2U, BSP_SLOT_OK);
+    TEST_ASSERT_TRUE(spi_world_cards[1].has_sequence);
+    TEST_ASSERT_FALSE(spi_world_cards[2].has_sequence);
+    TEST_ASSERT_EQUAL_UINT(0U, spi_world_devices[1].frames);
+}
+
+void test_SWR_SPI_004_who_finishes_twice_or_without_a_start_has_sent_nothing(void)
+{
+    open_board(ONE_BUS LINES);
+    finish(0U);
+    assert_results(0U, BSP_SLOT_NOT_SENT);
+    TEST_ASSERT_EQUAL_UINT64(0U, result.started_ns);
+    TEST_ASSERT_EQUAL_UINT64(0U, result.finished_ns);
+    exchange(1U);
+    finish(0U);
+    assert_results(0U, BSP_SLOT_NOT_SENT);
+    TEST_ASSERT_EQUAL_HEX32(0U, result.received);
+}
+
+void test_SWR_SPI_004_a_transfer_that_hangs_is_late_and_then_not_idle(void)
+{
+    open_board(ONE_BUS LINES);
+    spi_world_wrong.hangs = true;
+    write_frames(1U);
+    const uint64_t before_ns = bsp_now_ns();
+    start(OUR_SLOTS);
+    const uint64_t after_ns = bsp_now_ns();
+    finish(20U);
+    assert_results(OUR_SLOTS, BSP_SLOT_LATE);
+    TEST_ASSERT_TRUE((after_ns - before_ns) < (bsp_now_ns() - after_ns));
+    start(OUR_SLOTS);
+    finish(5U);
+    assert_results(OUR_SLOTS, BSP_SLOT_NOT_IDLE);
+    TEST_ASSERT_EQUAL_HEX32(0U, result.received);
+    spi_world_wrong.hangs = false;
+    (void)sem_post(&spi_world_released);
+    finish(1000U);
+    assert_results(0U, BSP_SLOT_NOT_SENT);
+    TEST_ASSERT_EACH_EQUAL_UINT8(0xEEU, received, sizeof received);
+    exchange(2U);
+    assert_heard(1U);
+}
+
+void test_SWR_SPI_004_late_answers_are_not_those_of_a_later_exchange(void)
+{
+    open_board(ONE_BUS LINES);
+    spi_world_wrong.hangs = true;
+    write_frames(1U);
+    start(OUR_SLOTS);
+    finish(1U);
+    start(OUR_SLOTS);
+    spi_world_wrong.hangs = false;
+    (void)sem_post(&spi_world_released);
+    finish(1000U);
+    assert_results(OUR_SLOTS, BSP_SLOT_NOT_IDLE);
+    TEST_ASSERT_EACH_EQUAL_UINT8(0xEEU, received, sizeof received);
+}
+
+/* As control does when it has crashed, here while it waits for a transfer that hangs. */
+static void crash(int signal_number)
+{
+    (void)signal_number;
+    bsp_drives_off();
+    finish(1U);
+    start(OUR_SLOTS);
+    finish(1U);
+    assert_results(OUR_SLOTS, BSP_SLOT_NOT_IDLE);
+    spi_world_wrong.hangs = false;
+    (void)sem_post(&spi_world_released);
+    finish(1000U);
+    exchange(2U);
+    assert_results(OUR_SLOTS, BSP_SLOT_OK);
+}
+
+void test_SWR_SPI_004_a_signal_handler_starts_and_finishes_whatever_it_interrupts(void)
+{
+    const struct itimerval soon = {.it_value = {.tv_usec = 20000}};
+    open_board(ONE_BUS LINES PATIENT);
+    TEST_ASSERT_TRUE_MESSAGE(bsp_self_test(error, sizeof error), error);
+    TEST_ASSERT_EQUAL_INT(1, POWER);
+    (void)signal(SIGALRM, crash);
+    spi_world_wrong.hangs = true;
+    write_frames(1U);
+    start(OUR_SLOTS);
+    (void)setitimer(ITIMER_REAL, &soon, NULL);
+    finish(10000U);
+    (void)signal(SIGALRM, SIG_DFL);
+    assert_heard(1U);
+    TEST_ASSERT_EQUAL_INT(0, POWER);
+}
+
+void test_SWR_SPI_004_a_bus_without_the_right_to_a_priority_works_all_the_same(void)
+{
+    static spi_bus_t bus;
+    wiring_t wired;
+    TEST_ASSERT_TRUE(wiring_read(&wired, ONE_BUS LINES, error, sizeof error));
+    TEST_ASSERT_TRUE_MESSAGE(spi_bus_open(&bus, &wired, 1U, -1, error, sizeof error), error);
+    write_frames(1U);
+    TEST_ASSERT_TRUE(
+        spi_bus_start(&bus, OUR_SLOTS, (const uint8_t(*)[CARD_FRAME_BYTES])frames, 0U));
+    TEST_ASSERT_TRUE(spi_bus_await(&bus, spi_bus_now_ns() + (1000U * NS_PER_MS)));
+    TEST_ASSERT_EQUAL_INT32(0, spi_bus_error(&bus, 1U));
+    spi_bus_close(&bus);
+}
+
+static uint32_t count_threads(void)
+{
+    DIR *const tasks = opendir("/proc/self/task");
+    uint32_t count = 0U;
+    while (readdir(tasks) != NULL) {
+        count++;
+    }
+    (void)closedir(tasks);
+    return count;
+}
+
+void test_SWR_SPI_004_closing_does_not_wait_for_a_transfer_that_hangs(void)
+{
+    open_board(ONE_BUS LINES);
+    spi_world_wrong.hangs = true;
+    write_frames(1U);
+    start(OUR_SLOTS);
+    finish(1U);
+    bsp_close();
+    is_board_open = false;
+    const uint32_t threads = count_threads();
+    spi_world_wrong.hangs = false;
+    (void)sem_post(&spi_world_released);
+    const uint64_t until_ns = spi_bus_now_ns() + (60000U * NS_PER_MS);
+    while ((count_threads() == threads) && (spi_bus_now_ns() < until_ns)) {
+        (void)usleep(1000U);
+    }
+    TEST_ASSERT_EQUAL_UINT32(threads - 1U, count_threads()); /* That of the bus has ended. */
+}
+
+void test_SWR_SPI_005_a_device_that_is_not_there_is_refused(void)
+{
+    assert_refused("spidev:/dev/spidev7.0,slots=3,clock=5000000;" LINES,
+                   "The SPI device /dev/spidev7.0 cannot be opened (No such file or directory); "
+                   "load spidev, check the device tree and the rights of this user.");
+    assert_refused("spidev:/dev/spidev1.0,slots=0-4,clock=50000000;"
+                   "spidev:/dev/spidev1.7,slots=5,clock=50000000;" LINES,
+                   "The SPI device /dev/spidev1.7 cannot be opened (No such file or directory); "
+                   "load spidev, check the device tree and the rights of this user.");
+}
+
+void test_SWR_SPI_005_a_mode_that_is_not_taken_is_refused(void)
+{
+    static const unsigned long requests[] = {SPI_IOC_WR_MODE, SPI_IOC_WR_BITS_PER_WORD,
+                                             SPI_IOC_RD_MODE, SPI_IOC_RD_BITS_PER_WORD};
+    for (uint32_t i = 0U; i < sizeof requests / sizeof requests[0]; i++) {
+        spi_world_wrong.refused = requests[i];
+        assert_refused(ONE_BUS LINES, "/dev/spidev1.0 does not take mode 0 with 8 bits (Invalid "
+                                      "argument); choose another mode=.");
+    }
+}
+
+void test_SWR_SPI_005_a_mode_that_reads_back_as_another_is_refused(void)
+{
+    spi_world_wrong.forced_mode = 1U + 3U;
+    assert_refused(ONE_BUS LINES,
+                   "/dev/spidev1.0 has mode 3 with 8 bits after mode 0 with 8 bits was set; choose "
+                   "another mode=, or mend its entry in the device tree.");
+    spi_world_wrong.forced_mode = 0U;
+    spi_world_wrong.forced_bits = 1U + 16U;
+    assert_refused(ONE_BUS LINES,
+                   "/dev/spidev1.0 has mode 0 with 16 bits after mode 0 with 8 bits was set; "
+                   "choose another mode=, or mend its entry in the device tree.");
+    spi_world_wrong.forced_bits = 1U;
+    open_board(ONE_BUS LINES);
+}
+
+void test_SWR_SPI_005_a_clock_that_is_not_taken_is_refused(void)
+{
+    spi_world_wrong.refused = SPI_IOC_WR_MAX_SPEED_HZ;
+    assert_refused(ONE_BUS LINES, "/dev/spidev1.0 does not take a clock of 100000000 Hz (Invalid "
+                                  "argument); choose another.");
+    spi_world_wrong.refused = SPI_IOC_RD_MAX_SPEED_HZ;
+    assert_refused(ONE_BUS LINES, "/dev/spidev1.0 does not take a clock of 100000000 Hz (Invalid "
+                                  "argument); choose another.");
+    spi_world_wrong.refused = 0U;
+    spi_world_wrong.clock_most_hz = 50000000U;
+    assert_refused(ONE_BUS LINES, "/dev/spidev1.0 has a clock of 50000000 Hz after 100000000 Hz "
+                                  "were set; choose one that it can have.");
+}
+
+void test_SWR_SPI_005_a_message_that_the_kernel_does_not_take_is_refused(void)
+{
+    spi_world_set_limit("2048\n");
+    assert_refused(ONE_BUS LINES, "The kernel takes 2048 bytes in one SPI message, and "
+                                  "/dev/spidev1.0 needs 2560; boot with spidev.bufsiz=4096.");
+    open_board("spidev:/dev/spidev1.0,slots=0-4,clock=100000000,gap=1;" LINES);
+    bsp_close();
+    spi_world_set_limit("4096\n");
+    open_board(ONE_BUS LINES);
+    bsp_close();
+    spi_world_set_limit("many\n");
+    open_board(ONE_BUS LINES);
+}
+
+void test_SWR_SPI_006_cards_that_do_not_fit_the_cycle_are_refused_with_the_clock_needed(void)
+{
+    assert_refused("spidev:/dev/spidev1.0,slots=0-9,clock=5000000;" LINES,
+                   "The cards on the bus of /dev/spidev1.0 take 4216 us of a cycle, and have 600 "
+                   "us; give clock=42700000 or more, or spread them over more buses.");
+    open_board("spidev:/dev/spidev1.0,slots=0-9,clock=42700000;" LINES);
+    bsp_close();
+    is_board_open = false;
+    assert_refused("spidev:/dev/spidev1.0,slots=0-9,clock=42600000;" LINES,
+                   "The cards on the bus of /dev/spidev1.0 take 601 us of a cycle, and have 600 "
+                   "us; give clock=42700000 or more, or spread them over more buses.");
+}
+
+void test_SWR_SPI_006_devices_of_one_bus_take_turns(void)
+{
+    assert_refused("spidev:/dev/spidev1.0,slots=0,clock=5000000;"
+                   "spidev:/dev/spidev1.1,slots=1,clock=5000000;" LINES,
+                   "The cards on the bus of /dev/spidev1.0 take 880 us of a cycle, and have 600 "
+                   "us; give clock=7600000 or more, or spread them over more buses.");
+    open_board("spidev:/dev/spidev1.0,slots=1,clock=5000000;"
+               "spidev:/dev/spidev2.0,slots=5,clock=5000000;" LINES);
+}
+
+void test_SWR_SPI_006_pauses_that_no_clock_makes_up_for_are_refused(void)
+{
+    assert_refused("spidev:/dev/spidev1.0,slots=0-9,clock=100000000,gap=50;" LINES,
+                   "The cards on the bus of /dev/spidev1.0 take 905 us of a cycle, and have 600 "
+                   "us; spread them over more buses, as no clock is fast enough.");
+}
+
+void test_SWR_SPI_007_a_transfer_that_fails_tells_the_error(void)
+{
+    open_board(ONE_BUS LINES);
+    spi_world_wrong.error = ETIMEDOUT;
+    exchange(1U);
+    assert_results(OUR_SLOTS, BSP_SLOT_BUS_ERROR);
+    TEST_ASSERT_EQUAL_INT32(ETIMEDOUT, result.error);
+    TEST_ASSERT_EQUAL_HEX32(0U, result.received);
+    spi_world_wrong.error = -1;
+    exchange(1U);
+    assert_results(OUR_SLOTS, BSP_SLOT_BUS_ERROR);
+    TEST_ASSERT_EQUAL_INT32(EIO, result.error);
+    spi_world_wrong.error = 0;
+    exchange(2U);
+    assert_results(OUR_SLOTS, BSP_SLOT_OK);
+    TEST_ASSERT_EQUAL_INT32(0, result.error);
+}
+
+void test_SWR_SPI_007_with_a_gap_the_rest_of_a_failed_exchange_is_left_out(void)
+{
+    open_board("spidev:/dev/spidev1.0,slots=0-4,clock=100000000,gap=1;" LINES);
+    spi_world_wrong.error = EIO;
+    write_frames(1U);
+    start(0x1FU);
+    finish(1000U);
+    assert_results(0x1FU, BSP_SLOT_BUS_ERROR);
+}
+
+void test_SWR_SPI_007_a_slot_without_a_card_does_not_answer(void)
+{
+    open_board(ONE_BUS LINES);
+    write_frames(1U);
+    start(CARD_EVERY_SLOT);
+    finish(1000U);
+    TEST_ASSERT_EQUAL_HEX32(OUR_SLOTS, result.received);
+    TEST_ASSERT_EQUAL_UINT8(BSP_SLOT_NO_ANSWER, result.results[0]);
+    TEST_ASSERT_EQUAL_UINT8(BSP_SLOT_OK, result.results[1]);
+    TEST_ASSERT_EQUAL_UINT8(BSP_SLOT_NO_ANSWER, result.results[9]);
+    TEST_ASSERT_EACH_EQUAL_UINT8(0xEEU, received[0], CARD_FRAME_BYTES);
+}
+
+void test_SWR_SPI_007_a_slot_behind_no_device_is_not_sent(void)
+{
+    open_board("spidev:/dev/spidev1.0,slots=0-4,clock=100000000;" LINES);
+    write_frames(1U);
+    start(CARD_EVERY_SLOT);
+    finish(1000U);
+    TEST_ASSERT_EQUAL_UINT8(BSP_SLOT_OK, result.results[4]);
+    TEST_ASSERT_EQUAL_UINT8(BSP_SLOT_NOT_SENT, result.results[5]);
+}
+
+void test_SWR_SPI_008_the_self_test_names_shifted_bits(void)
+{
+    spi_world_wrong.late_bits = 1U;
+    assert_test_fails(ONE_BUS LINES PATIENT,
+                      "Slot 1 of /dev/spidev1.0 answers 1 bits beside its place: the clock of "
+                      "100.0 MHz is probably too high, or mode=0 is not that of the card.");
+}
+
+void test_SWR_SPI_009_the_self_test_names_the_gap_that_is_needed(void)
+{
+    spi_world_wrong.needs_gap = true;
+    assert_test_fails(ONE_BUS LINES PATIENT,
+                      "Slot 1 of /dev/spidev1.0 answers while frames are far apart, and not as "
+                      "they are: the chip select's pause is too short for it; give gap=20.");
+}
+
+void test_SWR_SPI_010_the_self_test_names_exchanged_slots(void)
+{
+    spi_world_wrong.shift_slots = 1U;
+    assert_test_fails(ONE_BUS LINES PATIENT,
+                      "Where slot 0 of /dev/spidev1.0 should answer, the card of slot 1 does; "
+                      "compare slots= with the wires and the multiplexer.");
+}
+
+void test_SWR_SPI_010_the_self_test_names_damaged_reports(void)
+{
+    spi_world_wrong.damaged_byte = 99U;
+    assert_test_fails(ONE_BUS LINES PATIENT,
+                      "Slot 1 of /dev/spidev1.0 answers with damaged reports: check shield and "
+                      "ground of its wires, and the firmware of the card, or lower the clock of "
+                      "100.0 MHz.");
+}
+
+void test_SWR_SPI_010_the_self_test_names_a_card_that_stands_still(void)
+{
+    spi_world_wrong.repeats = true;
+    assert_test_fails(ONE_BUS LINES PATIENT,
+                      "Slot 1 of /dev/spidev1.0 gives the same report twice: its card does not "
+                      "run; switch the box off and on.");
+}
+
+void test_SWR_SPI_010_the_self_test_says_that_no_card_answers(void)
+{
+    (void)memset(spi_world_has, 0, sizeof spi_world_has);
+    assert_test_fails(ONE_BUS LINES PATIENT,
+                      "No card answers; switch the box on, and check the plugs of its SPI wires.");
+}
+
+void test_SWR_SPI_010_the_self_test_says_that_nothing_is_transferred(void)
+{
+    spi_world_wrong.error = EIO;
+    assert_test_fails(ONE_BUS LINES PATIENT,
+                      "/dev/spidev1.0 does not transfer (Input/output error); check its "
+                      "controller's driver.");
+}
+
+void test_SWR_SPI_010_the_self_test_says_that_a_transfer_does_not_end(void)
+{
+    spi_world_wrong.hangs = true;
+    assert_test_fails(ONE_BUS LINES,
+                      "/dev/spidev1.0 does not end a transfer in 50 ms; check its controller's "
+                      "driver.");
+    spi_world_wrong.hangs = false;
+    (void)sem_post(&spi_world_released);
+}
+
+void test_SWR_SPI_010_no_card_obeys_what_the_self_test_sends(void)
+{
+    open_board(ONE_BUS LINES PATIENT);
+    TEST_ASSERT_TRUE_MESSAGE(bsp_self_test(error, sizeof error), error);
+    for (uint32_t slot = 1U; slot <= 7U; slot++) {
+        TEST_ASSERT_FALSE(spi_world_cards[slot].has_sequence);
+        TEST_ASSERT_EQUAL_UINT32(0U, spi_world_cards[slot].rx_crc_errors);
+    }
+}
+
+void test_SWR_SPI_011_after_a_failed_exchange_the_bus_rests(void)
+{
+    open_board(ONE_BUS LINES);
+    spi_world_wrong.error = EIO;
+    exchange(1U);
+    const uint64_t failed_ns = result.finished_ns;
+    spi_world_wrong.error = 0;
+    exchange(2U);
+    assert_results(OUR_SLOTS, BSP_SLOT_OK);
+    TEST_ASSERT_TRUE((result.finished_ns - failed_ns) >= (NS_PER_US * LIMIT_SPI_REST_US));
+}
+
+void test_SWR_SPI_011_after_a_long_exchange_the_bus_rests(void)
+{
+    open_board(ONE_BUS LINES);
+    spi_world_wrong.hangs = true;
+    write_frames(1U);
+    start(OUR_SLOTS);
+    finish(5U);
+    spi_world_wrong.hangs = false;
+    (void)sem_post(&spi_world_released);
+    finish(1000U);
+    const uint64_t late_ns = buses.buses[0].finished_ns;
+    exchange(2U);
+    assert_results(OUR_SLOTS, BSP_SLOT_OK);
+    TEST_ASSERT_TRUE((result.finished_ns - late_ns) >= (NS_PER_US * LIMIT_SPI_REST_US));
+}
+
+void test_SWR_SPI_011_after_opening_the_bus_rests(void)
+{
+    static spi_bus_t bus;
+    wiring_t wired;
+    TEST_ASSERT_TRUE(wiring_read(&wired, ONE_BUS LINES, error, sizeof error));
+    const uint64_t before_ns = spi_bus_now_ns();
+    TEST_ASSERT_TRUE_MESSAGE(spi_bus_open(&bus, &wired, 1U, 1, error, sizeof error), error);
+    TEST_ASSERT_TRUE(bus.needs_rest);
+    TEST_ASSERT_TRUE(bus.finished_ns >= before_ns);
+    spi_bus_close(&bus);
+}
+
+void test_SWR_GPIO_001_inputs_are_those_of_the_lines(void)
+{
+    bsp_inputs_t inputs;
+    open_board(ONE_BUS LINES);
+    gpio_world[0].lines[2].value = 1;
+    gpio_world[0].lines[3].value = 1;
+    gpio_world[0].lines[3].edges = 2;
+    bsp_sample_inputs(&inputs);
+    TEST_ASSERT_EQUAL_HEX32(BSP_IN_ESTOP_CHAIN | BSP_IN_SCANNER_IDLE, inputs.levels);
+    TEST_ASSERT_EQUAL_HEX32(BSP_IN_PEDAL_A | BSP_IN_PEDAL_B | BSP_IN_SCANNER_IDLE, inputs.dropped);
+    TEST_ASSERT_EQUAL_HEX32(0xFU, inputs.valid);
+    TEST_ASSERT_TRUE((inputs.sampled_ns != 0U) && (inputs.sampled_ns <= bsp_now_ns()));
+}
+
+void test_SWR_GPIO_004_lines_that_are_not_there_are_refused(void)
+{
+    assert_refused(ONE_BUS "gpio:/dev/gpiochip9,pedal_a=0,pedal_b=1,estop=2,scanner=3,power=8",
+                   "The GPIO chip /dev/gpiochip9 cannot be opened (No such file or directory); "
+                   "check the device tree and the rights of this user.");
+}
+
+void test_SWR_GPIO_005_drives_have_power_from_the_self_test_to_their_switching_off(void)
+{
+    open_board(ONE_BUS LINES PATIENT);
+    TEST_ASSERT_EQUAL_INT(0, POWER);
+    exchange(1U);
+    TEST_ASSERT_EQUAL_INT(0, POWER);
+    TEST_ASSERT_TRUE_MESSAGE(bsp_self_test(error, sizeof error), error);
+    TEST_ASSERT_EQUAL_INT(1, POWER);
+    bsp_drives_off();
+    TEST_ASSERT_EQUAL_INT(0, POWER);
+    exchange(2U);
+    TEST_ASSERT_EQUAL_INT(0, POWER);
+}
+
+void test_SWR_GPIO_005_power_that_was_taken_is_not_given_again_before_the_board_is_opened(void)
+{
+    open_board(ONE_BUS LINES PATIENT);
+    bsp_drives_off();
+    TEST_ASSERT_FALSE(bsp_self_test(error, sizeof error));
+    TEST_ASSERT_EQUAL_INT(0, POWER);
+    bsp_close();
+    open_board(ONE_BUS LINES PATIENT);
+    TEST_ASSERT_TRUE_MESSAGE(bsp_self_test(error, sizeof error), error);
+    TEST_ASSERT_EQUAL_INT(1, POWER);
+}
+
+void test_SWR_GPIO_005_a_line_of_power_that_does_not_follow_fails_the_self_test(void)
+{
+    gpio_world[0].lines[8].stuck_at = 0;
+    open_board(ONE_BUS LINES PATIENT);
+    TEST_ASSERT_FALSE(bsp_self_test(error, sizeof error));
+    TEST_ASSERT_EQUAL_STRING("The line of the drives' power does not follow; check the wire "
+                             "\"power\".",
+                             error);
+    bsp_drives_off();
+}
+
+void test_SWR_GPIO_005_switching_off_a_board_that_is_not_open_does_nothing(void)
+{
+    bsp_drives_off();
+    TEST_ASSERT_EQUAL_UINT(0U, gpio_world[0].lines[8].sets);
+}
+
+void test_SWR_GPIO_006_lamps_are_shown(void)
+{
+    open_board(ONE_BUS LINES);
+    bsp_set_lamps(BSP_LAMP_ALIVE);
+    TEST_ASSERT_EQUAL_INT(1, gpio_world[0].lines[9].value);
+}
+
+void test_SWR_GPIO_007_a_watchdog_is_kicked_and_let_go_without_power(void)
+{
+    open_board(ONE_BUS LINES PATIENT ";watchdog:/dev/watchdog");
+    TEST_ASSERT_NOT_EQUAL_UINT32(0U, identity.abilities & BSP_HAS_WATCHDOG);
+    bsp_kick();
+    TEST_ASSERT_EQUAL_STRING("", spi_world_kicks);
+    TEST_ASSERT_TRUE_MESSAGE(bsp_self_test(error, sizeof error), error);
+    bsp_kick();
+    bsp_kick();
+    TEST_ASSERT_EQUAL_STRING("k", spi_world_kicks);
+    bsp_close();
+    is_board_open = false;
+    TEST_ASSERT_EQUAL_STRING("kV", spi_world_kicks);
+}
+
+void test_SWR_GPIO_007_a_watchdog_is_not_let_go_while_there_may_be_power(void)
+{
+    open_board(ONE_BUS LINES PATIENT ";watchdog:/dev/watchdog");
+    TEST_ASSERT_TRUE_MESSAGE(bsp_self_test(error, sizeof error), error);
+    gpio_world[0].lines[8].stuck_at = 1;
+    bsp_close();
+    is_board_open = false;
+    TEST_ASSERT_EQUAL_STRING("", spi_world_kicks);
+}
+
+void test_SWR_GPIO_007_a_watchdog_that_cannot_be_had_fails_the_self_test(void)
+{
+    open_board(ONE_BUS LINES PATIENT ";watchdog:/dev/watchdog7");
+    TEST_ASSERT_FALSE(bsp_self_test(error, sizeof error));
+    TEST_ASSERT_EQUAL_STRING("The watchdog /dev/watchdog7 cannot be opened (No such file or "
+                             "directory); end who uses it, or leave it out.",
+                             error);
+    TEST_ASSERT_EQUAL_INT(0, POWER);
+    bsp_close();
+    spi_world_wrong.timeout_s = 60;
+    open_board(ONE_BUS LINES PATIENT ";watchdog:/dev/watchdog,timeout=3");
+    TEST_ASSERT_FALSE(bsp_self_test(error, sizeof error));
+    TEST_ASSERT_EQUAL_STRING("The watchdog /dev/watchdog does not take a timeout of 3 s; choose "
+                             "another.",
+                             error);
+    TEST_ASSERT_EQUAL_STRING("V", spi_world_kicks);
+}
+
+void test_SWR_STORE_001_a_box_that_cannot_tell_its_power_on_is_another_one_each_time(void)
+{
+    open_board(ONE_BUS LINES);
+    const uint32_t first = identity.power_on;
+    TEST_ASSERT_EQUAL_STRING("sbrio", identity.board);
+    TEST_ASSERT_TRUE(identity.was_used);
+    TEST_ASSERT_FALSE(identity.is_elastic);
+    TEST_ASSERT_EQUAL_UINT32(1U, identity.slowness);
+    TEST_ASSERT_EQUAL_UINT32(1U, identity.speedup);
+    TEST_ASSERT_EQUAL_UINT32(BSP_HAS_EDGE_LATCH | BSP_HAS_DRIVES_OFF | BSP_HAS_LAMPS,
+                             identity.abilities);
+    bsp_close();
+    open_board(ONE_BUS LINES);
+    TEST_ASSERT_NOT_EQUAL_UINT32(0U, first);
+    TEST_ASSERT_NOT_EQUAL_UINT32(first, identity.power_on);
+}
+
+void test_SWR_SPI_001_time_passes_as_slowly_as_the_wiring_says(void)
+{
+    open_board(ONE_BUS LINES ";slow:10");
+    TEST_ASSERT_EQUAL_UINT32(10U, identity.slowness);
+    const unsigned long long before_ns = spi_world_now_ns();
+    const uint64_t before_slow_ns = bsp_now_ns();
+    bsp_sleep_until_ns(before_slow_ns + NS_PER_MS);
+    const unsigned long long passed_ns = spi_world_now_ns() - before_ns;
+    TEST_ASSERT_TRUE(passed_ns >= (9U * NS_PER_MS));
+    TEST_ASSERT_TRUE((bsp_reached_ns() - before_slow_ns) >= NS_PER_MS);
+    exchange(1U);
+    assert_results(OUR_SLOTS, BSP_SLOT_OK);
+    TEST_ASSERT_TRUE(result.finished_ns <= bsp_now_ns());
+}
