@@ -85,7 +85,7 @@ ROBOT_TABLES := $(ROBOTS:%=$(GEN)/robot/robot_%.c)
 CHARTS := $(basename $(notdir $(wildcard statecharts/*.scxml)))
 CHART_SOURCES := $(CHARTS:%=$(GEN)/charts/%_chart.c)
 CORE_SOURCES := $(wildcard core/*/*.c core/*/*/*.c) $(CHART_SOURCES) $(ROBOT_TABLES) \
-    $(GEN)/robot/kinematics.c $(addprefix $(GEN)/interface/,command.c command_access.c command_dispatch.c) $(GEN)/interface/event.c $(GEN)/interface/mode_list.c
+    $(GEN)/robot/kinematics.c $(addprefix $(GEN)/interface/,command.c command_access.c command_dispatch.c) $(GEN)/interface/event.c $(addprefix $(GEN)/interface/,mode_dispatch.c mode_list.c)
 # What the processes call things.
 NAMES := $(GEN)/interface/app/names.c
 # Who drives, is driven or drives again finds its robot among all.
@@ -114,8 +114,8 @@ DRIVE_TERMS := app/common/drive_terms.c
 NO_LOOKUP_arm := app/common/no_lookup.c
 NO_LOOKUP_static := $(NO_LOOKUP_arm)
 NO_LOOKUP := $(NO_LOOKUP_$(CONFIG))
-# Columns of a status.
-IGTL_CODES := $(GEN)/interface/app/igtl_codes.c
+# What OpenIGTLink has of the rows of the interface: codes of statuses, words of commands.
+IGTL_TABLES := $(addprefix $(GEN)/interface/app/,igtl_codes.c igtl_words.c)
 REFUSED_AXIS := $(GEN)/interface/app/refused_axis.c
 # What HTTP clients may ask.
 API := $(GEN)/interface/app/routes.c $(GEN)/interface/app/requests.c

@@ -64,7 +64,8 @@ end
 class Decisions
   PAGE = 'docs/architecture.md'
   SENDERS = %w[IGTL HTTP].freeze
-  RIGHTS = 'core/interface/commands.yml'
+  # Where the rows of commands stand.
+  RIGHTS = %w[core/interface/commands.yml core/interface/modes.yml].freeze
 
   attr_reader :records
 
@@ -116,8 +117,17 @@ class Decisions
   end
 
   def rights_of(sender)
-    kinds = YAML.safe_load_file(File.join(@root, RIGHTS))['enumerations'].find { |one| one['name'] == 'command_kind' }
-    kinds['values'].select { |kind| kind['from'].include?(sender) }.map { |kind| kind['name'] }
+    files = RIGHTS.map { |file| File.join(@root, file) }
+    commands(files.map { |file| YAML.safe_load_file(file) }).select { |row| row['from'].include?(sender) }.map { |row| row['name'] }
+  end
+
+  # The mappings below `node` that say who may send them.
+  def commands(node)
+    case node
+    when Array then node.flat_map { |one| commands(one) }
+    when Hash then node.key?('from') ? [node] : commands(node.values)
+    else []
+    end
   end
 
   def of_row(file, name, field)

@@ -3,6 +3,7 @@
 
 #include "interface/command.h"
 #include "limits/requirement_limits.h"
+#include "mode/mode_dispatch.h"
 #include "mode/velocity/velocity_share.h"
 
 bool mode_runs_in(mode_kind_t kind, workphase_t workphase)
@@ -19,19 +20,6 @@ mode_kind_t mode_of(workphase_t workphase)
         if ((mode_rows[i].command == (uint32_t)COMMAND_WORKPHASE) &&
             mode_runs_in(kind, workphase)) {
             found = kind;
-        }
-    }
-    return found;
-}
-
-mode_kind_t mode_of_command(uint32_t command_kind)
-{
-    const bool is_way = command_kind == (uint32_t)COMMAND_JOG_BY;
-    const uint32_t arming = is_way ? (uint32_t)COMMAND_JOG : command_kind;
-    mode_kind_t found = MODE_NONE;
-    for (uint32_t i = 0U; i < MODE_KIND_COUNT; i++) {
-        if ((mode_rows[i].command == arming) && (arming != (uint32_t)COMMAND_WORKPHASE)) {
-            found = (mode_kind_t)i;
         }
     }
     return found;
@@ -62,48 +50,11 @@ bool mode_needs(const mode_state_t *self, uint32_t index)
     return ((self->request.axes >> index) & 1U) != 0U;
 }
 
-solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const robot_t *robot,
-                      const axis_t axes[ROBOT_AXIS_MAX])
-{
-    solution_t result = {.status = STATUS_OK, .axis = 0U, .is_maximum = 0U};
-    switch (kind) {
-    case MODE_JOG:
-        result = jog_mode_judge(&request->way, robot, axes);
-        break;
-    case MODE_HOME_AXIS:
-        result = homing_mode_judge(request->way.axis, robot, axes);
-        break;
-    case MODE_VELOCITY:
-        result = velocity_mode_judge(&request->velocity, robot, axes);
-        break;
-    case MODE_INSERT:
-        result.status = insert_mode_judge(&request->move, robot, axes);
-        break;
-    case MODE_POSE:
-        result = pose_mode_judge(&request->move, robot, axes);
-        break;
-    case MODE_SWEEP:
-        result = sweep_mode_judge(&request->sweep, request->way.axis, robot, axes);
-        break;
-    case MODE_NONE:
-    case MODE_HOMING:
-    case MODE_MOVE:
-    case MODE_RETRACT:
-    case MODE_TRAJECTORY:
-    case MODE_ALIGN:
-    case MODE_PROGRAM:
-    default:
-        /* Nothing but the workphase chart refuses it, and of a list who holds it. */
-        break;
-    }
-    return result;
-}
-
 void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *request)
 {
     self->kind = (uint32_t)kind;
     self->request = *request;
-    trajectory_mode_begin(&self->trajectory, request->start_ms);
+    trajectory_mode_begin(&self->trajectory, request->span.start_ms);
     self->program.stage = (uint32_t)PROGRAM_STAGE_NONE;
     if (kind == MODE_PROGRAM) {
         program_mode_begin(&self->program);
@@ -112,66 +63,15 @@ void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *requ
     escort_end(&self->escort);
 }
 
-static void run_trajectory(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result)
-{
-    const trajectory_t trajectory = {.list = &self->list, .rows = frame->rows};
-    trajectory_mode_step(&self->trajectory, &trajectory, &self->leg, frame, result);
-}
-
+/* What was armed and is not known any more fails. */
 static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
                 mode_result_t *result)
 {
-    switch (kind) {
-    case MODE_HOMING:
-        homing_mode_step(&self->leg, &self->escort, frame, result);
-        break;
-    case MODE_MOVE:
-    case MODE_ALIGN:
-        move_mode_step(&self->request.move, &self->leg, frame, result);
-        break;
-    case MODE_JOG:
-        jog_mode_step(&self->request.way, &self->leg, frame, result);
-        break;
-    case MODE_RETRACT:
-        retract_mode_step(self->request.way.end_ticks, &self->leg, frame, result);
-        break;
-    case MODE_HOME_AXIS:
-        homing_mode_step_axis(self->request.way.axis, frame, result);
-        break;
-    case MODE_TRAJECTORY:
-        run_trajectory(self, frame, result);
-        break;
-    case MODE_VELOCITY:
-        velocity_mode_step(&self->request.velocity, &self->leg, frame, result);
-        break;
-    case MODE_INSERT:
-        insert_mode_step(&self->request.move, &self->leg, frame, result);
-        break;
-    case MODE_POSE:
-        pose_mode_step(&self->request.move, &self->leg, frame, result);
-        break;
-    case MODE_PROGRAM:
-        program_mode_step(&self->program, &self->request.move, &self->leg, frame, result);
-        break;
-    case MODE_SWEEP:
-        sweep_mode_step(&self->request.sweep, self->request.way.axis, &self->leg, frame, result);
-        break;
-    case MODE_NONE:
-    default:
-        /* What was armed is not known any more. */
+    if (!mode_dispatch_step(self, kind, frame, result)) {
         mode_rest(frame, result);
         result->progress = MODE_FAILED;
         result->status = STATUS_FAULT_PRESENT;
-        break;
     }
-}
-
-/* What needs no motion any more is done with or without the pedal. */
-static bool is_done_already(const mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame)
-{
-    return ((kind == MODE_HOMING) && homing_mode_is_done(&self->leg, frame)) ||
-           ((kind == MODE_RETRACT) && retract_mode_is_done(self->request.way.end_ticks, frame)) ||
-           ((kind == MODE_HOME_AXIS) && homing_mode_is_axis_done(self->request.way.axis, frame));
 }
 
 static uint32_t homed_per_mille(const axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)
@@ -199,7 +99,7 @@ static mode_share_t leg_share(const leg_t *leg)
 void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result)
 {
     const mode_kind_t kind = mode_in(self, frame->workphase);
-    const bool is_done = is_done_already(self, kind, frame);
+    const bool is_done = mode_dispatch_is_done(self, kind, frame);
     const bool is_armed_program = self->program.stage != (uint32_t)PROGRAM_STAGE_NONE;
     mode_clear(result);
     if (is_armed_program && frame->is_treatment_stopped) {
@@ -228,13 +128,13 @@ mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
                         const axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)
 {
     mode_share_t share = {.done_per_mille = 0U, .left_ms = 0U};
-    const uint32_t list_ms = self->request.end_ms - self->request.start_ms;
+    const uint32_t list_ms = self->request.span.end_ms - self->request.span.start_ms;
     if ((kind == MODE_TRAJECTORY) && (list_ms > 0U)) {
-        share =
-            time_share(trajectory_mode_left_ms(&self->trajectory, self->request.end_ms), list_ms);
+        share = time_share(trajectory_mode_left_ms(&self->trajectory, self->request.span.end_ms),
+                           list_ms);
     } else if (kind == MODE_VELOCITY) {
-        share = time_share(velocity_share_left_ms(&self->request.velocity, axes),
-                           velocity_share_span_ms(&self->request.velocity));
+        share = time_share(velocity_share_left_ms(&self->request.own.velocity, axes),
+                           velocity_share_span_ms(&self->request.own.velocity));
     } else if (self->leg.is_running != 0U) {
         share = leg_share(&self->leg);
     } else if (self->program.stage == (uint32_t)PROGRAM_STAGE_DWELLS) {
@@ -250,7 +150,7 @@ mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
 void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)
 {
     const bool has_swept =
-        (self->kind == (uint32_t)MODE_SWEEP) && sweep_mode_has_begun(&self->request.sweep);
+        (self->kind == (uint32_t)MODE_SWEEP) && sweep_mode_has_begun(&self->request.own.sweep);
     leg_stop(&self->leg);
     self->program.stage = (uint32_t)PROGRAM_STAGE_NONE;
     for (uint32_t i = 0U; i < axis_count; i++) {

@@ -10,54 +10,19 @@
 
 #include "interface/mode_list.h"
 #include "interface/workphase_list.h"
-#include "mode/leg/escort.h"
-#include "mode/homing/homing_mode.h"
-#include "mode/insert/insert_mode.h"
-#include "mode/jog/jog_mode.h"
-#include "mode/leg/leg.h"
+#include "mode/leg/mode_asked.h"
 #include "mode/leg/mode_frame.h"
-#include "mode/move/move_mode.h"
-#include "mode/pose/pose_mode.h"
-#include "mode/program/program_mode.h"
-#include "mode/retract/retract_mode.h"
-#include "mode/sweep/sweep_mode.h"
-#include "mode/lists/trajectory_list.h"
-#include "mode/trajectory/trajectory_mode.h"
-#include "mode/velocity/velocity_mode.h"
+#include "mode/mode_state.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What a mode is asked for; each reads what it needs. */
-typedef struct {
-    uint32_t axes; /**< Bit n: axis n is commanded. mode_axes() makes of it those that it needs. */
-    mode_way_t
-        way; /**< Of MODE_JOG and MODE_RETRACT; MODE_HOME_AXIS and MODE_SWEEP read its axis. */
-    move_mode_t move;
-    uint32_t start_ms;        /**< Time of the first row of a trajectory, */
-    uint32_t end_ms;          /**< and of its last one. */
-    velocity_mode_t velocity; /**< From here on: what one mode alone reads. */
-    sweep_mode_t sweep;
-} mode_request_t;
-
-/** At first all zero. */
-typedef struct {
-    uint32_t kind; /**< mode_kind_t of the order that was armed last. */
-    leg_t leg;
-    escort_t escort; /**< Of homing. */
-    trajectory_mode_t trajectory;
-    trajectory_list_t list; /**< Of the trajectory that is held, armed or not. */
-    program_mode_t program;
-    mode_request_t request; /**< With the axes that it needs. */
-} mode_state_t;
-
 /** The mode that a command for `workphase` itself arms there, or MODE_NONE; the others have
  * commands of their own. */
 mode_kind_t mode_of(workphase_t workphase);
 
-/** The mode that a command of this kind arms, whatever the workphase, or MODE_NONE. JOG_BY arms a
- * jog. */
+/** The mode that a command of this kind arms, whatever the workphase, or MODE_NONE. */
 mode_kind_t mode_of_command(uint32_t command_kind);
 
 /**
@@ -84,12 +49,14 @@ uint32_t mode_axes(mode_kind_t kind, uint32_t commanded, const robot_t *robot);
  */
 bool mode_needs(const mode_state_t *self, uint32_t index);
 
+/** What `kind` is asked for, by its command and as the robot stands: its axes, and what its row
+ * says that it reads. The move of MODE_MOVE and the like is added by who knows the target. */
+mode_request_t mode_ask(mode_kind_t kind, const mode_asked_t *asked);
+
 /**
  * May `kind` be armed with this request? What every mode needs is asked by the workphase chart.
  *
- * @return STATUS_OK; of MODE_JOG as jog_mode_judge(), of MODE_HOME_AXIS as homing_mode_judge(), of
- * MODE_VELOCITY as velocity_mode_judge(), of MODE_INSERT as insert_mode_judge(), of MODE_POSE as
- * pose_mode_judge(), of MODE_SWEEP as sweep_mode_judge()
+ * @return as NAME_mode_judge() of its folder; STATUS_OK of a mode that has none
  */
 solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const robot_t *robot,
                       const axis_t axes[ROBOT_AXIS_MAX]);

@@ -4,11 +4,12 @@
 
 # Turns core/interface/*.yml, the only source of what the processes tell each other, into what they are compiled from:
 #
-#   DIRECTORY       the headers of the core with their documentation, command.c, event.c, mode_list.c, interface_layout.h;
+#   DIRECTORY       the headers of the core with their documentation, command.c, event.c, mode_list.c, mode_dispatch.c,
+#                   interface_layout.h;
 #                   segment_fields.h, if a HEADER declares the exchange's segment
 #   DIRECTORY/app   names and sentences, what an event's numbers are, the JSON writer and its types for the console, the
 #                   columns of boresight-replay, where the fields stand, the columns of a status; what HTTP clients may ask: routes, what answers
-#                   them, the tables that read requests, and the document for clients, openapi.json
+#                   them, the tables that read requests, and the document for clients, openapi.json; the words of OpenIGTLink
 #
 #   ruby tools/compile/interface_compiler.rb core/interface build/gen/charts/charts.json build/gen/interface [HEADER...]
 #
@@ -21,6 +22,7 @@ require_relative '../interface/event_words'
 require_relative '../interface/fields'
 require_relative '../interface/handlers'
 require_relative '../interface/headers'
+require_relative '../interface/igtl_words'
 require_relative '../interface/json'
 require_relative '../interface/layout'
 require_relative '../interface/model'
@@ -35,7 +37,7 @@ module Interface
   # The command line.
   module Command
     USAGE = 'usage: ruby tools/compile/interface_compiler.rb FOLDER CHARTS_JSON DIRECTORY [HEADER...]'
-    APP = [Names, EventWords, Json, Typescript, Columns, Fields, Statuses::Files, RequestTables, RouteTable, Handlers, Openapi].freeze
+    APP = [Names, EventWords, Json, Typescript, Columns, Fields, Statuses::Files, RequestTables, RouteTable, Handlers, Openapi, IgtlWords].freeze
 
     # Returns the exit status.
     def self.run(arguments, errors: $stderr)

@@ -11,7 +11,7 @@ module Interface
   #
   # @satisfies SWR-TOOL-011
   class Commands
-    KEYS = %w[workphases payload from obeyed_by].freeze
+    KEYS = %w[workphases payload from obeyed_by words route button].freeze
     # Up to so many are named; of more those that are left.
     NAMED_MOST = 4
     FROM = 'core/interface/commands.yml'
@@ -38,7 +38,7 @@ module Interface
       @kinds = model.enumeration('command_kind')
       @all = model.enumeration('workphase').values.map(&:name)
       @prefix = model.enumeration('workphase').prefix
-      @modes = model.modes&.modes.to_a.reject { |mode| mode.command == Modes::BY_WORKPHASE }
+      @modes = model.modes
       @payloads = Payloads.new(model, @kinds)
       @sources = model.enumeration('command_source')
       @workphases = @kinds.values.to_h { |value| [value.name, workphases_of(value)] }
@@ -79,10 +79,10 @@ module Interface
     # nil: all.
     def workphases_of(value)
       own = value.more['workphases']
-      mode = @modes.find { |one| one.command == value.name && value.name != Modes::NO_COMMAND }
+      mode = @modes&.of_command(value.name)
       return own&.sequence&.map { |node| node.choice(@all) } unless mode
 
-      own&.refuse("stand in modes.yml, with #{mode.value.name}")
+      own&.refuse("stand with the mode #{mode.value.name}")
       mode.workphases
     end
 
@@ -182,7 +182,7 @@ module Interface
     # `obeyed_by`, or what arms modes.
     def function(value)
       own = value.more['obeyed_by']
-      is_mode = @modes.any? { |mode| mode.command == value.name } || value.name == 'JOG_BY'
+      is_mode = !@modes&.of_command(value.name).nil?
       value.node.refuse('has no obeyed_by and arms no mode') unless own || is_mode
       own&.refuse('stands with a command that arms a mode') if own && is_mode
       "controller_obey_#{own ? own.identifier : 'motion'}"

@@ -17,7 +17,7 @@ module Interface
 
     # `headers`: files whose types and macros count too.
     def initialize(model, headers)
-      @lines = model.enumerations.map(&:layout) + model.structures.map(&:layout) +
+      @lines = model.enumerations.map(&:layout) + model.structures.map(&:layout) + [model.modes&.layout].compact +
                model.charts.to_h.map { |region, leaves| "chart #{region} #{leaves.join(' ')}" } +
                headers.flat_map { |header| declarations(File.read(header, encoding: 'UTF-8').gsub(COMMENT, ' ')) }
     end

@@ -21,21 +21,24 @@ module Interface
 
     attr_reader :name, :prefix, :says, :values, :header, :sets
 
-    # `robots`: what the folder of each robot adds to an enumeration that asks for it, lists of nodes by robot.
-    def initialize(node, header, robots = {})
-      nodes = node.mapping(%w[name says values], %w[prefix count robots sets])
+    # `added`: what others add to an enumeration that asks for it, by the key that asks: lists of nodes, by robot where each has
+    # its own.
+    def initialize(node, header, added = {})
+      nodes = node.mapping(%w[name says values], %w[prefix count robots modes sets])
       @header = header
       @name = nodes['name'].identifier
       @says = nodes['says'].text
       @prefix = nodes.key?('prefix') ? nodes['prefix'].identifier(capitals: true) : @name.upcase
       @is_counted = nodes.key?('count') && nodes['count'].true?
       @has_robots = nodes.key?('robots') && nodes['robots'].choice(%w[refusals]) == 'refusals'
+      has_modes = nodes.key?('modes') && nodes['modes'].choice(%w[commands]) == 'commands'
       @values = nodes['values'].sequence.map { |value| read(value) }
       node.refuse('has no values') if @values.empty?
-      add(robots) if robots?
+      add(added.fetch('refusals', {})) if robots?
+      add(nil => added.fetch('commands', [])) if has_modes
       unique(:code)
       unique(:name)
-      @values.sort_by!(&:code) if robots?
+      @values.sort_by!(&:code) if robots? || has_modes
       check_gaps if counted?
       @sets = read_sets(nodes['sets'])
     end
@@ -138,7 +141,7 @@ module Interface
       raise Refused.new(folder, 'folder', 'holds no *.yml') if files.empty?
 
       nodes = files.map { |file| [file, Node.parse(file, File.read(file, encoding: 'UTF-8'))] }
-      @robots = Robots.refusals(File.join(folder, '../robot'))
+      @added = { 'refusals' => Robots.refusals(File.join(folder, '../robot')), 'commands' => Modes.commands(nodes.map(&:last)) }
       @messages = []
       @headers = nodes.filter_map { |file, node| read(file, node) }
       node = nodes.to_h.find { |file, _| file.end_with?('/routes.yml') }&.last
@@ -216,7 +219,7 @@ module Interface
       nodes = node.mapping(%w[header says], %w[enumerations structures])
       header = nodes['header'].identifier
       Header.new(header, nodes['says'].text,
-                 list(nodes['enumerations']).map { |one| Enumeration.new(one, header, @robots) },
+                 list(nodes['enumerations']).map { |one| Enumeration.new(one, header, @added) },
                  list(nodes['structures']).map { |one| Structure.new(one, header) }, file)
     end
 

@@ -2,6 +2,7 @@
 # frozen_string_literal: true
 
 require_relative 'c'
+require_relative 'mode_calls'
 require_relative 'node'
 
 module Interface
@@ -9,13 +10,36 @@ module Interface
   #
   # @satisfies SWR-TOOL-011
   class Modes
-    KEYS = %w[command workphases unhomed axes needle].freeze
+    REQUIRED = %w[workphases unhomed axes needle].freeze
+    KEYS = [*REQUIRED, 'command', 'commands', 'own', *ModeCalls::GIVEN.keys].freeze
     # The command that arms several modes, each in a workphase of its own.
     BY_WORKPHASE = 'WORKPHASE'
     NO_COMMAND = 'NONE'
 
-    # `command`, `workphases`, `axes`, `needle`: names of values of the model's enumerations.
-    Mode = Struct.new(:value, :command, :workphases, :unhomed, :axes, :needle, keyword_init: true)
+    # `command`: what arms it; of several the first. `commands`: values of command_kind that arm it and nothing else.
+    # `workphases`, `axes`, `needle`: names of values of the model's enumerations. `calls`: what each call is given.
+    Mode = Struct.new(:value, :command, :commands, :workphases, :unhomed, :axes, :needle, :own, :calls, keyword_init: true) do
+      # Where its code is: core/mode/FOLDER.
+      def folder
+        value.name.downcase
+      end
+
+      def header
+        "mode/#{folder}/#{folder}_mode.h"
+      end
+
+      # What its command says; nil: nothing but its kind, or several things.
+      def payload
+        names = commands.map { |one| one.more['payload']&.identifier }.uniq
+        names.size == 1 ? names.first : nil
+      end
+    end
+
+    # The nodes of the commands that modes bring with them, of parsed files.
+    def self.commands(nodes)
+      kinds = nodes.flat_map { |node| node.at('enumerations')&.sequence.to_a }.find { |one| one.at('name').word == 'mode_kind' }
+      kinds ? kinds.at('values').sequence.flat_map { |value| value.at('commands')&.sequence.to_a } : []
+    end
 
     attr_reader :modes
 
@@ -26,17 +50,28 @@ module Interface
 
       @modes = @kinds.values.map { |value| mode(value) }
       armed_twice
+      @calls = ModeCalls.new(modes, @kinds, model.enumeration('command_kind'))
     end
 
     def files
-      { 'mode_list.c' => source }
+      { 'mode_list.c' => source }.merge(@calls.files)
+    end
+
+    # The mode that a command arms, whatever the workphase; nil for others.
+    def of_command(name)
+      modes.find { |mode| mode.commands.any? { |value| value.name == name } }
+    end
+
+    # What two programs must agree on.
+    def layout
+      @calls.layout
     end
 
     # What the header has besides.
     DECLARATION = <<~CODE
       /** What is special about a mode. */
       typedef struct {
-          /** command_kind_t that arms it; COMMAND_WORKPHASE: one for the workphase where it runs. */
+          /** command_kind_t that arms it, of several the first; COMMAND_WORKPHASE: one for the workphase where it runs. */
           uint32_t command;
           /** Where it may be armed and runs; bit n: workphase_t n. */
           uint32_t workphases;
@@ -55,13 +90,34 @@ module Interface
     private
 
     def mode(value)
-      missing = KEYS.find { |key| !value.more.key?(key) }
+      missing = REQUIRED.find { |key| !value.more.key?(key) }
       value.node.refuse("has no #{missing}") if missing
       nodes = value.more
-      Mode.new(value: value, command: one_of(nodes['command'], 'command_kind'),
+      commands = commands_of(nodes['commands'])
+      Mode.new(value: value, command: command(value, commands), commands: commands,
                workphases: nodes['workphases'].sequence.map { |node| one_of(node, 'workphase') },
                unhomed: nodes['unhomed'].true?, axes: one_of(nodes['axes'], 'mode_axes'),
-               needle: one_of(nodes['needle'], 'mode_needle'))
+               needle: one_of(nodes['needle'], 'mode_needle'), own: nodes['own']&.true?, calls: calls(value))
+    end
+
+    # Those that stand in its row.
+    def commands_of(node)
+      kinds = @model.enumeration('command_kind') || raise(Refused.new('core/interface', 'command_kind', 'is missing'))
+      node&.sequence.to_a.map { |one| kinds.values.find { |value| value.name == one.at('name').word } || one.refuse('is no command') }
+    end
+
+    def command(value, commands)
+      node = value.more['command']
+      value.node.refuse('has both command and commands, or neither') if node.nil? == commands.empty?
+      node ? node.choice([NO_COMMAND, BY_WORKPHASE]) : commands.first.name
+    end
+
+    def calls(value)
+      ModeCalls::GIVEN.select { |name, _| value.more.key?(name) }.to_h do |name, parts|
+        given = value.more[name].sequence.map { |node| node.choice(parts) }
+        value.more[name].refuse('has own, which the mode has not') if given.include?('own') && !value.more['own']&.true?
+        [name, given]
+      end
     end
 
     def one_of(node, name)
@@ -69,20 +125,15 @@ module Interface
       node.choice(enumeration.values.map(&:name))
     end
 
-    # A command, or entering a workphase, arms one mode.
+    # Entering a workphase arms one mode.
     def armed_twice
-      armed = modes.reject { |mode| mode.command == NO_COMMAND }.flat_map { |mode| ways(mode).map { |way| [way, mode] } }
+      by_workphase = modes.select { |mode| mode.command == BY_WORKPHASE }
+      armed = by_workphase.flat_map { |mode| mode.workphases.map { |workphase| ["#{BY_WORKPHASE} #{workphase}", mode] } }
       armed.group_by(&:first).each_value do |same|
         same.drop(1).each do |way, mode|
           mode.value.node.refuse("is armed by #{way} like #{same.first.last.value.name}")
         end
       end
-    end
-
-    def ways(mode)
-      return [mode.command] unless mode.command == BY_WORKPHASE
-
-      mode.workphases.map { |workphase| "#{BY_WORKPHASE} #{workphase}" }
     end
 
     def source

@@ -39,6 +39,12 @@ module Interface
       pairs(@yaml.children.each_slice(2).map { |key, _| key.value })
     end
 
+    # The top of what a row stands for, as if it were written in its file.
+    def stands_for(plain, texts)
+      lines = plain.map { |key, value| "#{key}: #{value}" } + texts.map { |key, value| "#{key}: #{value.inspect}" }
+      self.class.parse(@file, lines.join("\n"))
+    end
+
     # Words between spaces.
     def words
       plain.split

@@ -187,13 +187,15 @@ module Interface
   #
   # @satisfies SWR-TOOL-021
   class Routes
+    BARE_BODY_MOST = 256 # Bytes, of an act that says nothing but itself.
+
     attr_reader :problems, :requests, :routes
 
     def initialize(node, model)
       nodes = node.mapping(%w[problems requests routes])
       @problems = nodes['problems'].sequence.map { |one| Problem.read(one, model) }
       @requests = nodes['requests'].sequence.map { |one| RequestMessage.read(one) }
-      @routes = nodes['routes'].sequence.map { |one| Route.new(one) }
+      @routes = nodes['routes'].sequence.map { |one| Route.new(one) } + bare_acts(model)
       unique(@problems, &:name)
       unique(@routes, &:name)
       unique(@routes) { |route| [route.method, route.path] }
@@ -220,6 +222,23 @@ module Interface
     end
 
     private
+
+    # The routes of commands that say nothing but themselves: the row of a mode names them.
+    #
+    # @satisfies SWR-TOOL-082
+    def bare_acts(model)
+      model.modes&.modes.to_a.flat_map { |mode| mode.commands.select { |value| value.more.key?('route') }.map { |value| bare_act(mode, value) } }
+    end
+
+    def bare_act(mode, value)
+      node = value.more['route']
+      node.refuse('is of a command with a payload, which needs a route and a handler of its own') if value.more.key?('payload')
+      node.refuse("is #{node.word}; expected a path of a-z, 0-9, _, ., - and /") unless node.word.match?(Route::PATH)
+      node.refuse('has no button') unless value.more.key?('button')
+      keys = { 'name' => value.name.downcase, 'path' => node.word, 'method' => 'POST', 'handler' => 'http_motion_bare', 'who' => 'OPERATOR',
+               'authority' => true, 'command' => value.name, 'body' => 'bare_act', 'body_most' => BARE_BODY_MOST, 'answer' => 'act' }
+      Route.new(node.stands_for(keys, 'says' => "#{mode.value.says.delete_suffix('.')}, under the pedal."))
+    end
 
     def unique(all, &key)
       all.group_by(&key).each_value { |same| same[1]&.node&.refuse("is the second #{key.call(same[1])}") }

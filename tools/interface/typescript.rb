@@ -31,7 +31,7 @@ module Interface
       unions = @unions.sort.map do |name, words|
         "export type #{name} =#{words.map { |word| "\n  | \"#{word}\"" }.join};\n"
       end
-      { 'api.ts' => [HEAD, *unions, *messages, Shapes.new(@model, @unions).text].join("\n") }
+      { 'api.ts' => [HEAD, *unions, *messages, buttons, Shapes.new(@model, @unions).text].compact.join("\n") }
     end
 
     private
@@ -74,6 +74,21 @@ module Interface
     # What stands in braces is any text.
     def path(route)
       route.value ? "`#{route.path.sub(/\{.*\}/, '${string}')}`" : "\"#{route.path}\""
+    end
+
+    # The commands of modes that a button sends.
+    #
+    # @satisfies SWR-TOOL-082
+    def buttons
+      modes = @model.modes&.modes.to_a.select { |mode| mode.commands.first&.more&.key?('route') }
+      return if modes.empty?
+
+      rows = modes.map do |mode|
+        more = mode.commands.first.more
+        "  #{mode.value.name}: { label: #{more['button'].text.inspect}, path: \"#{more['route'].word}\" },\n"
+      end
+      "/** The modes that a button arms: what it says, and where it asks. */\n" \
+        "export const modeButtons = {\n#{rows.join}} as const satisfies Record<string, { label: string; path: Path }>;\n"
     end
 
     def request(request)

@@ -9,7 +9,7 @@ FUZZ_CC := clang-19
 # What is fuzzed counts its branches and is watched; the controller and the box only play along, and are quick.
 FUZZ_FLAGS := $(WARNINGS) -ffp-contract=off -O2 -g -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY) -fno-sanitize-recover=all
 FUZZ_WATCHED := -fsanitize=fuzzer-no-link,address,undefined
-FUZZED := $(wildcard app/igtl/wire/*.c app/igtl/dialect/*.c app/igtl/workphase/*.c app/igtl/lists/*.c) $(AXIS_TERMS) $(LIST_TERMS) $(IGTL_CODES)
+FUZZED := $(wildcard app/igtl/wire/*.c app/igtl/dialect/*.c app/igtl/workphase/*.c app/igtl/lists/*.c) $(AXIS_TERMS) $(LIST_TERMS) $(IGTL_TABLES)
 FUZZ_TARGETS := codec dialect ports request
 FUZZ_PROGRAMS := $(FUZZ_TARGETS:%=$(FUZZ)/bin/%)
 FUZZ_DIALECT := $(filter-out %codec_fuzz.c %ports_fuzz.c %request_fuzz.c,$(wildcard verification/fuzz/*.c))

@@ -26,7 +26,9 @@ import { useTitle } from "./words/title";
 import { useChosenView, views, type ViewEntry } from "./views/views";
 
 /** Nobody needs it who has a robot. */
-const Box = lazy(async () => ({ default: (await import("./panels/box/Box")).Box }));
+const Box = lazy(async () => ({
+  default: (await import("./panels/box/Box")).Box,
+}));
 
 function Navigation({ chosen }: { chosen: ViewEntry }) {
   return (

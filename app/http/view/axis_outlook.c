@@ -3,8 +3,6 @@
 
 #include "http/view/shown.h"
 
-#include <string.h>
-
 /* How much a refusal says of the mode, the most first. */
 typedef enum {
     RANK_ARMED = 0,
@@ -57,24 +55,6 @@ command_t axis_outlook_command(const robot_t *robot, const snapshot_t *snapshot,
     return command;
 }
 
-static mode_request_t request_of(const command_t *command, uint32_t axis)
-{
-    mode_request_t request = {.axes = (uint32_t)1U << axis, .way = {.axis = axis}};
-    if (command->kind == (uint32_t)COMMAND_JOG) {
-        request.way.end_ticks = command->as.jog.to_ticks;
-    } else if (command->kind == (uint32_t)COMMAND_SWEEP) {
-        request.sweep.is_free = command->as.sweep.is_free;
-    } else if (command->kind == (uint32_t)COMMAND_VELOCITY) {
-        const command_velocity_t *const sent = &command->as.velocity;
-        request.velocity = (velocity_mode_t){.axes = sent->axes, .time_ms = sent->time_ms};
-        (void)memcpy(request.velocity.speeds_ticks_per_s, sent->speeds_ticks_per_s,
-                     sizeof sent->speeds_ticks_per_s);
-    } else {
-        /* The axis says all. */
-    }
-    return request;
-}
-
 static bool is_for_never(status_t status)
 {
     return (status == STATUS_NO_SWEEP) || (status == STATUS_HOMES_WITH_OTHERS) ||
@@ -85,9 +65,10 @@ static outlook_t look(const robot_t *robot, const snapshot_t *snapshot, mode_kin
                       uint32_t axis, bool is_upwards)
 {
     const command_t command = axis_outlook_command(robot, snapshot, kind, axis, is_upwards);
-    const mode_request_t request = request_of(&command, axis);
     axis_t axes[ROBOT_AXIS_MAX];
     shown_axes(snapshot, axes);
+    const mode_asked_t asked = {.command = &command, .robot = robot, .axes = axes};
+    const mode_request_t request = mode_ask(kind, &asked);
     const status_t barred =
         guards_bar(snapshot->guards, command.kind, (uint32_t)WORKPHASE_UNDEFINED);
     outlook_t view = {.status = mode_judge(kind, &request, robot, axes).status,

@@ -5,6 +5,8 @@
 #include "http/view/shown.h"
 #include "interface/command.h"
 #include "mode/lists/program_step.h"
+#include "mode/insert/insert_mode.h"
+#include "mode/pose/pose_mode.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -38,7 +40,7 @@ static status_t aligned_outlook(const robot_t *robot, const snapshot_t *snapshot
         move.target_ticks[i] =
             (i == turning) ? axes[i].encoder.position_ticks : snapshot->target_ticks[i];
     }
-    return insert_mode_judge(&move, robot, axes);
+    return insert_mode_judge(&move, robot, axes).status;
 }
 
 static status_t insert_outlook(const robot_t *robot, const snapshot_t *snapshot)

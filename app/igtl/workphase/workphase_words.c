@@ -16,7 +16,7 @@
 #define MS_PER_S 1000.0
 #define MOST_S 1.0e6
 
-static status_t read_pose(const robot_t *robot, char *text, command_t *command)
+status_t workphase_read_pose_name(const robot_t *robot, char *text, command_t *command)
 {
     (void)robot;
     for (uint32_t i = 0U; i < POSE_NAME_COUNT; i++) {
@@ -55,27 +55,31 @@ static status_t read_speed(const robot_t *robot, const char *name, char **text,
 }
 
 /* An axis and where it shall go, or by which way, with its unit. */
-static status_t read_jog(const robot_t *robot, char *text, command_t *command)
+static status_t read_way(const robot_t *robot, char *text, uint32_t *axis, int32_t *ticks)
 {
     const char *name = workphase_text_next(&text);
     const char *way = workphase_text_next(&text);
     const char *unit = workphase_text_next(&text);
-    int32_t ticks = 0;
-    const uint32_t axis = (name == NULL) ? robot->axis_count : axis_terms_find(robot, name);
 
-    if ((axis == robot->axis_count) || (workphase_text_next(&text) != NULL)) {
+    *axis = (name == NULL) ? robot->axis_count : axis_terms_find(robot, name);
+    if ((*axis == robot->axis_count) || (workphase_text_next(&text) != NULL)) {
         return STATUS_UNKNOWN_COMMAND;
     }
-    if (!workphase_text_ticks(way, &robot->axes[axis], &ticks)) {
+    if (!workphase_text_ticks(way, &robot->axes[*axis], ticks)) {
         return STATUS_OUT_OF_RANGE;
     }
-    if (command->kind == (uint32_t)COMMAND_JOG_BY) {
-        command->as.jog_by = (command_jog_by_t){.axis = axis, .by_ticks = ticks};
-    } else {
-        command->as.jog = (command_jog_t){.axis = axis, .to_ticks = ticks};
-    }
-    return workphase_text_is(unit, unit_of(&robot->axes[axis], "mm", "deg")) ? STATUS_OK
-                                                                             : STATUS_WRONG_UNIT;
+    return workphase_text_is(unit, unit_of(&robot->axes[*axis], "mm", "deg")) ? STATUS_OK
+                                                                              : STATUS_WRONG_UNIT;
+}
+
+status_t workphase_read_jog(const robot_t *robot, char *text, command_t *command)
+{
+    return read_way(robot, text, &command->as.jog.axis, &command->as.jog.to_ticks);
+}
+
+status_t workphase_read_jog_by(const robot_t *robot, char *text, command_t *command)
+{
+    return read_way(robot, text, &command->as.jog_by.axis, &command->as.jog_by.by_ticks);
 }
 
 static status_t read_time(const char *word, char **text, command_velocity_t *velocity)
@@ -97,7 +101,7 @@ static status_t read_time(const char *word, char **text, command_velocity_t *vel
 }
 
 /* Axes, each with its speed, then the time, all with their units. */
-static status_t read_velocity(const robot_t *robot, char *text, command_t *command)
+status_t workphase_read_velocity(const robot_t *robot, char *text, command_t *command)
 {
     const char *word = workphase_text_next(&text);
     bool is_axis = (word != NULL) && (axis_terms_find(robot, word) < robot->axis_count);
@@ -118,7 +122,7 @@ static status_t read_velocity(const robot_t *robot, char *text, command_t *comma
 }
 
 /* An axis, and that it is free. */
-static status_t read_sweep(const robot_t *robot, char *text, command_t *command)
+status_t workphase_read_sweep(const robot_t *robot, char *text, command_t *command)
 {
     const char *name = workphase_text_next(&text);
     const char *word = workphase_text_next(&text);
@@ -156,7 +160,7 @@ static status_t read_length(const robot_t *robot, const char *name, const char *
 }
 
 /* Pairs of a length's name and its mm. */
-static status_t read_probe(const robot_t *robot, char *text, command_t *command)
+status_t workphase_read_probe(const robot_t *robot, char *text, command_t *command)
 {
     uint32_t taken = 0U;
 
@@ -171,35 +175,6 @@ static status_t read_probe(const robot_t *robot, char *text, command_t *command)
     }
     return (command->as.probe.count == robot->probe_length_count) ? STATUS_OK : STATUS_PROBE_LENGTH;
 }
-
-static const workphase_word_t words[] = {
-    {.word = "RETRACT_NEEDLE", .kind = COMMAND_RETRACT},
-    {.word = "RETRACT_PROBE", .kind = COMMAND_RETRACT},
-    {.word = "ALIGN", .kind = COMMAND_ALIGN},
-    {.word = "INSERT", .kind = COMMAND_INSERT},
-    {.word = "POSE", .kind = COMMAND_POSE, .reader = read_pose},
-    {.word = WORKPHASE_WORD_DRAPING,
-     .kind = COMMAND_POSE,
-     .as.pose_name = {.pose = (uint32_t)POSE_DRAPING}},
-    {.word = "JOG",
-     .kind = COMMAND_JOG,
-     .reader = read_jog,
-     .form = "JOG AXIS 5 mm, or JOG AXIS 5 deg"},
-    {.word = "JOG_BY",
-     .kind = COMMAND_JOG_BY,
-     .reader = read_jog,
-     .form = "JOG_BY AXIS 5 mm, or JOG_BY AXIS 5 deg"},
-    {.word = "VELOCITY",
-     .kind = COMMAND_VELOCITY,
-     .reader = read_velocity,
-     .form = "VELOCITY AXIS 5 mm/s AXIS 5 deg/s 1.5 s"},
-    {.word = "SWEEP", .kind = COMMAND_SWEEP, .reader = read_sweep},
-    {.word = "ACCEPT_ENTRY", .kind = COMMAND_ACCEPT_ENTRY},
-    {.word = "WITHDRAW_ENTRY",
-     .kind = COMMAND_WITHDRAW,
-     .as.withdrawal = {.of = (uint32_t)COMMAND_ENTRY}},
-    {.word = "PROBE", .kind = COMMAND_PROBE, .reader = read_probe},
-};
 
 static bool is_named(const workphase_word_t *word, const igtl_message_t *message)
 {
@@ -226,8 +201,8 @@ static bool begins(const workphase_word_t *word, const igtl_message_t *message)
 
 const workphase_word_t *workphase_words_find(const igtl_message_t *message)
 {
-    for (size_t i = 0U; i < (sizeof words / sizeof words[0]); i++) {
-        const workphase_word_t *word = &words[i];
+    for (size_t i = 0U; i < workphase_word_count; i++) {
+        const workphase_word_t *word = &workphase_words[i];
 
         if (means(word, message) || ((word->reader != NULL) && begins(word, message))) {
             return word;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The commands that a peer of the workphase protocol gives by a word, one row of a table for each.
+ * The commands that a peer of the workphase protocol gives by a word, as the rows of core/interface
+ * name them.
  * A STRING has the word as its name, and what it is told as its text, or both in the text.
  */
 #ifndef BORESIGHT_WORKPHASE_WORDS_H
@@ -13,6 +14,7 @@
 #include "igtl/wire/igtl_codec.h"
 #include "robot/robot.h"
 
+#include <stddef.h>
 #include <stdint.h>
 
 /** A workphase of a later server, here a pose in MANUAL. */
@@ -34,6 +36,18 @@ typedef struct {
     workphase_reader_t reader; /**< NULL: nothing follows it. */
     const char *form; /**< What is taken, of a word whose numbers have units; otherwise NULL. */
 } workphase_word_t;
+
+/** Of the rows of core/interface that have words, by their commands' codes. */
+extern const workphase_word_t workphase_words[];
+extern const size_t workphase_word_count;
+
+/** The readers, by the payload of their commands. */
+status_t workphase_read_jog(const robot_t *robot, char *text, command_t *command);
+status_t workphase_read_jog_by(const robot_t *robot, char *text, command_t *command);
+status_t workphase_read_pose_name(const robot_t *robot, char *text, command_t *command);
+status_t workphase_read_probe(const robot_t *robot, char *text, command_t *command);
+status_t workphase_read_sweep(const robot_t *robot, char *text, command_t *command);
+status_t workphase_read_velocity(const robot_t *robot, char *text, command_t *command);
 
 /**
  * The word that `message` begins with, or is named; NULL for none.

@@ -23,12 +23,6 @@ typedef struct {
 } range_t;
 
 static const range_t mode_range = {offsetof(controller_t, mode), offsetof(controller_t, axes)};
-/* What one mode alone reads, and writes when it is begun: under seal while it was begun last. */
-static const range_t own_ranges[MODE_KIND_COUNT] = {
-    [MODE_VELOCITY] = {offsetof(controller_t, mode.request.velocity),
-                       offsetof(controller_t, mode.request.sweep)},
-    [MODE_SWEEP] = {offsetof(controller_t, mode.request.sweep), offsetof(controller_t, axes)},
-};
 /* Of the rest, what is more than a count, beside the records. */
 static const range_t forgotten_range = {offsetof(controller_t, pending),
                                         offsetof(controller_t, has_started)};
@@ -67,15 +61,18 @@ static inline uint32_t seal_between(const controller_t *self, uint32_t seal, siz
     return seal_of(seal, &bytes[from], to - from);
 }
 
+/* What one mode alone reads, and writes when it is begun, is under seal while it was begun last. */
 static uint32_t seal_of_mode(const controller_t *self)
 {
+    const mode_own_t *const own = &self->mode.request.own;
     const uint32_t seal = seal_between(self, SEAL_START, offsetof(controller_t, mode),
-                                       offsetof(controller_t, mode.request.velocity));
+                                       offsetof(controller_t, mode.request.own));
     if (self->mode.kind >= MODE_KIND_COUNT) {
         return seal;
     }
-    const range_t *const own = &own_ranges[self->mode.kind];
-    return (own->from == own->to) ? seal : seal_between(self, seal, own->from, own->to);
+    const mode_own_range_t *const range = &mode_own_ranges[self->mode.kind];
+    return (range->bytes == 0U) ? seal
+                                : seal_of(seal, &((const uint8_t *)own)[range->from], range->bytes);
 }
 
 static uint32_t seal_of_interlocks(const controller_t *self)

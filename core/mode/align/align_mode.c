@@ -15,3 +15,9 @@ move_mode_t align_mode_move(const robot_t *robot, const axis_t axes[ROBOT_AXIS_M
                                                            : needle_retracted_ticks(robot);
     return move;
 }
+
+void align_mode_step(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame,
+                     mode_result_t *result)
+{
+    move_mode_step(self, leg, frame, result);
+}

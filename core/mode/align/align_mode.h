@@ -13,7 +13,7 @@
 #include <stdint.h>
 
 /**
- * The move to run, move_mode_step(): to `target_ticks` with the needle out, where it stands if it
+ * The move to run: to `target_ticks` with the needle out, where it stands if it
  * is out already, so that it never goes in.
  *
  * @satisfies SWR-ALIGN-002
@@ -21,5 +21,9 @@
  */
 move_mode_t align_mode_move(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                             const int32_t target_ticks[ROBOT_AXIS_MAX]);
+
+/** One cycle, as move_mode_step(). */
+void align_mode_step(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame,
+                     mode_result_t *result);
 
 #endif

@@ -34,7 +34,7 @@ static uint8_t present_stage(const mode_frame_t *frame)
     return stage;
 }
 
-static void begin(const mode_frame_t *frame, uint32_t index, mode_result_t *result)
+void homing_mode_begin_axis(const mode_frame_t *frame, uint32_t index, mode_result_t *result)
 {
     axis_t *const axis = &frame->axes[index];
     const bool was_homing = axis_is_homing(axis);
@@ -105,14 +105,14 @@ static void begin_linkage(const mode_frame_t *frame, escort_t *escort, uint8_t s
     if (unplaced < frame->axis_count) {
         mode_fail(result, EVENT_HOMING_UNPLACED, unplaced, 0);
     } else if (escorted < frame->axis_count) {
-        begin(frame, escorted, result);
+        homing_mode_begin_axis(frame, escorted, result);
         if (axis_is_homing(&frame->axes[escorted])) {
             escort_begin(escort, frame->robot, frame->axes, escorted);
         }
     } else {
         for (uint32_t i = 0U; i < frame->axis_count; i++) {
             if (is_linked(frame->robot, i) && is_due(frame, i, stage)) {
-                begin(frame, i, result);
+                homing_mode_begin_axis(frame, i, result);
             }
         }
     }
@@ -127,7 +127,7 @@ static void begin_stage(const mode_frame_t *frame, escort_t *escort, mode_result
         if (is_due_now && is_linked(frame->robot, i)) {
             is_linkage_due = true;
         } else if (is_due_now) {
-            begin(frame, i, result);
+            homing_mode_begin_axis(frame, i, result);
         } else {
             /* Later, or never. */
         }
@@ -309,56 +309,5 @@ void homing_mode_step(leg_t *leg, escort_t *escort, const mode_frame_t *frame,
     } else {
         leg_stop(leg);
         home(frame, escort, result);
-    }
-}
-
-/* As in START_UP: how it may be homed at all, then what its way may meet. */
-static status_t judge_alone(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
-{
-    const axis_config_t *const config = &robot->axes[index];
-    const bool has_switch = config->home_method == (uint8_t)HOME_BY_SWITCH;
-    status_t status = STATUS_OK;
-    if (follower_is_in_block(robot, index)) {
-        status = STATUS_HOMES_WITH_OTHERS;
-    } else if (!has_switch && !axis_is_fresh(&axes[index])) {
-        status = STATUS_HOMES_OTHERWISE;
-    } else if (has_switch && needle_forbids_jog(robot, axes, index, false)) {
-        status = STATUS_NEEDLE_IN;
-    } else {
-        status = STATUS_OK;
-    }
-    return status;
-}
-
-solution_t homing_mode_judge(uint32_t index, const robot_t *robot,
-                             const axis_t axes[ROBOT_AXIS_MAX])
-{
-    solution_t result = {.status = STATUS_UNKNOWN_COMMAND, .axis = 0U, .is_maximum = 0U};
-    if (index >= robot->axis_count) {
-        return result;
-    }
-    const bool has_switch = robot->axes[index].home_method == (uint8_t)HOME_BY_SWITCH;
-    result.status = judge_alone(robot, axes, index);
-    if ((result.status == STATUS_OK) && has_switch) {
-        result = coupled_guard_judge_homing(robot, axes, index);
-    }
-    return result;
-}
-
-bool homing_mode_is_axis_done(uint32_t index, const mode_frame_t *frame)
-{
-    return (index < frame->axis_count) && axis_is_homed(&frame->axes[index]);
-}
-
-void homing_mode_step_axis(uint32_t index, const mode_frame_t *frame, mode_result_t *result)
-{
-    for (uint32_t i = 0U; i < frame->axis_count; i++) {
-        axis_t *const axis = &frame->axes[i];
-        if (i == index) {
-            begin(frame, i, result);
-        }
-        result->requests[i] = ((i == index) && axis_is_homing(axis))
-                                  ? axis_home(axis, &frame->robot->axes[i], frame->elapsed_us)
-                                  : axis_rest(axis, frame->elapsed_us);
     }
 }

@@ -4,8 +4,7 @@
  * Homing: the needle leaves if it is in, then the axes find their home positions, stage after stage
  * of the robot's table (core/axis/homing.h says how one does), with those that follow them
  * (core/axis/follower.h), the last of a linkage with an escort (escort.h). At last all go to the
- * pose home, if the robot has one. Its state is that of the axes and of the escort. Or a single
- * axis homes, by the same rules.
+ * pose home, if the robot has one. Its state is that of the axes and of the escort.
  */
 #ifndef BORESIGHT_HOMING_MODE_H
 #define BORESIGHT_HOMING_MODE_H
@@ -51,25 +50,9 @@ void homing_mode_step(leg_t *leg, escort_t *escort, const mode_frame_t *frame,
 uint32_t homing_mode_unplaced(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX]);
 
 /**
- * May axis `index` be homed alone?
- *
- * @return status STATUS_OK; STATUS_UNKNOWN_COMMAND for no axis; STATUS_HOMES_WITH_OTHERS of one of
- * a block; STATUS_HOMES_OTHERWISE without a switch, unless it is fresh; STATUS_NEEDLE_IN;
- * STATUS_NOT_HOMED or the refusal of a coupled limit as coupled_guard_judge_homing()
- *
- * @satisfies SWR-AXIS-036
+ * One cycle of axis `index` that is to be homed: it begins, is taken where it stands, or goes on.
+ * Fails when a coupled limit bars it.
  */
-solution_t homing_mode_judge(uint32_t index, const robot_t *robot,
-                             const axis_t axes[ROBOT_AXIS_MAX]);
-
-/** Axis `index` is homed. */
-bool homing_mode_is_axis_done(uint32_t index, const mode_frame_t *frame);
-
-/**
- * One cycle of homing axis `index` alone; all others rest. Fails when a coupled limit bars it.
- *
- * @satisfies SWR-AXIS-034
- */
-void homing_mode_step_axis(uint32_t index, const mode_frame_t *frame, mode_result_t *result);
+void homing_mode_begin_axis(const mode_frame_t *frame, uint32_t index, mode_result_t *result);
 
 #endif

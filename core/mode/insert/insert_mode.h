@@ -8,16 +8,17 @@
 #define BORESIGHT_INSERT_MODE_H
 
 #include "mode/move/move_mode.h"
+#include "robot/joints.h"
 
 /**
  * May the needle go in alone?
  *
- * @return STATUS_OK, or STATUS_NOT_ALIGNED
+ * @return status STATUS_OK, or STATUS_NOT_ALIGNED
  *
  * @satisfies SWR-ALIGN-004
  */
-status_t insert_mode_judge(const move_mode_t *self, const robot_t *robot,
-                           const axis_t axes[ROBOT_AXIS_MAX]);
+solution_t insert_mode_judge(const move_mode_t *self, const robot_t *robot,
+                             const axis_t axes[ROBOT_AXIS_MAX]);
 
 /**
  * One cycle; done once the needle has arrived. It begins, at first and after each pause, only while

@@ -69,3 +69,19 @@ void jog_mode_step(const mode_way_t *self, leg_t *leg, const mode_frame_t *frame
         result->progress = MODE_DONE;
     }
 }
+
+uint32_t jog_mode_ask(const mode_asked_t *asked, mode_way_t *way)
+{
+    if (asked->command->kind == (uint32_t)COMMAND_JOG) {
+        const command_jog_t *const sent = command_as_jog(asked->command);
+        *way = (mode_way_t){.axis = sent->axis, .end_ticks = sent->to_ticks};
+    } else {
+        const command_jog_by_t *const sent = command_as_jog_by(asked->command);
+        *way = (mode_way_t){.axis = sent->axis, .end_ticks = 0};
+        if (sent->axis < asked->robot->axis_count) {
+            const int32_t from_ticks = asked->axes[sent->axis].encoder.position_ticks;
+            way->end_ticks = fixed_saturate((int64_t)from_ticks + (int64_t)sent->by_ticks);
+        }
+    }
+    return mode_asked_axes(way->axis);
+}

@@ -4,6 +4,7 @@
 #define BORESIGHT_JOG_MODE_H
 
 #include "mode/leg/leg.h"
+#include "mode/leg/mode_asked.h"
 #include "mode/leg/mode_frame.h"
 #include "robot/joints.h"
 #include "robot/robot.h"
@@ -30,5 +31,14 @@ solution_t jog_mode_judge(const mode_way_t *asked, const robot_t *robot,
  */
 void jog_mode_step(const mode_way_t *self, leg_t *leg, const mode_frame_t *frame,
                    mode_result_t *result);
+
+/**
+ * `way` of JOG, or of JOG_BY from where the axis stands.
+ *
+ * @return bit n: axis n
+ *
+ * @satisfies SWR-MODE-007
+ */
+uint32_t jog_mode_ask(const mode_asked_t *asked, mode_way_t *way);
 
 #endif

@@ -34,3 +34,10 @@ void retract_mode_step(int32_t end_ticks, leg_t *leg, const mode_frame_t *frame,
     /* The end of the leg is not waited for: where it is, or beyond, the retraction is done. */
     (void)leg_step(leg, frame, result);
 }
+
+uint32_t retract_mode_ask(const mode_asked_t *asked, mode_way_t *way)
+{
+    way->axis = asked->robot->needle_axis;
+    way->end_ticks = retract_mode_end_ticks(asked->robot, asked->axes);
+    return mode_asked_axes(way->axis);
+}

@@ -9,6 +9,7 @@
 #define BORESIGHT_RETRACT_MODE_H
 
 #include "mode/leg/leg.h"
+#include "mode/leg/mode_asked.h"
 #include "mode/leg/mode_frame.h"
 
 #include <stdbool.h>
@@ -39,5 +40,8 @@ bool retract_mode_is_done(int32_t end_ticks, const mode_frame_t *frame);
  */
 void retract_mode_step(int32_t end_ticks, leg_t *leg, const mode_frame_t *frame,
                        mode_result_t *result);
+
+/** `way` ends at retract_mode_end_ticks(). */
+uint32_t retract_mode_ask(const mode_asked_t *asked, mode_way_t *way);
 
 #endif

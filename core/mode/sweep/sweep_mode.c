@@ -261,3 +261,11 @@ void sweep_mode_step(sweep_mode_t *self, uint32_t index, leg_t *leg, const mode_
     }
     leg->profile.cycle++;
 }
+
+uint32_t sweep_mode_ask(const mode_asked_t *asked, mode_way_t *way, sweep_mode_t *self)
+{
+    const command_sweep_t *const sent = command_as_sweep(asked->command);
+    way->axis = sent->axis;
+    self->is_free = sent->is_free;
+    return mode_asked_axes(sent->axis);
+}

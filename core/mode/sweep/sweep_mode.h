@@ -11,6 +11,7 @@
 #define BORESIGHT_SWEEP_MODE_H
 
 #include "mode/leg/leg.h"
+#include "mode/leg/mode_asked.h"
 #include "mode/leg/mode_frame.h"
 #include "robot/joints.h"
 #include "robot/robot.h"
@@ -67,5 +68,12 @@ static inline bool sweep_mode_has_begun(const sweep_mode_t *self)
 {
     return self->stage != 0U;
 }
+
+/**
+ * What SWEEP says.
+ *
+ * @return bit n: axis n
+ */
+uint32_t sweep_mode_ask(const mode_asked_t *asked, mode_way_t *way, sweep_mode_t *self);
 
 #endif

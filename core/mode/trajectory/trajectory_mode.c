@@ -196,16 +196,17 @@ static bool is_pair_whole(const pair_t *pair)
            ((pair->to == pair->from) || trajectory_row_is_whole(pair->to));
 }
 
-void trajectory_mode_step(trajectory_mode_t *self, const trajectory_t *trajectory, leg_t *leg,
+void trajectory_mode_step(trajectory_mode_t *self, const trajectory_list_t *list, leg_t *leg,
                           const mode_frame_t *frame, mode_result_t *result)
 {
-    if (trajectory->list->is_whole == 0U) {
+    const trajectory_t trajectory = {.list = list, .rows = frame->rows};
+    if (list->is_whole == 0U) {
         mode_rest(frame, result);
         mode_fail(result, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_TRAJECTORY, 0);
         result->axis = MODE_NO_AXIS;
         return;
     }
-    const pair_t pair = pair_at(trajectory, self->row);
+    const pair_t pair = pair_at(&trajectory, self->row);
     if (!is_pair_whole(&pair)) {
         mode_rest(frame, result);
         mode_fail(result, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_TRAJECTORY,
@@ -213,8 +214,15 @@ void trajectory_mode_step(trajectory_mode_t *self, const trajectory_t *trajector
         result->axis = MODE_NO_AXIS;
         result->status = STATUS_MEMORY_DAMAGED;
     } else if (self->is_on_way != 0U) {
-        step_way(self, trajectory, leg, frame, result);
+        step_way(self, &trajectory, leg, frame, result);
     } else {
         step_leg(self, &pair, leg, frame, result);
     }
+}
+
+uint32_t trajectory_mode_ask(const mode_asked_t *asked, trajectory_span_t *span)
+{
+    span->start_ms = asked->rows[0].time_ms;
+    span->end_ms = trajectory_list_end_ms(asked->list, asked->rows);
+    return 0U;
 }

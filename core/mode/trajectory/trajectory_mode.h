@@ -9,6 +9,7 @@
 #define BORESIGHT_TRAJECTORY_MODE_H
 
 #include "mode/leg/leg.h"
+#include "mode/leg/mode_asked.h"
 #include "mode/leg/mode_frame.h"
 #include "mode/lists/trajectory_list.h"
 #include "robot/joints.h"
@@ -21,6 +22,12 @@ typedef struct {
     const trajectory_list_t *list;
     const trajectory_row_t *rows;
 } trajectory_t;
+
+/** Times of its list, in ms. */
+typedef struct {
+    uint32_t start_ms; /**< Of its first row, */
+    uint32_t end_ms;   /**< and of its last one. */
+} trajectory_span_t;
 
 typedef struct {
     uint32_t row;       /**< The last one that was passed. */
@@ -74,7 +81,14 @@ void trajectory_mode_pause(trajectory_mode_t *self);
  * @satisfies SWR-TRAJ-011
  * @satisfies SWR-TRAJ-012
  */
-void trajectory_mode_step(trajectory_mode_t *self, const trajectory_t *trajectory, leg_t *leg,
+void trajectory_mode_step(trajectory_mode_t *self, const trajectory_list_t *list, leg_t *leg,
                           const mode_frame_t *frame, mode_result_t *result);
+
+/**
+ * From the first row of the list that is held to its last one.
+ *
+ * @return 0: all axes
+ */
+uint32_t trajectory_mode_ask(const mode_asked_t *asked, trajectory_span_t *span);
 
 #endif

@@ -8,6 +8,8 @@
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
 
+#include <string.h>
+
 #define CYCLES_PER_S (1000000U / LIMIT_CYCLE_US)
 /* A tick in the unit of ways: what a speed of 1 ticks/s, 8 fraction bits, makes of it in a cycle.
  */
@@ -308,4 +310,15 @@ void velocity_mode_step(velocity_mode_t *self, leg_t *leg, const mode_frame_t *f
         conclude(self, frame, result);
     }
     come_to_rest(self, leg, frame, result);
+}
+
+uint32_t velocity_mode_ask(const mode_asked_t *asked, velocity_mode_t *self)
+{
+    const command_velocity_t *const sent = command_as_velocity(asked->command);
+    self->axes = sent->axes;
+    self->time_ms = sent->time_ms;
+    self->way_ticks = sent->way_ticks;
+    (void)memcpy(self->speeds_ticks_per_s, sent->speeds_ticks_per_s,
+                 sizeof self->speeds_ticks_per_s);
+    return sent->axes;
 }

@@ -13,6 +13,7 @@
 #define BORESIGHT_VELOCITY_MODE_H
 
 #include "mode/leg/leg.h"
+#include "mode/leg/mode_asked.h"
 #include "mode/leg/mode_frame.h"
 #include "mode/velocity/velocity_state.h"
 #include "robot/joints.h"
@@ -54,5 +55,12 @@ bool velocity_mode_runs(const velocity_mode_t *self);
  */
 void velocity_mode_step(velocity_mode_t *self, leg_t *leg, const mode_frame_t *frame,
                         mode_result_t *result);
+
+/**
+ * What VELOCITY says.
+ *
+ * @return bit n: axis n
+ */
+uint32_t velocity_mode_ask(const mode_asked_t *asked, velocity_mode_t *self);
 
 #endif

@@ -266,15 +266,15 @@ void test_SWR_MEMORY_003_what_only_speeds_need_is_under_seal_while_they_were_arm
     static rig_t moving;
     begin_move();
     moving = rig;
-    for (size_t i = 0U; i < sizeof rig.controller.mode.request.velocity; i += 4U) {
+    for (size_t i = 0U; i < sizeof rig.controller.mode.request.own.velocity; i += 4U) {
         rig = moving;
-        ((uint8_t *)&rig.controller.mode.request.velocity)[i] ^= 0x10U;
+        ((uint8_t *)&rig.controller.mode.request.own.velocity)[i] ^= 0x10U;
         rig_cycle(&rig);
         TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
         rig = moving;
         rig.controller.mode.kind = (uint32_t)MODE_VELOCITY;
         controller_seal(&rig.controller);
-        ((uint8_t *)&rig.controller.mode.request.velocity)[i] ^= 0x10U;
+        ((uint8_t *)&rig.controller.mode.request.own.velocity)[i] ^= 0x10U;
         rig_cycle(&rig);
         TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
         TEST_ASSERT_EQUAL_UINT32(EVENT_MEMORY_PROFILE, rig.events[0].subject);

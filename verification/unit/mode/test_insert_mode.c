@@ -71,10 +71,10 @@ void test_SWR_ALIGN_004_each_axis_but_the_needle_must_stand_at_the_target(void)
             const int32_t slack = robot.axes[axis].deadband_ticks + 2;
             const bool is_needle = axis == (uint32_t)NEURO_AXIS_INSERTION;
             world_put(axis, move.target_ticks[axis] + (side * slack));
-            TEST_ASSERT_EQUAL(STATUS_OK, insert_mode_judge(&move, &robot, axes));
+            TEST_ASSERT_EQUAL(STATUS_OK, insert_mode_judge(&move, &robot, axes).status);
             world_put(axis, move.target_ticks[axis] + (side * (slack + 1)));
             TEST_ASSERT_EQUAL(is_needle ? STATUS_OK : STATUS_NOT_ALIGNED,
-                              insert_mode_judge(&move, &robot, axes));
+                              insert_mode_judge(&move, &robot, axes).status);
             world_put(axis, move.target_ticks[axis]);
         }
     }

@@ -123,6 +123,53 @@ void test_SWR_MODE_001_each_mode_is_armed_by_its_command(void)
     TEST_ASSERT_EQUAL(MODE_NONE, mode_of((workphase_t)WORKPHASE_COUNT));
 }
 
+static mode_request_t ask(mode_kind_t kind, const command_t *command)
+{
+    const mode_asked_t asked = {
+        .command = command, .robot = &robot, .axes = axes, .list = &mode.list, .rows = NULL};
+    return mode_ask(kind, &asked);
+}
+
+void test_SWR_MODE_001_a_mode_makes_its_request_of_what_its_command_says(void)
+{
+    const command_t jog = {.kind = COMMAND_JOG, .as.jog = {NEURO_AXIS_HEAD, -70}};
+    const command_t sweep = {.kind = COMMAND_SWEEP, .as.sweep = {NEURO_AXIS_PITCH, 1U}};
+    const command_t home = {.kind = COMMAND_HOME_AXIS, .as.axis = {NEURO_AXIS_YAW}};
+    command_t velocity = {.kind = COMMAND_VELOCITY};
+    velocity.as.velocity.axes = 5U;
+    velocity.as.velocity.time_ms = 300U;
+    velocity.as.velocity.speeds_ticks_per_s[2] = -9;
+    mode_request_t made = ask(MODE_JOG, &jog);
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_HEAD), made.axes);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_HEAD, made.way.axis);
+    TEST_ASSERT_EQUAL_INT32(-70, made.way.end_ticks);
+    made = ask(MODE_SWEEP, &sweep);
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_PITCH), made.axes);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_PITCH, made.way.axis);
+    TEST_ASSERT_EQUAL_UINT32(1U, made.own.sweep.is_free);
+    made = ask(MODE_HOME_AXIS, &home);
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_YAW), made.axes);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, made.way.axis);
+    made = ask(MODE_VELOCITY, &velocity);
+    TEST_ASSERT_EQUAL_HEX32(5U, made.axes);
+    TEST_ASSERT_EQUAL_UINT32(300U, made.own.velocity.time_ms);
+    TEST_ASSERT_EQUAL_INT32(-9, made.own.velocity.speeds_ticks_per_s[2]);
+}
+
+void test_SWR_MODE_007_a_way_is_from_where_the_axis_stands_and_none_of_an_axis_that_there_is_not(
+    void)
+{
+    command_t command = {.kind = COMMAND_JOG_BY, .as.jog_by = {NEURO_AXIS_HEAD, -70}};
+    world_put(NEURO_AXIS_HEAD, 100);
+    TEST_ASSERT_EQUAL_INT32(30, ask(MODE_JOG, &command).way.end_ticks);
+    command.as.jog_by.by_ticks = INT32_MAX;
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, ask(MODE_JOG, &command).way.end_ticks);
+    command.as.jog_by.axis = robot.axis_count;
+    TEST_ASSERT_EQUAL_INT32(0, ask(MODE_JOG, &command).way.end_ticks);
+    command.as.jog_by.axis = ROBOT_AXIS_MAX;
+    TEST_ASSERT_EQUAL_HEX32(0U, ask(MODE_JOG, &command).axes);
+}
+
 void test_SWR_MODE_002_a_mode_needs_all_axes_the_commanded_ones_or_that_of_the_needle(void)
 {
     const uint32_t two = LEG_AXIS(NEURO_AXIS_HEAD) | LEG_AXIS(NEURO_AXIS_PITCH);
@@ -383,7 +430,7 @@ void test_SWR_TRAJ_011_without_the_pedal_the_time_of_a_trajectory_stands(void)
     const trajectory_row_t last = {.time_ms = 2020U};
     TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_add(&mode.list, rows, &robot, 1U, &last).status);
     TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_end(&mode.list, mode.list.crc));
-    const mode_request_t run_it = {.start_ms = 20U};
+    const mode_request_t run_it = {.span = {.start_ms = 20U}};
     frame.rows = rows;
     frame.workphase = WORKPHASE_MANUAL;
     mode_begin(&mode, MODE_TRAJECTORY, &run_it);

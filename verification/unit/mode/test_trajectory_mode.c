@@ -68,7 +68,8 @@ void tearDown(void)
 static void step(void)
 {
     mode_clear(&result);
-    trajectory_mode_step(&mode, &trajectory, &leg, &frame, &result);
+    frame.rows = rows;
+    trajectory_mode_step(&mode, &list, &leg, &frame, &result);
     world_follow();
 }
 

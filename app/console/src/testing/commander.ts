@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // A page that commands, before a server that answers everything and writes down what it was asked.
 import { vi } from "vitest";
-import type { Authority, Mode, Modes, Robot, Role, Step } from "@interface";
+import {
+  modeButtons,
+  type Authority,
+  type Mode,
+  type Modes,
+  type Robot,
+  type Role,
+  type Step,
+} from "@interface";
 import { Operation } from "../state/operation";
 import { makeAuthority, makeSession } from "./robot";
 
@@ -111,11 +119,9 @@ export function makeOutlook(...allowed: string[]): Modes {
   const modes = [
     "HOMING",
     ...single,
-    "RETRACT",
-    "ALIGN",
-    "INSERT",
     "POSE",
     "PROGRAM",
+    ...Object.keys(modeButtons),
   ];
   return {
     commands: plainActs.map((name) => ({ name, ...judgement(name) })),

@@ -2,7 +2,7 @@
 // Rule under test: each mode is listed with what the server says of it, and the chosen one has what commands it.
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, expect, test, vi } from "vitest";
-import type { Modes, Status } from "@interface";
+import { modeButtons, type Modes, type Status } from "@interface";
 import {
   makeCommander,
   makeOutlook,
@@ -60,12 +60,16 @@ test("SWR-CON-032 what the server has not said is not guessed", async () => {
   expect(screen.queryAllByRole("radio")).toEqual([]);
 });
 
-test.each([
+const commanded: [string, string, string, object][] = [
   ["HOMING", "START UP", "/api/v1/workphase", { workphase: "START_UP" }],
-  ["RETRACT", "Retract needle", "/api/v1/needle/retract", {}],
-  ["ALIGN", "Align", "/api/v1/align", {}],
+  ...Object.entries(modeButtons).map(
+    ([mode, { label, path }]) =>
+      [mode, label, path, {}] as [string, string, string, object],
+  ),
   ["POSE", "Pose PARK", "/api/v1/pose", { pose: "PARK" }],
-])(
+];
+
+test.each(commanded)(
   "SWR-CON-032 %s is commanded from its panel",
   async (mode, label, path, fields) => {
     await show(makeOutlook(mode));

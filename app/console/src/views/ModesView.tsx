@@ -3,7 +3,7 @@ import type { Mode } from "@interface";
 import { words } from "../words/format";
 import { useCommanding, useKept } from "../state/operation";
 import { reasonAgainst, usePoses } from "../state/outlook";
-import { isNeedleMode, NeedleOrder, Poses } from "../panels/modes/Needle";
+import { ButtonOrder, isButtonMode, Poses } from "../panels/modes/Needle";
 import { ModeList } from "../panels/modes/ModeList";
 import type { ModePanelProperties } from "../panels/modes/mode_panel";
 import { Program } from "../panels/modes/Program";
@@ -53,9 +53,9 @@ function Orders(properties: Properties) {
     const Content = own[name as keyof typeof own];
     return <Content {...properties} />;
   }
-  if (isNeedleMode(name)) {
+  if (isButtonMode(name)) {
     return (
-      <NeedleOrder mode={name} commanding={commanding} outlook={outlook} />
+      <ButtonOrder mode={name} commanding={commanding} outlook={outlook} />
     );
   }
   switch (name) {

@@ -7,7 +7,12 @@ import {
   type ReactNode,
 } from "react";
 import type { Box as BoxState, BoxOrderRequest } from "@interface";
-import { BoxHands, type BoxView, type Handle, type Hold } from "../../state/box";
+import {
+  BoxHands,
+  type BoxView,
+  type Handle,
+  type Hold,
+} from "../../state/box";
 import type { Freshness } from "../../state/freshness";
 import { mayCommand, obstacleOf, type Operation } from "../../state/operation";
 import { HoldButton } from "../../parts/HoldButton";

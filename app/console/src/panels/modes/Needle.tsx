@@ -1,33 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Modes, Path, PoseName, RobotState } from "@interface";
+import {
+  modeButtons,
+  type Modes,
+  type PoseName,
+  type RobotState,
+} from "@interface";
 import { words } from "../../words/format";
-import { useCommanding, type Commanding, type Operation } from "../../state/operation";
+import {
+  useCommanding,
+  type Commanding,
+  type Operation,
+} from "../../state/operation";
 import { reasonAgainst, usePoses } from "../../state/outlook";
 import { Order, OrderNotes, Orders } from "../../parts/Order";
 
-const motions = {
-  ALIGN: ["Align", "/api/v1/align"],
-  INSERT: ["Insert", "/api/v1/needle/insert"],
-  RETRACT: ["Retract needle", "/api/v1/needle/retract"],
-} as const satisfies Record<string, readonly [string, Path]>;
+/** A mode whose command says nothing but itself. */
+export type ButtonMode = keyof typeof modeButtons;
 
-export type NeedleMode = keyof typeof motions;
+const ofNeedle: readonly ButtonMode[] = ["ALIGN", "INSERT", "RETRACT"];
 
 export interface NeedleProperties {
   commanding: Commanding;
   outlook: Modes | null;
 }
 
-export function isNeedleMode(name: string): name is NeedleMode {
-  return name in motions;
+export function isButtonMode(name: string): name is ButtonMode {
+  return name in modeButtons;
 }
 
-export function NeedleOrder({
+export function ButtonOrder({
   mode,
   commanding,
   outlook,
-}: NeedleProperties & { mode: NeedleMode }) {
-  const [label, path] = motions[mode];
+}: NeedleProperties & { mode: ButtonMode }) {
+  const { label, path } = modeButtons[mode];
   return (
     <Order
       commanding={commanding}
@@ -84,11 +90,9 @@ export function Needle({
     <>
       <OrderNotes commanding={commanding} />
       <Orders name="Needle">
-        {Object.keys(motions)
-          .filter(isNeedleMode)
-          .map((mode) => (
-            <NeedleOrder key={mode} mode={mode} {...properties} />
-          ))}
+        {ofNeedle.map((mode) => (
+          <ButtonOrder key={mode} mode={mode} {...properties} />
+        ))}
       </Orders>
       <Poses {...properties} poses={poses} />
     </>

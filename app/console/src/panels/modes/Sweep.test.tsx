@@ -9,7 +9,12 @@ import {
   makeOutlook,
   type Commander,
 } from "../../testing/commander";
-import { makeAxis, makeEntry, makeRobot, makeStatus } from "../../testing/robot";
+import {
+  makeAxis,
+  makeEntry,
+  makeRobot,
+  makeStatus,
+} from "../../testing/robot";
 import { readRuns } from "../../words/sweep_runs";
 import { Sweep } from "./Sweep";
 

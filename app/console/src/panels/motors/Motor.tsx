@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useId, useState } from "react";
 import type { Axis, Named, Path } from "@interface";
-import { formatNumber, formatSpeed, formatValue, readNumbers } from "../../words/format";
+import {
+  formatNumber,
+  formatSpeed,
+  formatValue,
+  readNumbers,
+} from "../../words/format";
 import { isKnown } from "../../state/trust";
 import type { Commanding } from "../../state/operation";
 import type { Way } from "../../state/outlook";

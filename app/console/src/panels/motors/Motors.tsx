@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useState } from "react";
 import type { Axis, Modes, Path, RobotState } from "@interface";
-import { useCommanding, type Commanding, type Operation } from "../../state/operation";
-import { reasonAgainst, reasonAgainstAxis, type Way } from "../../state/outlook";
+import {
+  useCommanding,
+  type Commanding,
+  type Operation,
+} from "../../state/operation";
+import {
+  reasonAgainst,
+  reasonAgainstAxis,
+  type Way,
+} from "../../state/outlook";
 import { OrderNotes } from "../../parts/Order";
 import { sharedReasons, SharedReasons } from "../procedure/Axes";
 import {

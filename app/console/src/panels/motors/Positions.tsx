@@ -11,7 +11,11 @@ import type {
 import { saveText } from "../../words/download";
 import { formatValue, words } from "../../words/format";
 import { isKnown } from "../../state/trust";
-import { useCommanding, type Commanding, type Operation } from "../../state/operation";
+import {
+  useCommanding,
+  type Commanding,
+  type Operation,
+} from "../../state/operation";
 import { refusalOf, type Page } from "../../state/page";
 import { fitted } from "../../words/shape";
 import { FileDrop, type TextFile } from "../../parts/FileDrop";

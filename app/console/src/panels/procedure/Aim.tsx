@@ -10,7 +10,11 @@ import {
   readAim,
   readNumbers,
 } from "../../words/format";
-import { useCommanding, type Commanding, type Operation } from "../../state/operation";
+import {
+  useCommanding,
+  type Commanding,
+  type Operation,
+} from "../../state/operation";
 import { Matrix } from "../../parts/drawn/Matrix";
 import { Order, OrderNotes } from "../../parts/Order";
 import { reasonAgainst } from "../../state/outlook";

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Modes, NextWorkphaseRequest, Status, Step } from "@interface";
 import { words } from "../../words/format";
-import { useCommanding, type Commanding, type Operation } from "../../state/operation";
+import {
+  useCommanding,
+  type Commanding,
+  type Operation,
+} from "../../state/operation";
 import { Order, OrderNotes } from "../../parts/Order";
 import { Progress } from "../../parts/drawn/Progress";
 

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Targeting as TargetingData } from "@interface";
-import { formatNumber, formatOrigin, formatPoint, originOf } from "../../words/format";
+import {
+  formatNumber,
+  formatOrigin,
+  formatPoint,
+  originOf,
+} from "../../words/format";
 import { Matrix } from "../../parts/drawn/Matrix";
 
 function pointText(matrix: readonly number[] | null, missing: string): string {

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What a mode is asked for, and where it stands. */
+#ifndef BORESIGHT_MODE_STATE_H
+#define BORESIGHT_MODE_STATE_H
+
+#include "interface/mode_own.h"
+#include "mode/jog/jog_mode.h"
+#include "mode/leg/escort.h"
+#include "mode/leg/leg.h"
+#include "mode/lists/trajectory_list.h"
+#include "mode/move/move_mode.h"
+#include "mode/program/program_mode.h"
+#include "mode/trajectory/trajectory_mode.h"
+
+#include <stdint.h>
+
+/** What a mode is asked for; each reads what it needs. */
+typedef struct {
+    uint32_t axes;  /**< Bit n: axis n is commanded. mode_axes() makes of it those that it needs. */
+    mode_way_t way; /**< One axis, and where it goes if its mode asks for that. */
+    move_mode_t move;
+    trajectory_span_t span;
+    mode_own_t own; /**< What one mode alone reads and writes, sealed while that was armed last. */
+} mode_request_t;
+
+/** At first all zero. */
+typedef struct {
+    uint32_t kind; /**< mode_kind_t of the order that was armed last. */
+    leg_t leg;
+    escort_t escort; /**< Of homing. */
+    trajectory_mode_t trajectory;
+    trajectory_list_t list; /**< Of the trajectory that is held, armed or not. */
+    program_mode_t program;
+    mode_request_t request; /**< With the axes that it needs. */
+} mode_state_t;
+
+#endif
