@@ -27,7 +27,7 @@ class CTests
   LIBRARIES = %w[-Wl,--as-needed -lzstd -lcjson -lcrypto -lcrypt -lpthread -lrt -lm -lumockdev -lgobject-2.0
                  -lglib-2.0].freeze
   TENTH = '-DSCENE_DIVISOR=10U'
-  # gold links a static program in half of the time, which is a tenth of that of its test.
+  # gold links a static program in half of the time of the default linker.
   WAYS = {
     'asan' => { compiler: %W[gcc #{TENTH} -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
                 libraries: LIBRARIES },
