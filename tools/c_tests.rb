@@ -27,10 +27,11 @@ class CTests
   LIBRARIES = %w[-Wl,--as-needed -lzstd -lcjson -lcrypto -lcrypt -lpthread -lrt -lm -lumockdev -lgobject-2.0
                  -lglib-2.0].freeze
   TENTH = '-DSCENE_DIVISOR=10U'
+  # gold links a static program in half of the time of the default linker.
   WAYS = {
     'asan' => { compiler: %W[gcc #{TENTH} -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
                 libraries: LIBRARIES },
-    'arm' => { compiler: %W[arm-linux-gnueabihf-gcc #{TENTH} -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static],
+    'arm' => { compiler: %W[arm-linux-gnueabihf-gcc #{TENTH} -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static -fuse-ld=gold],
                runner: %w[qemu-arm], libraries: %w[-lm] },
     'gcc' => { compiler: %w[gcc], runner: [], libraries: LIBRARIES }
   }.freeze

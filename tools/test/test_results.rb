@@ -77,6 +77,39 @@ class TestResults < Minitest::Test
     end
   end
 
+  # Each waits until all three run; a fault is bounded by a time that no load comes near.
+  WAITING = <<~RUBY
+    require 'minitest/autorun'
+    class %<group>s < Minitest::Test
+      define_method(:test_it) do
+        File.write('%<group>s.runs', '')
+        3000.times { Dir['*.runs'].size < 3 ? sleep(0.01) : break }
+        assert_equal 3, Dir['*.runs'].size
+      end
+    end
+  RUBY
+
+  def test_SWR_TOOL_090_files_run_beside_each_other_and_leave_the_results_of_all
+    in_tools do |root|
+      groups = %w[One Two Three]
+      groups.each { |group| File.write(File.join(root, "tools/test/#{group}.rb"), format(WAITING, group: group)) }
+      output, status = run_in(root, 'tools/beside.rb', '3', *groups.map { |group| "tools/test/#{group}.rb" }, origin: '{}')
+      assert status.success?, output
+      assert_equal %w[[1/3] [2/3] [3/3]], output.scan(%r{^\[\d/\d\](?= tools/test/\w+\.rb$)})
+      assert_equal groups.sort.map { |group| ['test_it', "tools/test/#{group}.rb", 'pass'] }, left_in(root)
+    end
+  end
+
+  def test_SWR_TOOL_090_a_file_that_fails_or_does_not_come_to_its_tests_is_in_the_results
+    in_tools do |root|
+      File.write(File.join(root, 'tools/test/a.rb'), "require 'minitest/autorun'\nClass.new(Minitest::Test) { def test_a = flunk }\n")
+      File.write(File.join(root, 'tools/test/b.rb'), "abort 'no way'\n")
+      output, status = run_in(root, 'tools/beside.rb', '1', 'tools/test/a.rb', 'tools/test/b.rb', origin: '{}')
+      refute status.success?, output
+      assert_equal [%w[test_a tools/test/a.rb fail], %w[b tools/test/b.rb fail]], left_in(root)
+    end
+  end
+
   def test_SWR_TRACE_002_every_runner_leaves_its_results_with_their_origin
     in_tools do |root|
       report = { PassedTests: [{ test: 'a', file: 'x.c' }], FailedTests: [], IgnoredTests: [],
@@ -108,18 +141,24 @@ class TestResults < Minitest::Test
     results.map { |row| row.values_at(:test, :file, :result, :line, :message) }
   end
 
+  # Test, file and verdict of each row of the one file of results.
+  def left_in(root)
+    assert_equal ['it.json'], Dir.children(File.join(root, 'build/results'))
+    JSON.parse(File.read(File.join(root, 'build/results/it.json'))).fetch('tests').map { |row| row.values_at('test', 'file', 'result') }
+  end
+
   # A folder with what leaves results.
   def in_tools
     Dir.mktmpdir do |root|
       FileUtils.mkdir_p(File.join(root, 'tools/test'))
-      %w[results.rb origin.rb gems.lock test/result_reporter.rb].each do |name|
+      %w[results.rb origin.rb gems.lock test/result_reporter.rb beside.rb].each do |name|
         FileUtils.cp(File.join(TOOLS, name), File.join(root, 'tools', name))
       end
       yield root
     end
   end
 
-  def run_in(root, *command)
-    Open3.capture2e({ Results::NAME => 'it', Origin::ENVIRONMENT => nil }, 'ruby', *command, chdir: root)
+  def run_in(root, *command, origin: nil)
+    Open3.capture2e({ Results::NAME => 'it', Origin::ENVIRONMENT => origin }, 'ruby', *command, chdir: root)
   end
 end

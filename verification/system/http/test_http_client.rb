@@ -12,7 +12,13 @@ class TestHttpClient < Minitest::Test
   include HttpClient
   extend PageTest::OneWithAccounts
 
-  TARGETS = Targets.new(File.expand_path('../../../core/robot/neuro/targets.yml', __dir__))
+  # It homes in a quarter of the default one's time. A page renews its authority by the clock of the world, so time is not fast.
+  ROBOT = 'bench2'
+  TARGETS = Targets.new(File.expand_path("../../../core/robot/#{ROBOT}/targets.yml", __dir__))
+
+  def self.pace
+    ['--robot', ROBOT]
+  end
 
   def boresight
     self.class.boresight
@@ -87,7 +93,8 @@ class TestHttpClient < Minitest::Test
     assert_equal 'done', client.call('registration', matrix: matrix(TARGETS.registration)).body['state']
     go('TARGETING')
     preview = client.call('preview_target', matrix: target).body
-    assert_equal [true, 7], [preview['is_reachable'], preview['axes'].size], preview
+    axes = client.call('motors').body['axes'].map { |axis| axis['name'] }
+    assert_equal [true, axes], [preview['is_reachable'], preview['axes'].map { |axis| axis['name'] }], preview
     assert_equal 'done', client.call('target', matrix: target).body['state']
     under_pedal('workphase', workphase: 'MOVE_TO_TARGET')
     targeting = client.call('targeting').body

@@ -11,7 +11,7 @@ class TestHttpDrives < Minitest::Test
 
   # The bench: its needle has such a motor.
   def self.boresight
-    @boresight ||= Boresight.start(arguments: ['--robot', 'bench2', '--accounts', accounts]).tap(&:home)
+    @boresight ||= Boresight.start(arguments: ['--robot', 'bench2', '--accounts', accounts, *Boresight::FAST]).tap(&:home_fast)
   end
 
   def needle

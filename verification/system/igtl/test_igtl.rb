@@ -280,8 +280,9 @@ class TestIgtl < Minitest::Test
     assert_equal [1, 'MANUAL'], client.status('JOG_BY').values_at('code', 'error_name')
   end
 
+  # In fast time: the order of messages is looked at, and no duration.
   def with_unhomed_robot
-    @fresh = Boresight.start
+    @fresh = Boresight.start(arguments: Boresight::FAST)
     yield
   ensure
     @fresh&.stop

@@ -27,7 +27,7 @@ class TestPositionStore < SystemTest
   end
 
   def home
-    programs(&:home)
+    programs(&:home_fast)
     wait_until('every position is kept') { kept_grades.uniq == [KNOWN] }
     axes
   end
@@ -136,12 +136,6 @@ class TestPositionStore < SystemTest
 
   def ticks(shown, axis)
     Integer(shown[/ #{axis} +\S+ \S+ +(\S+)/, 1].to_f)
-  end
-
-  def simctl(*words)
-    answer, status = Open3.capture2e(Boresight.program('boresight-simctl'), '--box', @box, *words)
-    assert status.success?, answer
-    answer
   end
 
   def test_SWR_STORE_003_a_store_that_is_damaged_or_gone_is_said_and_every_axis_is_lost
