@@ -136,10 +136,11 @@ class CTests
     $stdout.flush
   end
 
+  # The runner and its test are compiled as one: what both include is read once.
   def build(test)
     program = File.join(@out, File.basename(test, '.c'))
     UnityTestRunnerGenerator.new(RUNNER).run(test, "#{program}_runner.c")
-    compile('-O0', test, "#{program}_runner.c", *@support.values_at(*sources(test)), @library, *@options[:libraries],
+    compile('-O0', '-include', test, "#{program}_runner.c", *@support.values_at(*sources(test)), @library, *@options[:libraries],
             '-o', program)
     program
   end

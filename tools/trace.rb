@@ -22,33 +22,64 @@ require 'optparse'
 require_relative 'trace/check'
 require_relative 'trace/matrix'
 
-options = { root: '.', static: false }
-parser = OptionParser.new do |opts|
-  opts.banner = 'usage: trace.rb check|matrix [--static] [--root FOLDER]'
-  opts.on('--static') { options[:static] = true }
-  opts.on('--root FOLDER') { |folder| options[:root] = folder }
+module Trace
+  # The command line.
+  module Command
+    BANNER = 'usage: trace.rb check|matrix [--static] [--root FOLDER]'
+
+    class << self
+      # The exit code.
+      def run(arguments)
+        options = { root: '.', static: false }
+        command = parser(options).parse(arguments)
+        case command
+        when ['check'] then check(options)
+        when ['matrix'] then matrix(options)
+        else refuse(BANNER)
+        end
+      rescue FormatError => e
+        refuse("TRACE-E15 #{e.message}")
+      rescue OptionParser::ParseError => e
+        refuse("#{e.message}\n#{BANNER}")
+      end
+
+      private
+
+      def parser(options)
+        OptionParser.new do |opts|
+          opts.banner = BANNER
+          opts.on('--static') { options[:static] = true }
+          opts.on('--root FOLDER') { |folder| options[:root] = folder }
+        end
+      end
+
+      def project(options)
+        Project.new(options[:root], with_results: !options[:static])
+      end
+
+      def check(options)
+        project = project(options)
+        check = Check.new(project)
+        findings = options[:static] ? check.static : check.all
+        puts findings
+        count = project.requirements.of_kind('SWR').size
+        puts "trace: #{count} requirements, #{project.results.size} test results, #{findings.size} findings"
+        findings.empty? ? 0 : 1
+      end
+
+      def matrix(options)
+        matrix = Matrix.new(project(options))
+        puts matrix.text
+        matrix.write(File.join(options[:root], 'build'))
+        0
+      end
+
+      def refuse(words)
+        warn words
+        1
+      end
+    end
+  end
 end
 
-begin
-  command = parser.parse(ARGV)
-  project = Trace::Project.new(options[:root], with_results: !options[:static])
-  case command
-  when ['check']
-    check = Trace::Check.new(project)
-    findings = options[:static] ? check.static : check.all
-    puts findings
-    count = project.requirements.of_kind('SWR').size
-    puts "trace: #{count} requirements, #{project.results.size} test results, #{findings.size} findings"
-    exit 1 unless findings.empty?
-  when ['matrix']
-    matrix = Trace::Matrix.new(project)
-    puts matrix.text
-    matrix.write(File.join(options[:root], 'build'))
-  else
-    abort parser.banner
-  end
-rescue Trace::FormatError => e
-  abort "TRACE-E15 #{e.message}"
-rescue OptionParser::ParseError => e
-  abort "#{e.message}\n#{parser.banner}"
-end
+exit Trace::Command.run(ARGV) if $PROGRAM_NAME == __FILE__

@@ -12,6 +12,7 @@ require 'minitest/autorun'
 require 'open3'
 require 'tmpdir'
 require_relative '../origin'
+require_relative '../trace'
 
 class TestTrace < Minitest::Test
   TOOLS = File.expand_path('..', __dir__)
@@ -95,6 +96,17 @@ class TestTrace < Minitest::Test
       output, status = trace('check', root)
       assert status.success?, output
       assert_equal "trace: 2 requirements, 2 test results, 0 findings\n", output
+    end
+  end
+
+  def test_SWR_TRACE_001_the_command_line_ends_as_its_findings_say
+    in_project do |root|
+      tool = ['ruby', File.join(TOOLS, 'trace.rb')]
+      output, status = Open3.capture2e(*tool, 'check', '--root', root)
+      assert_equal ["trace: 2 requirements, 2 test results, 0 findings\n", 0], [output, status.exitstatus]
+      FileUtils.rm_r("#{root}/build")
+      output, status = Open3.capture2e(*tool, 'check', '--root', root)
+      assert_equal ['trace: 2 requirements, 0 test results', 1], [output.lines.last[/[^,]*,[^,]*/], status.exitstatus]
     end
   end
 
@@ -412,8 +424,17 @@ class TestTrace < Minitest::Test
     File.write(path, text)
   end
 
+  Ended = Struct.new(:exitstatus) do
+    def success?
+      exitstatus.zero?
+    end
+  end
+
+  # What it prints and how it ends, without a process of its own.
   def trace(command, root, *options)
-    Open3.capture2e('ruby', File.join(TOOLS, 'trace.rb'), command, '--root', root, *options)
+    status = nil
+    text = capture_io { status = Trace::Command.run([command, '--root', root, *options]) }
+    [text.join, Ended.new(status)]
   end
 
   # Every requirement is not verified, and why.

@@ -12,11 +12,11 @@ require_relative 'product_charts'
 class TestBackToBack < Minitest::Test
   ProductCharts::ALL.each do |file, chart|
     name = chart.document.name
-    chart.shapes.product(CompiledChart::KINDS.keys).each do |shape, compiler|
-      define_method("test_SWR_CHART_001_#{name}_#{shape}_by_#{compiler.tr('-', '_')}_equals_the_interpreter") do
+    CompiledChart::KINDS.each_key do |compiler|
+      define_method("test_SWR_CHART_001_#{name}_by_#{compiler.tr('-', '_')}_equals_the_interpreter") do
         pairs = Pairs.new(chart.document, chart.walk)
         Dir.mktmpdir do |folder|
-          CompiledChart.write(folder, chart, shape: shape)
+          CompiledChart.write(folder, chart)
           program = CompiledChart.build(folder, name, kind: compiler)
           assert_empty pairs.compare(program.run(pairs.commands)).first(3)
         end

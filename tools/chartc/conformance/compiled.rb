@@ -12,18 +12,15 @@ module Conformance
     FOLDER = File.expand_path('../../../build/conformance', __dir__)
     WARNINGS = %w[-std=c99 -Wall -Wextra -Werror].freeze
 
-    attr_reader :shape
-
-    def initialize(scenario, shape)
+    def initialize(scenario)
       @scenario = scenario
       @document = scenario.chart.document
-      @shape = shape
-      @folder = File.join(FOLDER, scenario.name, shape.to_s)
+      @folder = File.join(FOLDER, scenario.name)
     end
 
     # Sentences of the compiler, if it refuses.
     def build
-      CompiledChart.write(@folder, ::Chart::Compiled.new(@document, @scenario.chart.walk), shape: @shape)
+      CompiledChart.write(@folder, ::Chart::Compiled.new(@document, @scenario.chart.walk))
       @program = CompiledChart.build(@folder, @document.name, optimise: '-O1', warnings: WARNINGS)
       []
     rescue CompiledChart::Failed => e

@@ -33,7 +33,7 @@ module Conformance
 
     def title
       "# Conformance of compiled charts\n\n" \
-        'Each chart is compiled to C in every shape of the emitter and driven through its scenario. The ' \
+        'Each chart is compiled to C and driven through its scenario. The ' \
         'configuration must be the golden one after each step, and everything else that can be seen must be what the ' \
         'interpreter has.'
     end

@@ -17,13 +17,12 @@ module Conformance
   Seen = Struct.new(:leaves, :history, :data, :armed, :actions, :taken, :sound, :repaired, keyword_init: true)
 
   # A chart that the compiler accepts, with its walk: in its engine's mode, or with limits as one of a product.
-  Chart = Struct.new(:document, :walk, :shapes) do
+  Chart = Struct.new(:document, :walk) do
     def self.from(file, events, limits = nil)
       document = ::Chart::Parser.parse(file, File.read(file, encoding: 'UTF-8'), limits || {},
                                        mode: limits ? :product : :engine, extra_events: events)
       ::Chart::StaticChecks.run(document)
-      walk = ::Chart::Walk.new(document).run
-      new(document, walk, ::Chart::C::Source.shapes(document))
+      new(document, ::Chart::Walk.new(document).run)
     end
   end
 

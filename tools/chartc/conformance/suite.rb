@@ -17,9 +17,7 @@ module Conformance
     def initialize
       @own = OwnCases.scenarios
       @framework = Framework.new
-      @programs = scenarios.to_h do |scenario|
-        [scenario, scenario.chart.shapes.map { |shape| Compiled.new(scenario, shape) }]
-      end
+      @programs = scenarios.to_h { |scenario| [scenario, Compiled.new(scenario)] }
       build
     end
 
@@ -31,9 +29,7 @@ module Conformance
     def faults(scenario)
       interpreted = scenario.interpretable? ? Interpreted.new(scenario.chart.document).run(scenario.steps) : nil
       of_interpreter = interpreted ? named('interpreter', Judge.golden(scenario.steps, interpreted)) : []
-      of_interpreter + @programs.fetch(scenario).flat_map do |program|
-        named(program.shape, program_faults(program, scenario.steps, interpreted))
-      end
+      of_interpreter + named('code', program_faults(@programs.fetch(scenario), scenario.steps, interpreted))
     end
 
     # What SCION does otherwise in a case of our own.
@@ -48,7 +44,7 @@ module Conformance
 
     def build
       queue = Queue.new
-      @programs.values.flatten.each { |program| queue << program }
+      @programs.each_value { |program| queue << program }
       queue.close
       workers = Array.new(PROCESSORS) { Thread.new { build_all(queue) } }
       @refusals = workers.map(&:value).reduce(:merge)

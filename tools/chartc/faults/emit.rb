@@ -3,9 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # Emits charts. Each line of standard input is a request in JSON: the charts to emit, and a fault: a file of the emitter
-# with the text that it has instead, or nothing. Each answer is a line: of each chart [header, source] in the shape that
-# the emitter prefers and in the staged one, or why there is none. Charts are read and walked once; the emitter, with its
-# fault, is loaded into a process of its own.
+# with the text that it has instead, or nothing. Each answer is a line: of each chart [header, source], or why there is
+# none. Charts are read and walked once; the emitter, with its fault, is loaded into a process of its own.
 
 require 'json'
 require_relative '../lib/read/parser'
@@ -27,11 +26,7 @@ def load_emitter(fault)
 end
 
 def emit(charts)
-  charts.map do |document, walk|
-    [nil, :staged].map do |shape|
-      [Chart::C::Header.new(document, walk).emit, Chart::C::Source.new(document, walk, shape: shape).emit]
-    end
-  end
+  charts.map { |document, walk| [Chart::C::Header.new(document, walk).emit, Chart::C::Source.new(document, walk).emit] }
 end
 
 $stdout.sync = true

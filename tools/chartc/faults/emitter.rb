@@ -10,7 +10,7 @@ module Faults
   # A fault of the list that cannot be judged: it fits no longer, changes nothing, or ends the emitter.
   class Unfit < StandardError; end
 
-  # The C of one chart in one shape.
+  # The C of one chart.
   Code = Struct.new(:header, :source) do
     def shape
       source.include?('_claim(') ? :staged : :direct
@@ -34,13 +34,13 @@ module Faults
       @pipe.close
     end
 
-    # The different versions of each chart.
+    # The C of each chart.
     def emit(charts, fault = nil)
       request = JSON.generate('charts' => charts.map(&:request), 'fault' => fault ? seeded(fault) : {})
       answer = JSON.parse(@lock.synchronize { @pipe.puts(request) || @pipe.gets })
       raise Unfit, "it ends the emitter: #{answer}" if answer.is_a?(String)
 
-      charts.zip(answer).to_h { |chart, codes| [chart, codes.map { |code| Code.new(*code) }.uniq] }
+      charts.zip(answer).to_h { |chart, code| [chart, Code.new(*code)] }
     end
 
     private

@@ -23,7 +23,7 @@ module Faults
     end
   end
 
-  # trials: "chart, shape" => verdicts, for each version of the code that the fault changed. unfit: why there is none.
+  # trials: "chart, shape" => verdicts. unfit: why there is none.
   Result = Struct.new(:fault, :trials, :unfit) do
     # Versions that no check rejects.
     def accepted

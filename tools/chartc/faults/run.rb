@@ -26,7 +26,7 @@ module Faults
 
     # "chart, shape" => verdicts on the emitter as it stands.
     def untouched
-      parallel(@sound.to_a) { |subject, codes| trials(subject, codes) }.reduce(:merge)
+      parallel(@sound.to_a) { |subject, code| trial(subject, code) }.to_h
     end
 
     def results(faults)
@@ -53,21 +53,19 @@ module Faults
 
     def result(fault)
       emitted = @emitter.emit(@subjects.values_at(*fault.charts), fault)
-      Result.new(fault, emitted.map { |subject, codes| trials(subject, changed(subject, codes)) }.reduce(:merge))
+      Result.new(fault, emitted.to_h { |subject, code| trial(subject, changed(subject, code)) })
     rescue Unfit => e
       Result.new(fault, {}, e.message)
     end
 
-    def changed(subject, codes)
-      codes = codes - @sound.fetch(subject)
-      raise Unfit, "it changes nothing on #{subject.name}" if codes.empty?
+    def changed(subject, code)
+      raise Unfit, "it changes nothing on #{subject.name}" if code == @sound.fetch(subject)
 
-      codes
+      code
     end
 
-    def trials(subject, codes)
-      workshop = @workshops.fetch(subject)
-      codes.to_h { |code| ["#{subject.name}, #{code.shape}", Trial.new(subject, code, workshop).verdicts] }
+    def trial(subject, code)
+      ["#{subject.name}, #{code.shape}", Trial.new(subject, code, @workshops.fetch(subject)).verdicts]
     end
   end
 end

@@ -70,7 +70,7 @@ module Faults
 
     def own_case(driver)
       steps = @subject.scenario.steps
-      Conformance::Judge.golden(steps, Conformance::Compiled.new(@subject.scenario, nil).run(steps, driver))
+      Conformance::Judge.golden(steps, Conformance::Compiled.new(@subject.scenario).run(steps, driver))
     end
 
     # It takes seconds, so it is asked about what all others accept; and it is promised for product charts.

@@ -20,8 +20,8 @@ module Chart
   # @satisfies SWR-CHART-003
   class Command
     USAGE = <<~TEXT
-      usage: chartc FILE --out FOLDER [--limits FILE] [--shape SHAPE] [--proves LIST]
-                                           compile one chart; the shape is direct or staged
+      usage: chartc FILE --out FOLDER [--limits FILE] [--proves LIST]
+                                           compile one chart
              chartc build CHARTS OUTPUT [--proves LIST]
                                            compile all charts of a folder; OUTPUT/limits/limits.json must be there
              chartc page CHARTS OUTPUT     draw them, and list all that they hold

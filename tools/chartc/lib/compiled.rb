@@ -54,19 +54,19 @@ module Chart
       C::Header.new(document, walk).emit
     end
 
-    # NAME_chart.c; shape: one of shapes, nil for the better one.
-    def source(shape: nil)
-      C::Source.new(document, walk, shape: shape).emit
+    # NAME_chart.c.
+    def source
+      C::Source.new(document, walk).emit
     end
 
-    # The shapes of code that keep the chart's meaning, the better one first.
-    def shapes
-      C::Source.shapes(document)
+    # The shape of its code, :direct or :staged.
+    def shape
+      C::Source.shape(document)
     end
 
     # Name of a file => header and source.
-    def files(shape: nil)
-      { "#{document.name}_chart.h" => header, "#{document.name}_chart.c" => source(shape: shape) }
+    def files
+      { "#{document.name}_chart.h" => header, "#{document.name}_chart.c" => source }
     end
 
     # Name of a file => a Unity test of the code: of every pair of the walk, and of every path from the start. proves: what

@@ -21,7 +21,6 @@ module Chart
     # What the code of every chart includes.
     RUNTIME = File.expand_path('../../../core/base', __dir__)
     HEADERS = %w[chart.h contract.h].freeze
-    SHAPES = %w[direct staged].freeze
 
     # arguments: FILE --out FOLDER, and what else is said.
     def initialize(arguments)
@@ -48,7 +47,6 @@ module Chart
     def options
       OptionParser.new do |one|
         one.on('--limits FILE') { |file| @limits = Limits.read(file) }
-        one.on('--shape SHAPE', SHAPES) { |shape| @shape = shape.to_sym }
         one.on('--proves LIST') { |list| @proves = Proves.read(list) }
         one.on('--out FOLDER') { |folder| @folder = folder }
       end
@@ -56,16 +54,8 @@ module Chart
 
     def outputs(chart)
       name = chart.document.name
-      chart.files(shape: shape_of(chart)).merge(chart.tests(proves: @proves), runtime,
-                                                "#{name}.dot" => Diagram.new(chart.document).dot,
-                                                "#{name}.json" => Table.emit([chart]))
-    end
-
-    # Nil for the better one of those that keep the chart's meaning.
-    def shape_of(chart)
-      return @shape if @shape.nil? || chart.shapes.include?(@shape)
-
-      raise Misuse, "#{@file}: the shape #{@shape} does not keep what this chart means; leave --shape out"
+      chart.files.merge(chart.tests(proves: @proves), runtime, "#{name}.dot" => Diagram.new(chart.document).dot,
+                                                               "#{name}.json" => Table.emit([chart]))
     end
 
     def runtime

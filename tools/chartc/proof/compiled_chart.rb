@@ -24,10 +24,10 @@ class CompiledChart
   }.freeze
 
   # Writes NAME_chart.h, NAME_chart.c and NAME_driver.c of a Chart::Compiled.
-  def self.write(folder, chart, shape: nil)
+  def self.write(folder, chart)
     FileUtils.mkdir_p(folder)
     name = chart.document.name
-    files = chart.files(shape: shape).merge("#{name}_driver.c" => chart.driver)
+    files = chart.files.merge("#{name}_driver.c" => chart.driver)
     files.each { |file, text| File.write(File.join(folder, file), text) }
   end
 

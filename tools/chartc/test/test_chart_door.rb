@@ -52,7 +52,7 @@ class TestChartDoor < Minitest::Test
     assert_equal %w[go halt], chart.document.events
     assert_equal 2, chart.walk.reached.length
     assert_match(/#ifndef BORESIGHT_BASE_CHART_H/, chart.header)
-    assert_equal chart.source, chart.source(shape: chart.shapes.first)
+    assert_equal :direct, chart.shape
     assert_equal %w[test_base_walk.c test_base_paths.c], chart.tests.keys
   end
 
@@ -96,16 +96,6 @@ class TestChartDoor < Minitest::Test
       assert_match(/ CHART-R23 .*reached by: /, errors)
       assert_equal %w[r23_invariant_violated_chart.c r23_invariant_violated_chart.h test_t_i01_counterexample.c],
                    Dir.children("#{folder}/counterexamples").sort
-    end
-  end
-
-  def test_SWR_CHART_036_the_shape_is_chosen_where_the_chart_keeps_its_meaning
-    Dir.mktmpdir do |folder|
-      codes = %w[direct staged].map do |shape|
-        assert_equal 0, chartc(File.join(CHARTS, 'base.scxml'), '--shape', shape, '--out', folder).last.exitstatus
-        File.read("#{folder}/base_chart.c")
-      end
-      assert_equal [false, true], (codes.map { |code| code.include?('_claim(') })
     end
   end
 
@@ -175,7 +165,6 @@ class TestChartDoor < Minitest::Test
   {
     'no chart' => [%w[--out x], 'name one chart'], 'two charts' => [%w[a.scxml b.scxml --out x], 'name one chart'],
     'no folder' => [%w[a.scxml], 'name a folder with --out'],
-    'an unknown shape' => [%w[a.scxml --shape round], 'invalid argument: --shape round'],
     'an unknown option' => [%w[a.scxml --fast], 'invalid option: --fast']
   }.each do |what, (arguments, words)|
     define_method("test_SWR_CHART_036_#{what.tr(' ', '_')}_gets_the_usage") do

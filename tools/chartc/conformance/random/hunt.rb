@@ -78,7 +78,7 @@ module RandomCharts
     end
 
     def compare(trials)
-      trials.each { |one| one.trial.machines.each { |machine| @shapes[machine.shape] += 1 } }
+      trials.each { |one| @shapes[one.trial.machine.shape] += 1 }
       differing(trials).each { |one| keep_small(one) }
     end
 

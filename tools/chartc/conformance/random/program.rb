@@ -10,15 +10,15 @@ require_relative '../../lib/emit/vector'
 require_relative 'appendix_d'
 
 module RandomCharts
-  # One chart in one shape as C, with what is to be done to it.
+  # One chart as C, with what is to be done to it.
   class Machine
     attr_reader :name, :shape
 
     # document: the chart under a name that no other machine of the program has.
-    def initialize(document, walk, shape, steps)
-      @document = document.dup.tap { |one| one.name = "#{document.name}_#{shape}" }
+    def initialize(document, walk, steps)
+      @document = document.dup.tap { |one| one.name = "#{document.name}_code" }
       @walk = walk
-      @shape = shape
+      @shape = ::Chart::C::Source.shape(document)
       @steps = steps
       @names = ::Chart::C::Names.new(@document)
       @vector = ::Chart::Vector.new(@document)
@@ -27,7 +27,7 @@ module RandomCharts
     # All of it in one piece: header, code, the steps, and what shows the chart after each.
     def lines
       [without_include(::Chart::C::Header.new(@document, @walk).emit),
-       without_include(::Chart::C::Source.new(@document, @walk, shape: @shape).emit), show, run].join("\n")
+       without_include(::Chart::C::Source.new(@document, @walk).emit), show, run].join("\n")
         .gsub(/\btake_/, "#{@document.name}_take_")
     end
 

@@ -13,18 +13,18 @@ module RandomCharts
   # kind: :start, :event, :advance, or :stray, a number that is no event.
   Step = Struct.new(:kind, :value, :inputs)
 
-  # One chart with a list of steps, in all shapes that the compiler gives it, against appendix D.
+  # One chart with a list of steps, in the shape that the compiler gives it, against appendix D.
   class Trial
     # So many configurations are walked; a larger chart is refused, and the next seed taken.
     MOST_SNAPSHOTS = 300
     TRACE_LENGTH = 8
 
-    attr_reader :text, :document, :steps, :machines
+    attr_reader :text, :document, :steps, :machine
 
     # For each of the trials, all in one program, sentences on what is different.
     def self.differences(folder, trials)
-      found = Program.new(folder, trials.flat_map(&:machines)).run
-      trials.map { |trial| trial.differences(found.shift(trial.machines.length)) }
+      found = Program.new(folder, trials.map(&:machine)).run
+      trials.zip(found).map { |trial, seen| trial.differences(seen) }
     end
 
     # A Refusal when the compiler does not take the chart. steps: what is to be done, of which events that the chart knows
@@ -36,7 +36,7 @@ module RandomCharts
       @walk = Chart::Walk.new(@document, MOST_SNAPSHOTS).run
       known = steps&.select { |step| step.kind != :event || @document.events.include?(step.value) }
       @steps = known || yield(AppendixD.new(text), @document.inputs.map(&:name))
-      @machines = Chart::C::Source.shapes(@document).map { |shape| Machine.new(@document, @walk, shape, @steps) }
+      @machine = Machine.new(@document, @walk, @steps)
     end
 
     def expected
@@ -46,9 +46,9 @@ module RandomCharts
       end
     end
 
-    # A sentence on the first difference of each machine; found: what each of them showed.
-    def differences(found)
-      @machines.zip(found).filter_map { |machine, seen| difference(machine, seen) }
+    # A sentence on the first difference, if there is one; seen: what the machine showed.
+    def differences(seen)
+      [difference(seen)].compact
     end
 
     # The same of an interpreter: a sentence, or nil.
@@ -80,12 +80,12 @@ module RandomCharts
       end
     end
 
-    def difference(machine, seen)
+    def difference(seen)
       index = @steps.each_index.find { |one| shown(seen[one], one) != shown(expected[one], one) }
       return unless index
 
       what = [@steps[index].kind, *@steps[index].value].join(' ')
-      "#{machine.shape}: step #{index} (#{what}) shows #{seen[index].inspect}, not #{expected[index].inspect}"
+      "#{@machine.shape}: step #{index} (#{what}) shows #{seen[index].inspect}, not #{expected[index].inspect}"
     end
 
     # The compiled chart does not tell the actions of its start, and keeps the last transitions only.

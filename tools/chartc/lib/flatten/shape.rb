@@ -16,11 +16,11 @@ module Chart
       @sequences = sequences
     end
 
-    # The shapes that give the chart its meaning, the better one first.
+    # The shorter one, if it gives the chart its meaning.
     # @satisfies SWR-CHART-015
     # @satisfies SWR-CHART-045
-    def possible
-      rivals.all? { |first, second| independent?(first, second) } ? %i[direct staged] : %i[staged]
+    def chosen
+      rivals.all? { |first, second| independent?(first, second) } ? :direct : :staged
     end
 
     # Regions that a transition of an earlier one may have moved when an event comes to them: what they take is to be

@@ -19,23 +19,21 @@ module Chart
     class Source
       include Layout
 
-      # The shapes that give the chart its meaning, the better one first.
-      def self.shapes(document)
+      # :direct or :staged.
+      def self.shape(document)
         regions = Regions.new(document)
-        Shape.new(document, regions, Sequences.new(document, regions)).possible
+        Shape.new(document, regions, Sequences.new(document, regions)).chosen
       end
 
-      # shape: :direct or :staged, nil for the better one.
-      def initialize(document, walk, shape: nil)
+      def initialize(document, walk)
         @document = document
         @parts = Parts.new(document, walk)
-        @shape = shape || @parts.shape.possible.first
         @names = @parts.names
       end
 
       def emit
         @code = Code.new(@names)
-        stepper = (@shape == :direct ? Direct : Staged).new(@parts, @code)
+        stepper = (@parts.shape.chosen == :direct ? Direct : Staged).new(@parts, @code)
         define_raise
         define_enters
         define_timers
