@@ -373,6 +373,7 @@ operator_end_t operator_play(operator_t *self, rig_t *rig)
     const uint32_t step = rig->outputs.snapshot.next_step;
     const bool is_told_to_wait =
         (step == (uint32_t)NEXT_STEP_WAIT) || (step == (uint32_t)NEXT_STEP_SCANNER);
+    self->shown |= (uint64_t)1U << step;
     self->is_of_others = self->is_of_others &&
                          (rig->outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) &&
                          (self->found_cycles < FOUND_CYCLES);

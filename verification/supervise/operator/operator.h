@@ -38,6 +38,7 @@ typedef struct {
     uint32_t tries;         /**< START_UPs for what service is said to have mended. */
     uint32_t waited_cycles; /**< Told to wait, in a row. */
     uint32_t last_step;     /**< next_step_t that he followed last. */
+    uint64_t shown;         /**< Bit n: next_step_t n was shown to him. */
     uint32_t checked_step;  /**< The last one whose command was tried on a copy. */
     status_t refusal;       /**< Of OPERATOR_REFUSED. */
     operator_end_t end;
