@@ -6,7 +6,7 @@
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
 #include "controller/memory/controller_restore.h"
-#include "controller/show/controller_show.h"
+#include "controller/show/controller_ready.h"
 
 #include "safety/permit.h"
 
@@ -411,11 +411,11 @@ static void confirm(controller_t *self, const cycle_t *cycle)
     }
 }
 
-/* What the step asks for, unless who commands has asked for another thing. */
+/* Service is due and nothing comes before it, nor has anyone asked for another thing. */
 static bool is_for_service(const controller_t *self, const cycle_t *cycle)
 {
     return (self->authority.request == (uint32_t)AUTHORITY_REQUEST_NONE) &&
-           controller_asks_service(self, cycle);
+           (controller_ready(self, cycle).step == NEXT_STEP_SERVICE);
 }
 
 /** @satisfies SWR-AXIS-080 */

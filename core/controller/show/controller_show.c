@@ -188,10 +188,9 @@ static named_step_t recorder_first(const controller_t *self, const cycle_t *cycl
     return is_in_time ? controller_step_only(NEXT_STEP_RECORDER) : *named;
 }
 
-/* Whoever commands. */
-static named_step_t name_step(const controller_t *self, const cycle_t *cycle, bool is_homed)
+static void show_step(const controller_t *self, const cycle_t *cycle, snapshot_t *shown)
 {
-    named_step_t named = controller_step_only(next_step(self, cycle->robot, is_homed));
+    named_step_t named = controller_step_only(next_step(self, cycle->robot, shown->is_homed != 0U));
     if (is_one_of(named.step, NEXT_STEPS_STARTING)) {
         named = controller_ready(self, cycle);
     } else if (named.step == NEXT_STEP_MOVE) {
@@ -199,17 +198,6 @@ static named_step_t name_step(const controller_t *self, const cycle_t *cycle, bo
     } else {
         /* It needs no more than it says. */
     }
-    return named;
-}
-
-bool controller_asks_service(const controller_t *self, const cycle_t *cycle)
-{
-    return name_step(self, cycle, controller_is_homed(self)).step == NEXT_STEP_SERVICE;
-}
-
-static void show_step(const controller_t *self, const cycle_t *cycle, snapshot_t *shown)
-{
-    named_step_t named = name_step(self, cycle, shown->is_homed != 0U);
     if (cycle->inputs->is_recorder_failing != 0U) {
         named = recorder_first(self, cycle, &named);
     }

@@ -28,7 +28,4 @@ void controller_look_ahead(controller_t *self, const cycle_t *cycle, uint32_t gu
  */
 void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t guards);
 
-/** The next step is SERVICE, whoever commands. */
-bool controller_asks_service(const controller_t *self, const cycle_t *cycle);
-
 #endif
