@@ -117,6 +117,13 @@ void controller_renew_account(controller_t *self)
     }
 }
 
+void controller_be_mended(controller_t *self, const cycle_t *cycle)
+{
+    controller_note(self, cycle, EVENT_MENDED, 0U, 0);
+    close_account(self);
+    self->vain_moves = 0U;
+}
+
 void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
                              status_t fault)
 {

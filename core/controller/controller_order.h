@@ -42,6 +42,14 @@ void controller_tell_order(controller_t *self, const cycle_t *cycle, arming_even
  */
 void controller_renew_account(controller_t *self);
 
+/**
+ * The operator has said that what ended START_UPs or moves again and again is mended: they are
+ * counted anew.
+ *
+ * @satisfies SWR-AXIS-080
+ */
+void controller_be_mended(controller_t *self, const cycle_t *cycle);
+
 /** The e-stop was pulled. */
 void controller_enter_emergency(controller_t *self, const cycle_t *cycle);
 

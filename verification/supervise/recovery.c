@@ -13,8 +13,9 @@
 #define BREAKS_LATER 3U /* Of the history, it breaks after a third. */
 #define LATE_PARTS 4U   /* In one of so many scenes nothing breaks, and the loop is late. */
 #define SETTLE_CYCLES 3U
-#define ASTRAY 4U     /* One of so many scenes begins where the way to the target is refused... */
-#define BROKEN 8U     /* ...and of them every other one breaks. */
+#define ASTRAY 4U /* One of so many scenes begins where the way to the target is refused... */
+#define BROKEN 8U /* ...and of them every other one breaks. */
+#define NEXT_STEPS_MOST 64U
 #define TRIES 100000U /* One of a thousand pairs is refused. */
 
 /* A cycle without the players; the witness looks on. */
@@ -128,18 +129,35 @@ static void tell(const scene_t *scene, const operator_t *player, uint32_t seed)
     }
 }
 
+/* In how many scenes he was shown each step. */
+static void tell_steps(const uint32_t scenes[NEXT_STEPS_MOST])
+{
+    const char *separator = "scenes that showed";
+    for (uint32_t i = 0U; i < NEXT_STEPS_MOST; i++) {
+        if (scenes[i] != 0U) {
+            printf("%s %s %u", separator, next_step_name((int32_t)i), (unsigned)scenes[i]);
+            separator = ",";
+        }
+    }
+    printf("\n");
+}
+
 bool recovery_play(scene_t *scene, const robot_t *robot, uint32_t count, uint32_t seed)
 {
     static operator_t player;
     uint32_t ends[OPERATOR_ENDS] = {0U};
     uint32_t most_acts = 0U;
     uint32_t lost = 0U;
+    uint32_t scenes[NEXT_STEPS_MOST] = {0U};
     for (uint32_t i = 0U; i < count; i++) {
         if (!play_scene(scene, robot, &player, seed + i)) {
             lost++;
             printf("scene %u: a late loop has lost something\n", (unsigned)(seed + i));
         }
         ends[player.end]++;
+        for (uint32_t step = 0U; step < NEXT_STEPS_MOST; step++) {
+            scenes[step] += (uint32_t)((player.shown >> step) & 1U);
+        }
         most_acts = (player.acts > most_acts) ? player.acts : most_acts;
         if ((player.end == OPERATOR_DEAD_END) || (player.end == OPERATOR_REFUSED)) {
             tell(scene, &player, seed + i);
@@ -152,5 +170,6 @@ bool recovery_play(scene_t *scene, const robot_t *robot, uint32_t count, uint32_
            (unsigned)ends[OPERATOR_ARRIVES], (unsigned)ends[OPERATOR_SERVICE],
            (unsigned)ends[OPERATOR_DEAD_END], (unsigned)ends[OPERATOR_REFUSED],
            (unsigned)most_acts);
+    tell_steps(scenes);
     return (ends[OPERATOR_DEAD_END] + ends[OPERATOR_REFUSED] + lost) == 0U;
 }

@@ -29,6 +29,9 @@ class TestSupervise < Minitest::Test
   FLIPS = 100
   # Commands that arm a motion, one row of orders.c each.
   MODES = %w[WORKPHASE RETRACT RUN_TRAJECTORY VELOCITY JOG_BY ALIGN INSERT POSE].freeze
+  # Steps that the operator who knows these alone is shown in the scenes of a robot that has all of them.
+  STEPS = %w[START_UP RELEASE_ESTOP CHECK_CARDS CHECK_BOX SCANNER WAIT CONFIRM PLACE SERVICE STOP AUTHORITY RECORDER
+             PRESS_PEDAL RELEASE_PEDAL PLANNING CALIBRATION TARGETING MOVE NOTHING].freeze
   SENTENCES = {
     SWR_PERMIT_002_a_drive_leaves_only_with_the_permit: /A drive leaves only with/,
     SWR_AXIS_012_an_axis_held_for_homed_stands_where_it_is_believed_to: /A homed axis without a fault/,
@@ -122,6 +125,12 @@ class TestSupervise < Minitest::Test
     define_method("test_SWR_NEXT_008_who_follows_the_next_step_gets_out_of_anything_#{robot}") do
       line = lines(robot, :operator).grep(/an operator who follows/).first
       assert_match(/: [1-9]\d* homed, .* 0 dead ends, 0 refusals, /, line, lines(robot, :operator).join("\n"))
+    end
+
+    define_method("test_SWR_NEXT_008_he_is_shown_steps_of_every_kind_#{robot}") do
+      shown = lines(robot, :operator).grep(/scenes that showed/).first.scan(/([A-Z_]+) \d+/).flatten
+      assert_empty STEPS - shown if ROBOTS[robot] == 1.0
+      assert_includes shown, 'START_UP'
     end
 
     define_method("test_SWR_MODE_001_programs_and_sweeps_end_as_asked_#{robot}") do

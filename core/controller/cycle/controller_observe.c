@@ -6,6 +6,7 @@
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
 #include "controller/memory/controller_restore.h"
+#include "controller/show/controller_ready.h"
 
 #include "safety/permit.h"
 
@@ -410,6 +411,14 @@ static void confirm(controller_t *self, const cycle_t *cycle)
     }
 }
 
+/* Service is due and nothing comes before it, nor has anyone asked for another thing. */
+static bool is_for_service(const controller_t *self, const cycle_t *cycle)
+{
+    return (self->authority.request == (uint32_t)AUTHORITY_REQUEST_NONE) &&
+           (controller_ready(self, cycle).step == NEXT_STEP_SERVICE);
+}
+
+/** @satisfies SWR-AXIS-080 */
 static void observe_button(controller_t *self, const cycle_t *cycle)
 {
     const bool is_for_authority = controller_awaits_grant(self);
@@ -420,6 +429,8 @@ static void observe_button(controller_t *self, const cycle_t *cycle)
     }
     if (is_for_authority) {
         controller_grant(self, cycle);
+    } else if (is_for_service(self, cycle)) {
+        controller_be_mended(self, cycle);
     } else {
         confirm(self, cycle);
         controller_end_request(self);

@@ -177,14 +177,13 @@ static bool is_vain_axis(const controller_t *self, const named_step_t *found)
     return is_placing && (found->axis == self->vain_axis);
 }
 
+/* What is confirmed before service would only allow more of what has failed. */
 static named_step_t find_position(const controller_t *self, const cycle_t *cycle)
 {
-    if (controller_is_spent(self)) {
-        return of_vain(self); /* What is confirmed before service would only allow more of it. */
-    }
-    const named_step_t found = find_doubt(self, cycle->robot);
-    if (is_in_vain(self) && (is_start_up(&found) || is_vain_axis(self, &found))) {
-        return of_vain(self);
+    named_step_t found = find_doubt(self, cycle->robot);
+    if (controller_is_spent(self) ||
+        (is_in_vain(self) && (is_start_up(&found) || is_vain_axis(self, &found)))) {
+        found = of_vain(self);
     }
     return is_start_up(&found) ? found : free_button(self, cycle, &found);
 }

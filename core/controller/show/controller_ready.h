@@ -34,6 +34,7 @@ static inline named_step_t controller_step_only(next_step_t step)
  * @satisfies SWR-NEXT-022
  * @satisfies SWR-NEXT-028
  * @satisfies SWR-NEXT-035
+ * @satisfies SWR-AXIS-081
  */
 named_step_t controller_ready(const controller_t *self, const cycle_t *cycle);
 

@@ -400,8 +400,8 @@ static void lose_and_place(uint32_t axis)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, restore).status);
 }
 
-/* The button would only lead to the next START_UP that fails. */
-void test_SWR_NEXT_035_one_that_is_placed_in_vain_is_for_service(void)
+/* The button would only lead to the next START_UP that fails, unless what has failed is mended. */
+void test_SWR_AXIS_080_SWR_NEXT_035_one_that_is_placed_in_vain_is_for_service(void)
 {
     const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .as.axis = {.axis = FRONT_LEFT}};
     start_at_home();
@@ -415,7 +415,11 @@ void test_SWR_NEXT_035_one_that_is_placed_in_vain_is_for_service(void)
     lose_and_place(REAR_LEFT);
     expect_step(NEXT_STEP_SERVICE, REAR_LEFT);
     hold_button();
-    expect_step(NEXT_STEP_SERVICE, REAR_LEFT);
+    expect_step(NEXT_STEP_CONFIRM, REAR_LEFT);
+    hold_button();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
 }
 
 static void fail_in_vain(uint32_t axis)

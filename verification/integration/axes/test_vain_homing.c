@@ -210,19 +210,94 @@ void test_SWR_NEXT_025_a_home_that_is_set_begins_anew(void)
     expect_anew();
 }
 
-/* Service is shown first: what is confirmed before it would only allow more of the same. */
-void test_SWR_NEXT_025_a_position_that_is_confirmed_begins_anew(void)
+static void hold_button(void)
 {
-    spend();
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, HOLD_CYCLES + 2U);
+    rig_box(&rig, "button release");
+    rig_cycles(&rig, 2U);
+}
+
+static void doubt_feet(void)
+{
     axis_place(&rig.controller.axes[NEURO_AXIS_FEET], &robot_neuro.axes[NEURO_AXIS_FEET],
                rig_position(&rig, NEURO_AXIS_FEET));
     controller_seal(&rig.controller);
     rig_cycle(&rig);
-    expect_step(NEXT_STEP_SERVICE);
-    rig_box(&rig, "button press");
-    rig_cycles(&rig, HOLD_CYCLES + 2U);
-    rig_box(&rig, "button release");
+}
+
+void test_SWR_NEXT_025_a_position_that_is_confirmed_begins_anew(void)
+{
+    const command_t ask = {.kind = COMMAND_CONFIRM_AXIS, .as.axis = {.axis = NEURO_AXIS_FEET}};
+    spend();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    doubt_feet();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, ask).status);
+    hold_button();
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_CONFIRMED));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MENDED));
     expect_anew();
+}
+
+void test_SWR_AXIS_080_once_it_is_said_at_the_box_that_it_is_mended_START_UP_leads_on(void)
+{
+    spend();
+    expect_step(NEXT_STEP_SERVICE);
+    hold_button();
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MENDED));
+    expect_anew();
+    expect_step(NEXT_STEP_START_UP);
+    rig_home(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MENDED));
+}
+
+/* Nobody has compared it: the screen asked for service. */
+void test_SWR_AXIS_080_the_press_that_says_it_confirms_no_position(void)
+{
+    spend();
+    doubt_feet();
+    expect_step(NEXT_STEP_SERVICE);
+    hold_button();
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_CONFIRMED));
+    expect_step(NEXT_STEP_CONFIRM);
+    hold_button();
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_CONFIRMED));
+    expect_step(NEXT_STEP_START_UP);
+}
+
+/* A request of another page for authority has the press, and the step says so. */
+void test_SWR_AXIS_080_who_asks_for_the_button_has_it_first(void)
+{
+    const command_t request = {.kind = COMMAND_REQUEST,
+                               .source = COMMAND_SOURCE_HTTP,
+                               .peer = 7U,
+                               .as.request = {.request = AUTHORITY_REQUEST_TAKE}};
+    spend();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, request).status);
+    expect_step(NEXT_STEP_GRANT);
+    hold_button();
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MENDED));
+    TEST_ASSERT_EQUAL_UINT32(HOMING_ACCOUNT_SPENT, rig.controller.account_state);
+}
+
+void test_SWR_AXIS_081_what_bars_the_button_comes_before_service(void)
+{
+    spend();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_MOVED_IN_VAIN, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, retract());
+    rig_cycles(&rig, REST_CYCLES);
+    expect_step(NEXT_STEP_PRESS_PEDAL);
+    axis_disable(&rig.controller.axes[NEURO_AXIS_HEAD]);
+    controller_seal(&rig.controller);
+    rig_cycles(&rig, REST_CYCLES);
+    expect_step(NEXT_STEP_STOP);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    rig_cycles(&rig, 2U);
+    expect_step(NEXT_STEP_SERVICE);
+    rig_box(&rig, "scanner on");
+    rig_cycles(&rig, REST_CYCLES);
+    expect_step(NEXT_STEP_SCANNER);
 }
 
 /* Otherwise an axis that is confirmed after each try would keep service away for ever. */

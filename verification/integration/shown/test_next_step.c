@@ -462,6 +462,17 @@ void test_SWR_NEXT_036_service_is_shown_in_place_of_the_move(void)
     expect_named(NEXT_STEP_SERVICE, NEURO_AXIS_YAW, CARD_SLOT_COUNT, EVENT_ORDER_OVERDUE);
 }
 
+void test_SWR_AXIS_080_moves_are_counted_anew_once_it_is_said_that_it_is_mended(void)
+{
+    start_after_vain_moves(LIMIT_SERVICE_MOVES);
+    expect(NEXT_STEP_SERVICE);
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 2U);
+    rig_box(&rig, "button release");
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.vain_moves);
+    expect(NEXT_STEP_MOVE);
+}
+
 void test_SWR_NEXT_036_a_move_that_is_done_begins_the_count_anew(void)
 {
     start_after_vain_moves(LIMIT_SERVICE_MOVES - 1U);

@@ -7,6 +7,7 @@
 #include "supervise/stage/acts.h"
 #include "supervise/stage/chance.h"
 #include "supervise/operator/operator_command.h"
+#include "supervise/operator/operator_history.h"
 #include "supervise/operator/operator_promise.h"
 #include "supervise/stage/targets.h"
 
@@ -19,8 +20,9 @@
 #define LOOK_CYCLES 300U
 #define COOL_CYCLES 4000U    /* A scan and a hot motor last so long here. */
 #define RUNAWAY_CYCLES 9000U /* What has not come to rest by then does not. */
+#define FOUND_CYCLES 600000U /* The longest order that he finds, as a sweep, ends by then. */
 #define CHECK_PARTS 211U     /* In one of so many cycles the promise of the step is tried. */
-#define MOST_TRIES 2U        /* Then he starts anew. */
+#define MOST_TRIES 1U        /* Then he starts anew. */
 
 static const char *const parts[] = {"card", "encoder", "motor", "switch"};
 static const char *axis_name(const rig_t *rig, uint32_t axis)
@@ -106,6 +108,8 @@ static void start_anew(operator_t *self, rig_t *rig)
     }
     rig_start_robot(rig, &self->robot);
     rig->lacks_black_box = old.lacks_black_box;
+    rig->is_recorder_failing = old.is_recorder_failing;
+    rig->unread = old.unread;
     self->has_started_anew = true;
     for (uint32_t i = 0U; i < self->robot.axis_count; i++) {
         rig->box.axes[i].card_fault = old.box.axes[i].card_fault;
@@ -137,7 +141,8 @@ static void act_by_command(operator_t *self, rig_t *rig, uint32_t step)
     rig->command_count++;
 }
 
-/* What is named is broken, or was mended meanwhile: START_UP, and if that does not help, anew. */
+/* What is named is broken, or was mended meanwhile: the button for SERVICE, START_UP for COMPARE,
+ * and if that does not help, anew. */
 static void call_service(operator_t *self, rig_t *rig, uint32_t step)
 {
     const bool is_free = !authority_is_held(&rig->controller.authority);
@@ -146,6 +151,9 @@ static void call_service(operator_t *self, rig_t *rig, uint32_t step)
     } else if (self->tries >= MOST_TRIES) {
         self->tries = 0U;
         start_anew(self, rig);
+    } else if (step == (uint32_t)NEXT_STEP_SERVICE) {
+        self->tries++;
+        hold_button(self, rig);
     } else {
         self->tries += is_free ? 0U : 1U;
         act_by_command(self, rig, is_free ? (uint32_t)NEXT_STEP_AUTHORITY : step);
@@ -249,9 +257,15 @@ static void settle_black_box(operator_t *self, rig_t *rig)
 }
 
 /* He looks again, if what is named is not broken any more. */
-static void check_card(operator_t *self, const rig_t *rig)
+static void check_card(operator_t *self, rig_t *rig)
 {
-    self->end = is_named_broken(rig) ? OPERATOR_SERVICE : self->end;
+    if (operator_is_unplugged(rig)) {
+        for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+            rig->box.axes[i].card_fault = BOX_CARD_NORMAL;
+        }
+    } else {
+        self->end = is_named_broken(rig) ? OPERATOR_SERVICE : self->end;
+    }
 }
 
 static void follow(operator_t *self, rig_t *rig, uint32_t step)
@@ -286,6 +300,12 @@ static void follow(operator_t *self, rig_t *rig, uint32_t step)
         break;
     case NEXT_STEP_CHECK_CARDS:
         check_card(self, rig);
+        break;
+    case NEXT_STEP_CHECK_BOX:
+        rig->unread = 0U;
+        break;
+    case NEXT_STEP_RECORDER:
+        rig->is_recorder_failing = 0U;
         break;
     case NEXT_STEP_NO_BLACK_BOX:
         settle_black_box(self, rig);
@@ -339,17 +359,13 @@ void operator_begin(operator_t *self, rig_t *rig, uint32_t seed)
     for (uint32_t i = 0U; ((seed / 2U) % 2U == 0U) && (i < rig->box.robot->axis_count); i++) {
         mend_axis(rig, i);
     }
-    static const char *const left[] = {"estop pull", "scanner on", "pedal press", "pedal release",
-                                       "pedal a close"};
-    const uint32_t choice = chance_below(&self->random, 8U);
-    if (choice < (sizeof left / sizeof left[0])) {
-        rig_box(rig, left[choice]);
-    }
+    operator_leave(rig, &self->random);
     rig_box(rig, "button release");
     rig->silent_sources = 0U;
     rig->lacks_black_box = ((seed / 4U) % 2U == 0U) ? 1U : 0U;
     rig->is_page_away = chance_below(&self->random, 2U) == 0U;
     self->wait_cycles = chance_below(&self->random, LOOK_CYCLES);
+    self->is_of_others = true;
 }
 
 operator_end_t operator_play(operator_t *self, rig_t *rig)
@@ -357,7 +373,12 @@ operator_end_t operator_play(operator_t *self, rig_t *rig)
     const uint32_t step = rig->outputs.snapshot.next_step;
     const bool is_told_to_wait =
         (step == (uint32_t)NEXT_STEP_WAIT) || (step == (uint32_t)NEXT_STEP_SCANNER);
-    self->time_cycles += is_told_to_wait ? 0U : 1U;
+    self->shown |= (uint64_t)1U << step;
+    self->is_of_others = self->is_of_others &&
+                         (rig->outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) &&
+                         (self->found_cycles < FOUND_CYCLES);
+    self->found_cycles += self->is_of_others ? 1U : 0U;
+    self->time_cycles += (is_told_to_wait || self->is_of_others) ? 0U : 1U;
     if (is_told_to_wait) {
         wait_on(self, rig);
     } else {

@@ -32,14 +32,17 @@ typedef struct {
     uint32_t acts;
     uint32_t wait_cycles;   /**< Until he looks again. */
     uint32_t press_cycles;  /**< He still holds the button. */
-    uint32_t time_cycles;   /**< Since he came, without those that he was told to wait. */
+    uint32_t time_cycles;   /**< Since he came, but for waits that he was told, and found_cycles. */
+    uint32_t found_cycles;  /**< Of the order that was armed when he came. */
     uint32_t brought;       /**< Bit n: he has brought axis n back by hand. */
     uint32_t tries;         /**< START_UPs for what service is said to have mended. */
     uint32_t waited_cycles; /**< Told to wait, in a row. */
     uint32_t last_step;     /**< next_step_t that he followed last. */
+    uint64_t shown;         /**< Bit n: next_step_t n was shown to him. */
     uint32_t checked_step;  /**< The last one whose command was tried on a copy. */
     status_t refusal;       /**< Of OPERATOR_REFUSED. */
     operator_end_t end;
+    bool is_of_others;     /**< The order that was armed when he came is not over. */
     bool has_started_anew; /**< Since the cycle before; who looks on clears it. */
     robot_t robot;         /**< As it stands when the box is switched on anew. */
 } operator_t;

@@ -21,7 +21,6 @@ bool operator_command_of(const rig_t *rig, uint32_t step, command_t *command)
                                          [NEXT_STEP_CALIBRATION] = WORKPHASE_CALIBRATION,
                                          [NEXT_STEP_PLANNING] = WORKPHASE_PLANNING,
                                          [NEXT_STEP_STOP] = WORKPHASE_STOP,
-                                         [NEXT_STEP_SERVICE] = WORKPHASE_START_UP,
                                          [NEXT_STEP_COMPARE] = WORKPHASE_START_UP,
                                          [NEXT_STEP_MANUAL] = WORKPHASE_MANUAL};
     const authority_party_t party = operator_commander(rig);

@@ -9,6 +9,7 @@
 #include "integration/support/rig.h"
 #include "supervise/stage/play.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /** The play of the scene until then. */
@@ -19,5 +20,12 @@ uint32_t operator_history_cycles(uint32_t seed);
 
 /** Something breaks in it; of every axis each part in turn. */
 void operator_break(rig_t *rig, uint32_t seed);
+
+/** What somebody has left as he comes: something pressed, pulled, unplugged or not read, a scan
+ * that goes on, with an axis that has drifted in it or without, a full disk. */
+void operator_leave(rig_t *rig, uint32_t *chance);
+
+/** The plug of the cards is out. */
+bool operator_is_unplugged(const rig_t *rig);
 
 #endif

@@ -55,8 +55,8 @@ bool operator_promise_try(const rig_t *rig, status_t *answer)
     static rig_t copy;
     const uint32_t step = rig->outputs.snapshot.next_step;
     command_t command;
-    if ((step == (uint32_t)NEXT_STEP_SERVICE) || (step == (uint32_t)NEXT_STEP_COMPARE) ||
-        !operator_command_of(rig, step, &command) || is_any_late(rig)) {
+    if ((step == (uint32_t)NEXT_STEP_COMPARE) || !operator_command_of(rig, step, &command) ||
+        is_any_late(rig)) {
         return false;
     }
     copy = *rig;
