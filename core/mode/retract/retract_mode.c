@@ -4,7 +4,7 @@
 #include "base/fixed.h"
 #include "safety/needle.h"
 
-int32_t retract_mode_end_ticks(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
+static int32_t end_ticks_of(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
 {
     const axis_t *const needle = &axes[robot->needle_axis];
     const axis_config_t *const config = &robot->axes[robot->needle_axis];
@@ -38,6 +38,6 @@ void retract_mode_step(int32_t end_ticks, leg_t *leg, const mode_frame_t *frame,
 uint32_t retract_mode_ask(const mode_asked_t *asked, mode_way_t *way)
 {
     way->axis = asked->robot->needle_axis;
-    way->end_ticks = retract_mode_end_ticks(asked->robot, asked->axes);
+    way->end_ticks = end_ticks_of(asked->robot, asked->axes);
     return mode_asked_axes(way->axis);
 }

@@ -16,14 +16,6 @@
 #include <stdint.h>
 
 /**
- * Where a retraction that is armed now ends, ticks. Without a reference that is the travel of the
- * axis from where it stands.
- *
- * @satisfies SWR-MODE-005
- */
-int32_t retract_mode_end_ticks(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX]);
-
-/**
  * The needle is there, or farther out, or not homed and at its switch: then nothing has to move.
  *
  * @satisfies SWR-MODE-005
@@ -41,7 +33,12 @@ bool retract_mode_is_done(int32_t end_ticks, const mode_frame_t *frame);
 void retract_mode_step(int32_t end_ticks, leg_t *leg, const mode_frame_t *frame,
                        mode_result_t *result);
 
-/** `way` ends at retract_mode_end_ticks(). */
+/**
+ * `way` of the needle to where a retraction that is armed now ends. Without a reference that is the
+ * travel of the axis from where it stands.
+ *
+ * @satisfies SWR-MODE-005
+ */
 uint32_t retract_mode_ask(const mode_asked_t *asked, mode_way_t *way);
 
 #endif

@@ -22,6 +22,16 @@
 static leg_t leg;
 static int32_t end_ticks;
 
+/* Where a retraction that is armed now ends. */
+static int32_t asked_end(void)
+{
+    const mode_asked_t asked = {.robot = &robot, .axes = axes};
+    mode_way_t way;
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(robot.needle_axis), retract_mode_ask(&asked, &way));
+    TEST_ASSERT_EQUAL_UINT32(robot.needle_axis, way.axis);
+    return way.end_ticks;
+}
+
 void setUp(void)
 {
     world_start();
@@ -142,16 +152,16 @@ static int32_t stroke_ticks(void)
 
 void test_SWR_MODE_005_without_a_reference_it_ends_a_stroke_from_where_it_was_armed(void)
 {
-    TEST_ASSERT_EQUAL_INT32(needle_retracted_ticks(&robot), retract_mode_end_ticks(&robot, axes));
+    TEST_ASSERT_EQUAL_INT32(needle_retracted_ticks(&robot), asked_end());
     world_lose(NEURO_AXIS_INSERTION);
     world_put(NEURO_AXIS_INSERTION, -700);
-    end_ticks = retract_mode_end_ticks(&robot, axes);
+    end_ticks = asked_end();
     TEST_ASSERT_EQUAL_INT32(-700 - stroke_ticks(), end_ticks);
     TEST_ASSERT_FALSE(retract_mode_is_done(end_ticks, &frame));
     world_put(NEURO_AXIS_INSERTION, end_ticks + robot.axes[NEURO_AXIS_INSERTION].deadband_ticks);
     TEST_ASSERT_TRUE(retract_mode_is_done(end_ticks, &frame));
     world_put(NEURO_AXIS_INSERTION, INT32_MIN + 1);
-    TEST_ASSERT_EQUAL_INT32(INT32_MIN, retract_mode_end_ticks(&robot, axes));
+    TEST_ASSERT_EQUAL_INT32(INT32_MIN, asked_end());
 }
 
 void test_SWR_MODE_005_without_a_reference_it_ends_at_its_switch_which_says_nothing_of_a_homed_one(
@@ -168,7 +178,7 @@ void test_SWR_MODE_005_without_a_reference_it_goes_outwards_only_and_no_faster_t
 {
     world_lose(NEURO_AXIS_INSERTION);
     frame.speed_cap_percent[NEURO_AXIS_INSERTION] = LIMIT_UNHOMED_SPEED_PERCENT;
-    end_ticks = retract_mode_end_ticks(&robot, axes);
+    end_ticks = asked_end();
     int32_t before = needle_ticks();
     while (!retract_mode_is_done(end_ticks, &frame)) {
         step();
