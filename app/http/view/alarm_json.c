@@ -95,14 +95,15 @@ static void add_of_all(const list_t *list, event_t event, common_alarm_t common,
                        const alarm_word_t words[CARD_SLOT_COUNT])
 {
     const bool is_loss = event.id == (uint32_t)EVENT_CARD_LOST;
-    const alarm_t alarm = {.event = event,
-                           .reason = is_loss ? PERMIT_REASON_LINK_LOST
-                                             : (permit_reason_t)PERMIT_REASON_COUNT,
-                           .axis = ROBOT_AXIS_MAX,
-                           .text = common_alarm_text((int32_t)common),
-                           .subject = "all",
-                           .is_over = common == COMMON_ALARM_ANSWER,
-                           .word = card_alarms_first(list->view->robot, words)};
+    const alarm_t alarm = {
+        .event = event,
+        .reason = is_loss ? PERMIT_REASON_LINK_LOST : (permit_reason_t)PERMIT_REASON_COUNT,
+        .axis = ROBOT_AXIS_MAX,
+        .text = common_alarm_text((int32_t)common),
+        .subject = "all",
+        .is_over = common == COMMON_ALARM_ANSWER,
+        .word =
+            (common != COMMON_ALARM_ANSWER) ? card_alarms_first(list->view->robot, words) : NULL};
 
     add(list, &alarm);
 }
@@ -125,7 +126,7 @@ static void add_card(const list_t *list, uint32_t slot)
                            .axis = robot_cards_axis(view->robot, slot),
                            .text = is_answering ? text : NULL,
                            .is_over = is_answering,
-                           .word = word};
+                           .word = is_answering ? NULL : word};
     add(list, &alarm);
 }
 

@@ -290,6 +290,7 @@ void test_SWR_HTTP_150_a_lost_card_that_answers_again_is_said_to_until_it_is_tak
                              "it back.",
                              text_of(0, "text"));
     TEST_ASSERT_EQUAL_STRING("insertion", text_of(0, "axis"));
+    TEST_ASSERT_NULL(text_of(0, "since")); /* That is when it was lost. */
     TEST_ASSERT_TRUE(is_over(0));
     TEST_ASSERT_EQUAL_INT(1, find("AXIS_UNVERIFIED"));
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
@@ -345,6 +346,7 @@ void test_SWR_HTTP_151_all_cards_at_once_are_one_alarm(void)
     TEST_ASSERT_EQUAL_STRING("All cards answer again after they were lost: START_UP takes them "
                              "back.",
                              text_of(0, "text"));
+    TEST_ASSERT_NULL(text_of(0, "since"));
     TEST_ASSERT_TRUE(is_over(0));
     TEST_ASSERT_EQUAL_INT(1, count_of("CARD_UNWELL")); /* All have tripped. */
     TEST_ASSERT_EQUAL_STRING("The watchdogs of all cards that answer have switched the drives off, "
