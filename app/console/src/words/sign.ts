@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Does the robot move, may it, and if not, why: one word for it, to be read from where the robot stands.
-import type {
-  Alarm,
-  Axis,
-  Named,
-  PermitReason,
-  RobotState,
-} from "@interface";
+import type { Alarm, Axis, Named, PermitReason, RobotState } from "@interface";
 import type { ConsoleView } from "../state/store";
 
 export type SignKind =
@@ -93,10 +87,7 @@ function isOver(alarms: readonly Alarm[], reason: PermitReason): boolean {
   return own.length > 0 && own.every(({ is_over }) => is_over);
 }
 
-function signOfStanding(
-  axes: readonly Axis[],
-  alarms: readonly Alarm[],
-): Sign {
+function signOfStanding(axes: readonly Axis[], alarms: readonly Alarm[]): Sign {
   const reason = mostPressing(axes);
   const isFault = reason !== undefined && !isOver(alarms, reason.name);
   return makeSign(
