@@ -123,7 +123,7 @@ HANDLERS := $(GEN)/interface/app/handlers.c
 EXCHANGE := $(wildcard app/exchange/exchange*.c)
 EVENT_TEXT := app/common/event_text.c $(GEN)/interface/app/event_words.c
 # The state as JSON, of a snapshot and events.
-STATE_JSON := $(addprefix app/http/view/,alarm_json.c alarms.c json_forms.c shown.c telemetry_json.c telemetry_units.c)
+STATE_JSON := $(addprefix app/http/view/,alarm_json.c alarms.c card_alarms.c json_forms.c shown.c telemetry_json.c telemetry_units.c)
 # An event with its time, as a line and out of it.
 LOG_ENTRY := app/common/log_entry.c app/common/utc_text.c $(EVENT_TEXT)
 

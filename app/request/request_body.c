@@ -24,8 +24,8 @@ typedef struct {
     level_t levels[REQUEST_DEPTH];
     uint32_t depth;
     request_fault_t fault;
-    const request_field_t *missing; /* NULL: it is another fault. */
-    char name[REQUEST_NAME_SIZE];   /* Beside the present object's pointer, where the fault is. */
+    const request_field_t *asked; /* What is missing or none of its words; NULL: another fault. */
+    char name[REQUEST_NAME_SIZE]; /* Beside the present object's pointer, where the fault is. */
 } reader_t;
 
 static void fail(reader_t *self, request_fault_t fault)
@@ -78,6 +78,7 @@ static void read_text(reader_t *self, const request_field_t *field, char *value)
         json_text_string(&self->text, is_word ? word : value, is_word ? sizeof word : field->size);
     if (is_word && (fault == REQUEST_OK)) {
         fault = request_value_word(field, word, value);
+        self->asked = (fault != REQUEST_OK) ? field : NULL;
     }
     fail(self, fault);
 }
@@ -190,7 +191,7 @@ static void leave(reader_t *self, const level_t *level)
     const request_field_t *missing = request_names_missing(level->message, level->seen);
     if (missing != NULL) {
         (void)snprintf(self->name, sizeof self->name, "%s", missing->name);
-        self->missing = missing;
+        self->asked = missing;
         fail(self, REQUEST_MISSING);
         return;
     }
@@ -280,8 +281,8 @@ request_result_t request_read_body(const request_message_t *message, const char 
         const request_message_t *at =
             (reader.depth > 0U) ? reader.levels[innermost].message : message;
         request_fault_set(&result, reader.fault, at);
-        if (reader.missing != NULL) {
-            request_fault_add_words(&result, reader.missing);
+        if (reader.asked != NULL) {
+            request_fault_add_words(&result, reader.asked);
         }
         write_place(&reader, result.place);
     }

@@ -41,9 +41,10 @@ void request_fault_set(request_result_t *result, request_fault_t fault,
                        const request_message_t *message);
 
 /**
- * `field` is missing: adds which words it may be, if it is one of some.
+ * `field` is missing, or none of its words: adds which words it may be, if it is one of some.
  *
  * @satisfies SWR-HTTP-079
+ * @satisfies SWR-HTTP-153
  */
 void request_fault_add_words(request_result_t *result, const request_field_t *field);
 

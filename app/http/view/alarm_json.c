@@ -3,6 +3,7 @@
 
 #include "common/event_text.h"
 #include "common/utc_text.h"
+#include "http/view/card_alarms.h"
 #include "http/view/shown.h"
 #include "http/view/telemetry_units.h"
 #include "interface/app/messages.h"
@@ -31,6 +32,8 @@ typedef struct {
     permit_reason_t reason;   /* PERMIT_REASON_COUNT: none. */
     uint32_t axis;            /* ROBOT_AXIS_MAX: none. */
     const char *text;         /* NULL: the event's sentence. */
+    const char *subject;      /* NULL: the event's. */
+    bool is_over;             /* Its cause; it is latched. */
     const alarm_word_t *word; /* When that was; NULL: not known. */
 } alarm_t;
 
@@ -62,7 +65,8 @@ static void add(const list_t *list, const alarm_t *alarm)
         .event = event_id_name((int32_t)event.id),
         .reason = is_reason ? permit_reason_name((int32_t)alarm->reason) : NULL,
         .axis = (alarm->axis < robot->axis_count) ? robot->axes[alarm->axis].name : NULL,
-        .subject = subject,
+        .is_over = alarm->is_over,
+        .subject = (alarm->subject != NULL) ? alarm->subject : subject,
         .text = (alarm->text != NULL) ? alarm->text : text,
         .since = is_since ? since : NULL,
         .age_s = is_since ? &age : NULL};
@@ -78,6 +82,7 @@ static void add_common(const list_t *list, permit_reason_t reason, event_id_t id
                            .reason = reason,
                            .axis = ROBOT_AXIS_MAX,
                            .text = is_said ? NULL : permit_reason_text((int32_t)reason),
+                           .is_over = reason == PERMIT_REASON_ESTOP_LATCHED,
                            .word = word};
 
     if ((list->reasons & BIT(reason)) != 0U) {
@@ -85,23 +90,59 @@ static void add_common(const list_t *list, permit_reason_t reason, event_id_t id
     }
 }
 
+/* Of the cards of all axes at once, since when the first of them. */
+static void add_of_all(const list_t *list, event_t event, common_alarm_t common,
+                       const alarm_word_t words[CARD_SLOT_COUNT])
+{
+    const bool is_loss = event.id == (uint32_t)EVENT_CARD_LOST;
+    const alarm_t alarm = {
+        .event = event,
+        .reason = is_loss ? PERMIT_REASON_LINK_LOST : (permit_reason_t)PERMIT_REASON_COUNT,
+        .axis = ROBOT_AXIS_MAX,
+        .text = common_alarm_text((int32_t)common),
+        .subject = "all",
+        .is_over = common == COMMON_ALARM_ANSWER,
+        .word =
+            (common != COMMON_ALARM_ANSWER) ? card_alarms_first(list->view->robot, words) : NULL};
+
+    add(list, &alarm);
+}
+
+static void add_card(const list_t *list, uint32_t slot)
+{
+    const telemetry_view_t *const view = list->view;
+    const alarm_word_t *const word = &view->alarms.cards[slot];
+    const bool is_answering = card_alarms_is_back(view, slot);
+    const event_t event = {
+        .id = EVENT_CARD_LOST, .subject = slot, .value = (int32_t)card_alarms_cause(view, slot)};
+    char subject[EVENT_TEXT_SIZE];
+    char text[EVENT_TEXT_SIZE * 2];
+
+    event_text_subject(view->robot, &event, subject, sizeof subject);
+    (void)snprintf(text, sizeof text, "Card %s %s", subject,
+                   common_alarm_text((int32_t)COMMON_ALARM_ONE_ANSWERS));
+    const alarm_t alarm = {.event = event,
+                           .reason = PERMIT_REASON_LINK_LOST,
+                           .axis = robot_cards_axis(view->robot, slot),
+                           .text = is_answering ? text : NULL,
+                           .is_over = is_answering,
+                           .word = is_answering ? NULL : word};
+    add(list, &alarm);
+}
+
 static void add_cards(const list_t *list)
 {
     const telemetry_view_t *const view = list->view;
+    const common_alarm_t common = card_alarms_common_loss(view);
+    const bool is_common = common != COMMON_ALARM_COUNT;
+
+    if (is_common) {
+        add_of_all(list, (event_t){.id = EVENT_CARD_LOST}, common, view->alarms.cards);
+    }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        const alarm_word_t *const word = &view->alarms.cards[slot];
-        const event_t unsaid = {
-            .id = EVENT_CARD_LOST, .subject = slot, .value = (int32_t)LINK_CAUSE_NONE};
-        const uint32_t axis = robot_cards_axis(view->robot, slot);
-        const uint32_t link = (uint32_t)view->snapshot.cards[slot].link;
-        const bool is_missing =
-            (axis < ROBOT_AXIS_MAX) && (link == (uint32_t)CARD_LINK_STATE_ABSENT);
-        const alarm_t alarm = {.event = word->is_known ? word->said.event : unsaid,
-                               .reason = PERMIT_REASON_LINK_LOST,
-                               .axis = axis,
-                               .word = word};
-        if ((link == (uint32_t)CARD_LINK_STATE_LOST) || is_missing) {
-            add(list, &alarm);
+        const bool is_of_all = is_common && (robot_cards_axis(view->robot, slot) < ROBOT_AXIS_MAX);
+        if (card_alarms_is_lost(view, slot) && !is_of_all) {
+            add_card(list, slot);
         }
     }
 }
@@ -173,9 +214,22 @@ static void add_trouble(const list_t *list, uint32_t slot, uint32_t trouble)
 
 static void add_troubles(const list_t *list)
 {
+    const telemetry_view_t *const view = list->view;
+    uint32_t of_all = 0U;
+
+    for (uint32_t trouble = 0U; trouble < CARD_TROUBLE_COUNT; trouble++) {
+        const common_alarm_t common = card_alarms_common_trouble(view, trouble);
+        if (common != COMMON_ALARM_COUNT) {
+            const event_t event = {.id = EVENT_CARD_UNWELL, .value = (int32_t)trouble};
+            add_of_all(list, event, common, view->alarms.unwell);
+            of_all |= BIT(trouble);
+        }
+    }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        const bool is_of_axis = robot_cards_axis(view->robot, slot) < ROBOT_AXIS_MAX;
+        const uint32_t told = is_of_axis ? of_all : 0U;
         for (uint32_t trouble = 0U; trouble < CARD_TROUBLE_COUNT; trouble++) {
-            if ((list->view->snapshot.cards[slot].troubles & BIT(trouble)) != 0U) {
+            if (card_alarms_has_trouble(view, slot, trouble) && ((told & BIT(trouble)) == 0U)) {
                 add_trouble(list, slot, trouble);
             }
         }

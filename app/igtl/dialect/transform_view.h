@@ -59,6 +59,7 @@ typedef struct {
  *
  * @satisfies SWR-IGTL-014
  * @satisfies SWR-IGTL-037
+ * @satisfies SWR-IGTL-120
  */
 void transform_view_take(transform_view_t *view, const snapshot_t *snapshot);
 

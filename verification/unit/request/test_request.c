@@ -143,6 +143,23 @@ void test_SWR_HTTP_079_a_word_that_is_missing_is_asked_for_with_its_words(void)
     TEST_ASSERT_EQUAL_STRING("This is missing. Expected is one of mm, deg.", result.text);
 }
 
+void test_SWR_HTTP_153_a_word_that_is_none_of_its_words_is_refused_with_them(void)
+{
+    static const request_word_t units[] = {{"mm", 0U}, {"deg", 1U}};
+    static const request_field_t unit = {.name = "unit",
+                                         .kind = REQUEST_WORD,
+                                         .size = sizeof(uint32_t),
+                                         .word_count = 2U,
+                                         .words = units};
+    static const request_message_t message = {&unit, 1U};
+    static const char inch[] = "{\"unit\":\"inch\"}";
+    uint32_t value = 0U;
+    const request_result_t result = request_read_body(&message, inch, sizeof inch - 1U, &value);
+    TEST_ASSERT_EQUAL(REQUEST_OUT_OF_RANGE, result.fault);
+    TEST_ASSERT_EQUAL_STRING("/unit", result.place);
+    TEST_ASSERT_EQUAL_STRING("This is outside its range. Expected is one of mm, deg.", result.text);
+}
+
 void test_SWR_HTTP_011_members_are_known_single_and_complete(void)
 {
     refuse(with("speed", "1"), REQUEST_UNKNOWN, "/speed");

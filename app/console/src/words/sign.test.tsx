@@ -2,7 +2,7 @@
 // Rule under test: one word says whether the robot moves, may, or why not; banner and title agree.
 import { cleanup, render, renderHook } from "@testing-library/react";
 import { afterEach, expect, test } from "vitest";
-import type { Axis, Named, PermitReason } from "@interface";
+import type { Alarm, Axis, Named, PermitReason } from "@interface";
 import { SignShape } from "../parts/drawn/SignShape";
 import { signOf, type SignKind } from "./sign";
 import type { ConsoleView } from "../state/store";
@@ -86,6 +86,31 @@ test.each([
 test("SWR-CON-020 a card that one axis has lost is seen while the others stand", () => {
   const view = viewOf(because("NOTHING_ARMED"), because("LINK_LOST"));
   expect(signOf(view).word).toBe("CARD LOST");
+});
+
+function alarmOf(reason: PermitReason, is_over: boolean): Alarm {
+  return {
+    event: "CARD_LOST",
+    reason,
+    axis: null,
+    is_over,
+    subject: "",
+    text: "",
+    since: null,
+    age_s: null,
+  };
+}
+
+test.each([
+  [[alarmOf("LINK_LOST", true)], "STANDS"],
+  [[alarmOf("LINK_LOST", true), alarmOf("LINK_LOST", false)], "CARD LOST"],
+  [[alarmOf("LINK_LOST", false), alarmOf("ESTOP_LATCHED", true)], "CARD LOST"],
+] as const)("SWR-CON-150 of %j it says %s", (alarms, word) => {
+  const robot = makeRobot({ alarms: [...alarms] }, [because("LINK_LOST")]);
+  expect(signOf({ ...viewOf(), robot })).toMatchObject({
+    word,
+    says: "It is LINK_LOST.",
+  });
 });
 
 test("SWR-CON-020 old data never says that it moves or stands", () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Does the robot move, may it, and if not, why: one word for it, to be read from where the robot stands.
-import type { Axis, Named, PermitReason, RobotState } from "@interface";
+import type { Alarm, Axis, Named, PermitReason, RobotState } from "@interface";
 import type { ConsoleView } from "../state/store";
 
 export type SignKind =
@@ -81,15 +81,22 @@ function namesOf(axes: readonly Axis[]): string {
   return axes.map(({ name }) => name).join(", ");
 }
 
-function signOfStanding(axes: readonly Axis[]): Sign {
+/** What is over stands until START_UP, and is no fault any more. */
+function isOver(alarms: readonly Alarm[], reason: PermitReason): boolean {
+  const own = alarms.filter((alarm) => alarm.reason === reason);
+  return own.length > 0 && own.every(({ is_over }) => is_over);
+}
+
+function signOfStanding(axes: readonly Axis[], alarms: readonly Alarm[]): Sign {
   const reason = mostPressing(axes);
+  const isFault = reason !== undefined && !isOver(alarms, reason.name);
   return makeSign(
-    reason === undefined ? "stands" : (kinds[reason.name] ?? "stands"),
+    isFault ? (kinds[reason.name] ?? "stands") : "stands",
     reason?.text ?? "",
   );
 }
 
-function signOfRobot({ motors: { axes } }: RobotState): Sign {
+function signOfRobot({ status, motors: { axes } }: RobotState): Sign {
   const driven = axes.filter((axis) => axis.is_driven);
   if (driven.length > 0) {
     return makeSign("moving", namesOf(driven));
@@ -101,10 +108,13 @@ function signOfRobot({ motors: { axes } }: RobotState): Sign {
   const armed = axes.filter(isArmed);
   return armed.length > 0
     ? makeSign("armed", mostPressing(armed)?.text ?? "")
-    : signOfStanding(axes);
+    : signOfStanding(axes, status.alarms);
 }
 
-/** @satisfies SWR-CON-020 */
+/**
+ * @satisfies SWR-CON-020
+ * @satisfies SWR-CON-150
+ */
 export function signOf(view: ConsoleView): Sign {
   if (view.robot === null) {
     return makeSign("absent", "");

@@ -203,6 +203,7 @@ const lost: Alarm = {
   event: "CARD_LOST",
   reason: "LINK_LOST",
   axis: "insertion",
+  is_over: false,
   subject: "3 (insertion)",
   text: "Card 3 (insertion) is lost. No frame of it came for several cycles.",
   since: "2026-11-22T17:50:00.123Z",
