@@ -14,6 +14,13 @@ solution_t tremble_mode_judge(const tremble_mode_t *self, const robot_t *robot,
     return result;
 }
 
+/* Towards the middle of its travel. */
+static int32_t way_ticks(const axis_config_t *axis, int32_t from_ticks)
+{
+    return (from_ticks > ((axis->minimum_ticks + axis->maximum_ticks) / 2)) ? -WAY_TICKS
+                                                                            : WAY_TICKS;
+}
+
 void tremble_mode_step(tremble_mode_t *self, leg_t *leg, const mode_frame_t *frame,
                        mode_result_t *result)
 {
@@ -23,7 +30,10 @@ void tremble_mode_step(tremble_mode_t *self, leg_t *leg, const mode_frame_t *fra
             self->start_ticks = frame->axes[0].encoder.position_ticks;
         }
         self->legs++;
-        ends[0] = self->start_ticks + ((self->legs == LEGS) ? 0 : WAY_TICKS);
+        ends[0] = self->start_ticks;
+        if (self->legs < LEGS) {
+            ends[0] += way_ticks(&frame->robot->axes[0], self->start_ticks);
+        }
         leg_begin(leg, frame, LEG_AXIS(0U), ends);
     }
     if (leg_step(leg, frame, result) && (self->legs == LEGS)) {
