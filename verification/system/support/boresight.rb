@@ -249,13 +249,19 @@ class Boresight
     box_axes.reject { |words| words.include?('off') }
   end
 
-  # Holds programs while the block runs.
+  # Holds programs while the block runs. One that is held for long may be replaced meanwhile.
   def while_stopped(*names)
     held = pids.values_at(*names)
     held.each { |pid| Process.kill('STOP', pid) }
     yield
   ensure
-    held&.reverse_each { |pid| Process.kill('CONT', pid) }
+    held&.reverse_each { |pid| let_go(pid) }
+  end
+
+  def let_go(pid)
+    Process.kill('CONT', pid)
+  rescue Errno::ESRCH
+    nil
   end
 
   def wait_until(reason, &)
