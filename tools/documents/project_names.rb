@@ -2,6 +2,7 @@
 # frozen_string_literal: true
 
 require 'yaml'
+require_relative '../interface/model'
 require_relative '../trace/sources'
 
 # What documents may name: commands, tests, routes, programs, requirements, files, functions and words of the sources.
@@ -70,9 +71,7 @@ class ProjectNames
   end
 
   def routes
-    @routes ||= YAML.safe_load_file("#{root}/core/interface/routes.yml").fetch('routes').map do |route|
-      [route.fetch('method', 'GET').upcase, route.fetch('path')]
-    end
+    @routes ||= Interface::Model.new("#{root}/core/interface").routes.routes.map { |route| [route.method, route.path] }
   end
 
   def makefiles

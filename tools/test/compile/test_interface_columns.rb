@@ -118,7 +118,7 @@ class TestInterfaceColumns < Minitest::Test
     Dir.mktmpdir do |folder|
       { 'core/interface/status.yml' => STATUS, 'core/interface/command.yml' => COMMAND,
         'core/robot/ant/kinematics.yml' => ANT, 'charts.json' => JSON.generate('charts' => []),
-        'out/message/igtl_codec.h' => CODEC }
+        'out/igtl/wire/igtl_codec.h' => CODEC }
         .merge(files.transform_keys { |name| "core/interface/#{name}" }).each do |name, text|
         file = File.join(folder, name)
         FileUtils.mkdir_p(File.dirname(file))
