@@ -91,7 +91,9 @@ class Rooms
                 .map { |file| File.dirname(file) }.tally
     over = counts.select { |_, count| count > MOST_FILES }
     (over.keys - @crowded.keys).sort.map { |folder| "#{folder}: holds #{over[folder]} files, more than #{MOST_FILES}" } +
-      (@crowded.keys - over.keys).select { |folder| File.directory?(File.join(@root, folder)) }.sort.map { |folder| "#{FILE}: #{folder} holds at most #{MOST_FILES} files and needs no reason" }
+      (@crowded.keys - over.keys).select { |folder|
+        File.directory?(File.join(@root, folder))
+      }.sort.map { |folder| "#{FILE}: #{folder} holds at most #{MOST_FILES} files and needs no reason" }
   end
 
   # A board that needs no more than any board is no entry of the list.
