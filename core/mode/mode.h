@@ -50,7 +50,7 @@ uint32_t mode_axes(mode_kind_t kind, uint32_t commanded, const robot_t *robot);
 bool mode_needs(const mode_state_t *self, uint32_t index);
 
 /** What `kind` is asked for, by its command and as the robot stands: its axes, and what its row
- * says that it reads. The move of MODE_MOVE and the like is added by who knows the target. */
+ * says that it reads. controller_aim() adds the move of a mode that goes to the target. */
 mode_request_t mode_ask(mode_kind_t kind, const mode_asked_t *asked);
 
 /**

@@ -185,6 +185,8 @@ module Interface
       is_mode = !@modes&.of_command(value.name).nil?
       value.node.refuse('has no obeyed_by and arms no mode') unless own || is_mode
       own&.refuse('stands with a command that arms a mode') if own && is_mode
+      misplaced = %w[route button].find { |key| value.more.key?(key) }
+      value.more[misplaced].refuse('stands with a command that arms no mode') if misplaced && !is_mode
       "controller_obey_#{own ? own.identifier : 'motion'}"
     end
 

@@ -187,6 +187,8 @@ class TestInterfaceModes < Minitest::Test
     'a command that nothing carries out' => ['from: [], obeyed_by: turn,', 'from: [],', 16, 'has no obeyed_by and arms no mode'],
     'a function for a command that arms a mode' => ['name: GO, from: [PAGE, NETWORK],', 'name: GO, from: [PAGE, NETWORK], obeyed_by: go,',
                                                     26, 'stands with a command that arms a mode'],
+    'a route of a command that arms no mode' => ['obeyed_by: turn, payload: turn, workphases', 'obeyed_by: turn, route: /turn, payload: turn, workphases', 15,
+                                                 'stands with a command that arms no mode'],
     'a payload without its structure' => ['payload: workphase', 'payload: phase', 14, 'is phase; expected a structure command_NAME']
   }.freeze
 
