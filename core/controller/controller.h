@@ -130,9 +130,7 @@ typedef struct {
     axis_record_t records[ROBOT_AXIS_MAX];
     pending_command_t pending;
     kept_positions_t kept; /**< From before the start; an axis that was compared is KEPT_LOST. */
-    uint32_t cause;        /**< event_cause_t of what happens now. */
     uint32_t awaited;      /**< Axes of kept that have not been compared; 0: it counts no more. */
-    uint32_t peer;         /**< Of the cause. */
     uint32_t has_arrived;  /**< The last order led to the target, or through a program, and ended as
                               asked. */
     uint32_t vain_start_ups; /**< Those that an axis or a card has ended since one was done. */

@@ -19,16 +19,18 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
     event->severity = (uint32_t)event_severity(id);
     event->subject = subject;
     event->value = value;
-    event->cause = self->cause;
-    event->peer = self->peer;
+    event->cause = (uint32_t)cycle->cause;
+    event->peer = cycle->peer;
     outputs->event_count++;
     self->events++;
 }
 
-void controller_because(controller_t *self, event_cause_t cause, uint32_t peer)
+cycle_t controller_because(const cycle_t *cycle, event_cause_t cause, uint32_t peer)
 {
-    self->cause = (uint32_t)cause;
-    self->peer = peer;
+    cycle_t because = *cycle;
+    because.cause = cause;
+    because.peer = peer;
+    return because;
 }
 
 status_t controller_obey_note(controller_t *self, const cycle_t *cycle, const command_t *command,

@@ -11,6 +11,8 @@ typedef struct {
     const robot_t *robot;
     const controller_inputs_t *inputs;
     controller_outputs_t *outputs;
+    event_cause_t cause; /**< Of what is noted with it. */
+    uint32_t peer;       /**< Of the cause, as event_t. */
 } cycle_t;
 
 /**
@@ -24,12 +26,12 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
                      int32_t value);
 
 /**
- * What is noted from now on happens because of this. `peer`: as event_t.
+ * The same cycle, for what happens because of this. `peer`: as event_t.
  *
  * @satisfies SWR-EVENT-005
  * @satisfies SWR-EVENT-006
  */
-void controller_because(controller_t *self, event_cause_t cause, uint32_t peer);
+cycle_t controller_because(const cycle_t *cycle, event_cause_t cause, uint32_t peer);
 
 /**
  * A note of the exchange, which is in the log of events.

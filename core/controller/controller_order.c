@@ -55,7 +55,7 @@ static void answer_pending(controller_t *self, const cycle_t *cycle, answer_kind
     answer->kind = (uint32_t)kind;
     answer->status = (uint32_t)status;
     answer->is_final = 1U;
-    answer->axis = (self->cause == (uint32_t)EVENT_CAUSE_AXIS) ? self->peer : ROBOT_AXIS_MAX;
+    answer->axis = (cycle->cause == EVENT_CAUSE_AXIS) ? cycle->peer : ROBOT_AXIS_MAX;
 }
 
 void controller_abandon_order(controller_t *self, const cycle_t *cycle)
@@ -77,15 +77,15 @@ static void count_vain_start_up(controller_t *self, const cycle_t *cycle)
 /* An axis or a card has ended START_UP or a move; what it was, was noted just before. */
 static void count_vain(controller_t *self, const cycle_t *cycle)
 {
-    const bool is_of_axis = self->cause == (uint32_t)EVENT_CAUSE_AXIS;
-    const bool is_of_card = self->cause == (uint32_t)EVENT_CAUSE_CARD;
+    const bool is_of_axis = cycle->cause == EVENT_CAUSE_AXIS;
+    const bool is_of_card = cycle->cause == EVENT_CAUSE_CARD;
     const bool is_homing = self->mode.kind == (uint32_t)MODE_HOMING;
     const bool is_move = self->mode.kind == (uint32_t)MODE_MOVE;
     if ((!is_homing && !is_move) || (!is_of_axis && !is_of_card)) {
         return;
     }
-    self->vain_axis = is_of_axis ? self->peer : ROBOT_AXIS_MAX;
-    self->vain_card = is_of_card ? self->peer : CARD_SLOT_COUNT;
+    self->vain_axis = is_of_axis ? cycle->peer : ROBOT_AXIS_MAX;
+    self->vain_card = is_of_card ? cycle->peer : CARD_SLOT_COUNT;
     self->vain_event = self->last_event;
     if (is_homing) {
         count_vain_start_up(self, cycle);
@@ -176,7 +176,6 @@ void controller_enter_emergency(controller_t *self, const cycle_t *cycle)
 void controller_fail_order(controller_t *self, const cycle_t *cycle, event_cause_t cause,
                            uint32_t peer)
 {
-    controller_because(self, cause, peer);
-    controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
-    controller_because(self, EVENT_CAUSE_NONE, 0U);
+    const cycle_t because = controller_because(cycle, cause, peer);
+    controller_tell_order(self, &because, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }

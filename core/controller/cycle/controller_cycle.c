@@ -55,7 +55,11 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
                      controller_outputs_t *outputs)
 {
     REQUIRE(100U, inputs->command_count <= CONTROLLER_COMMANDS);
-    const cycle_t cycle = {.robot = robot, .inputs = inputs, .outputs = outputs};
+    const cycle_t cycle = {.robot = robot,
+                           .inputs = inputs,
+                           .outputs = outputs,
+                           .cause = EVENT_CAUSE_NONE,
+                           .peer = 0U};
     mode_result_t result;
     /* The rest is written, or cleared, by controller_show() and controller_drive(). */
     clear_aligned_words((uint8_t *)outputs, offsetof(controller_outputs_t, snapshot));

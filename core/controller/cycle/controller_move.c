@@ -50,10 +50,10 @@ static void tell(controller_t *self, const cycle_t *cycle, const mode_result_t *
         controller_tell_order(self, cycle, ARMING_EVENT_DONE, STATUS_OK);
     } else if (result->progress == MODE_FAILED) {
         const bool is_of_axis = result->axis != MODE_NO_AXIS;
-        controller_because(self, is_of_axis ? EVENT_CAUSE_AXIS : EVENT_CAUSE_NONE,
-                           is_of_axis ? result->axis : 0U);
-        controller_tell_order(self, cycle, ARMING_EVENT_FAULT, result->status);
-        controller_because(self, EVENT_CAUSE_NONE, 0U);
+        const cycle_t because =
+            controller_because(cycle, is_of_axis ? EVENT_CAUSE_AXIS : EVENT_CAUSE_NONE,
+                               is_of_axis ? result->axis : 0U);
+        controller_tell_order(self, &because, ARMING_EVENT_FAULT, result->status);
     } else {
         /* It goes on. */
     }

@@ -137,9 +137,8 @@ static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index,
     }
     if (is_in_doubt) {
         controller_note(self, cycle, EVENT_AXIS_UNVERIFIED, index, axis->encoder.position_ticks);
-        controller_because(self, EVENT_CAUSE_AXIS, index);
-        controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_NOT_HOMED);
-        controller_because(self, EVENT_CAUSE_NONE, 0U);
+        const cycle_t because = controller_because(cycle, EVENT_CAUSE_AXIS, index);
+        controller_tell_order(self, &because, ARMING_EVENT_FAULT, STATUS_NOT_HOMED);
     }
     if ((now == (uint32_t)AXIS_REFERENCE_LOST) && was_known && !axis_is_faulty(axis)) {
         controller_note(self, cycle, EVENT_AXIS_REFERENCE_LOST, index,
@@ -272,11 +271,10 @@ static void note_gate(controller_t *self, const cycle_t *cycle)
     } else {
         /* The pedal itself. */
     }
-    controller_because(self, cause, 0U);
-    controller_note(self, cycle,
+    const cycle_t because = controller_because(cycle, cause, 0U);
+    controller_note(self, &because,
                     (self->was_gate_open != 0U) ? EVENT_PEDAL_PRESSED : EVENT_PEDAL_RELEASED, 0U,
                     0);
-    controller_because(self, EVENT_CAUSE_NONE, 0U);
 }
 
 /** @satisfies SWR-PERMIT-041 */
@@ -332,9 +330,9 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_disable(&self->axes[i]);
     }
-    controller_because(self, is_pulled ? EVENT_CAUSE_ESTOP : EVENT_CAUSE_INPUTS, 0U);
-    controller_enter_emergency(self, cycle);
-    controller_because(self, EVENT_CAUSE_NONE, 0U);
+    const cycle_t because =
+        controller_because(cycle, is_pulled ? EVENT_CAUSE_ESTOP : EVENT_CAUSE_INPUTS, 0U);
+    controller_enter_emergency(self, &because);
 }
 
 /** @satisfies SWR-LOOP-011 */

@@ -90,10 +90,10 @@ static uint32_t seal_of_rest(const controller_t *self)
     const uint32_t pending = seal_between(self, SEAL_START, offsetof(controller_t, pending),
                                           offsetof(controller_t, kept.axes));
     uint32_t seal =
-        seal_between(self, pending, offsetof(controller_t, cause), offsetof(controller_t, seals));
+        seal_between(self, pending, offsetof(controller_t, awaited), offsetof(controller_t, seals));
     if (self->awaited != 0U) {
         seal = seal_between(self, seal, offsetof(controller_t, kept.axes),
-                            offsetof(controller_t, cause));
+                            offsetof(controller_t, awaited));
     }
     return seal_of(seal, (const uint8_t *)self->records,
                    self->axis_count * sizeof self->records[0]);
@@ -300,7 +300,6 @@ void controller_check_memory(controller_t *self, const cycle_t *cycle)
     const uint32_t damage = robot_damage(cycle->robot);
     take_axes(self, cycle->robot, damage);
     compute(self, seals);
-    controller_because(self, EVENT_CAUSE_NONE, 0U);
     check_state(self, cycle, seals);
     check_table(self, cycle, damage);
 }

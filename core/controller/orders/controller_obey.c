@@ -82,26 +82,30 @@ static event_cause_t cause_of(const command_t *command)
                                                               : EVENT_CAUSE_IGTL;
 }
 
+static void answer(controller_t *self, const cycle_t *cycle, const command_t *command)
+{
+    answer_t draft = {.id = command->id,
+                      .source = command->source,
+                      .command = command->kind,
+                      .asked = (uint32_t)command_kinds_workphase(command),
+                      .is_final = 1U};
+    rigid_set_identity(&draft.pose);
+    const status_t status = obey(self, cycle, command, &draft);
+    draft.kind = (status == STATUS_OK) ? (uint32_t)ANSWER_ACCEPTED : (uint32_t)ANSWER_REFUSED;
+    draft.status = (uint32_t)status;
+    draft.workphase = (uint32_t)procedure_workphase(&self->procedure);
+    if (status != STATUS_OK) {
+        note_refusal(self, cycle, command, status);
+    }
+    controller_note_values(self, cycle, command, &draft);
+    *controller_add_answer(self, cycle) = draft;
+}
+
 void controller_obey(controller_t *self, const cycle_t *cycle)
 {
     for (uint32_t i = 0U; i < cycle->inputs->command_count; i++) {
         const command_t *const command = &cycle->inputs->commands[i];
-        controller_because(self, cause_of(command), command->peer);
-        answer_t draft = {.id = command->id,
-                          .source = command->source,
-                          .command = command->kind,
-                          .asked = (uint32_t)command_kinds_workphase(command),
-                          .is_final = 1U};
-        rigid_set_identity(&draft.pose);
-        const status_t status = obey(self, cycle, command, &draft);
-        draft.kind = (status == STATUS_OK) ? (uint32_t)ANSWER_ACCEPTED : (uint32_t)ANSWER_REFUSED;
-        draft.status = (uint32_t)status;
-        draft.workphase = (uint32_t)procedure_workphase(&self->procedure);
-        if (status != STATUS_OK) {
-            note_refusal(self, cycle, command, status);
-        }
-        controller_note_values(self, cycle, command, &draft);
-        *controller_add_answer(self, cycle) = draft;
+        const cycle_t because = controller_because(cycle, cause_of(command), command->peer);
+        answer(self, &because, command);
     }
-    controller_because(self, EVENT_CAUSE_NONE, 0U);
 }
