@@ -6,7 +6,7 @@
 #include "exchange/exchange_cycles.h"
 #include "limits/requirement_limits.h"
 
-#define PATIENCE_NS (UINT64_C(1000) * LIMIT_RECORDER_PATIENCE_US)
+#define PATIENCE_NS (UINT64_C(1000) * LIMIT_RECORDER_ANSWER_CLOCK_US)
 #define NAP_NS UINT64_C(2000000)
 #define SILENT_NS (UINT64_C(1000) * LIMIT_RECORDER_SILENT_US)
 #define PROOF_NS (UINT64_C(1000) * LIMIT_RECORDER_PROOF_US)

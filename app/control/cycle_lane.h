@@ -30,7 +30,8 @@ typedef struct {
 /**
  * In elastic time, before the board's time goes on: waits until the next cycle can be recorded,
  * `*stop` is not 0, the recorder cannot write, or it has given no sign of life for
- * LIMIT_RECORDER_PATIENCE_US: it gives one with each record. The board learns that control lives.
+ * LIMIT_RECORDER_ANSWER_CLOCK_US: it gives one with each record. The board learns that control
+ * lives.
  *
  * @satisfies SWR-REC-019
  */

@@ -12,7 +12,7 @@
 #define EXIT_AT_REST 0
 #define EXIT_NOT_AT_REST 1
 #define ERROR_SIZE 256U
-#define PATIENCE_US UINT64_C(10000000)
+#define ANSWER_CLOCK_US UINT64_C(10000000)
 #define LOOK_US 20000U
 
 static int judge(const snapshot_t *snapshot, const robot_t *robot)
@@ -41,7 +41,7 @@ static int judge(const snapshot_t *snapshot, const robot_t *robot)
 /* Control alone knows whether it is still at rest; what it goes on with is seen in its snapshot. */
 static int stop(exchange_t *exchange, const char *instance)
 {
-    const uint64_t end_us = clock_monotonic_us() + PATIENCE_US;
+    const uint64_t end_us = clock_monotonic_us() + ANSWER_CLOCK_US;
     snapshot_t snapshot;
 
     exchange_request_end(exchange);

@@ -4,8 +4,8 @@
  * The clock of the simulated box: how far its world goes on each time the box looks around. In real
  * time it follows the world's clock. In elastic time it goes on when control asks for an exchange,
  * just as far as control has come; control keeps the pace, which may be fast. Left alone for
- * LIMIT_ELASTIC_PATIENCE_US it goes on by itself, so that the cards notice that control is stuck or
- * gone; control that waits tells it so. No I/O; the world's time is handed in.
+ * LIMIT_ELASTIC_ANSWER_CLOCK_US it goes on by itself, so that the cards notice that control is
+ * stuck or gone; control that waits tells it so. No I/O; the world's time is handed in.
  */
 #ifndef BORESIGHT_BOX_CLOCK_H
 #define BORESIGHT_BOX_CLOCK_H

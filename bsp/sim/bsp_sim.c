@@ -71,7 +71,7 @@ bool bsp_open(const char *address, bsp_identity_t *identity, char *error, uint32
 static bool await_patiently(const uint32_t *word, uint32_t number)
 {
     const uint32_t timeout_us = LIMIT_EXCHANGE_TIMEOUT_US;
-    const uint32_t looks = was_answered ? ((LIMIT_ELASTIC_PATIENCE_US / timeout_us) + 1U) : 1U;
+    const uint32_t looks = was_answered ? ((LIMIT_ELASTIC_ANSWER_CLOCK_US / timeout_us) + 1U) : 1U;
     bool is_answered = false;
 
     for (uint32_t i = 0U; (i < looks) && !is_answered; i++) {

@@ -17,7 +17,7 @@
 #define WIRE_MAGIC 0x4242580AU
 
 #define NS_PER_S UINT64_C(1000000000)
-#define BENCH_PATIENCE_US 10000U
+#define BENCH_ANSWER_CLOCK_US 10000U
 
 static const char start_first[] = "start the simulated control box first: boresight-box --box %s";
 
@@ -162,7 +162,7 @@ void wire_show_bench(wire_t *wire, const bsp_bench_t *bench)
 
 bool wire_see_bench(const wire_t *wire, bsp_bench_t *seen)
 {
-    const uint64_t end_us = wire_now_us() + BENCH_PATIENCE_US;
+    const uint64_t end_us = wire_now_us() + BENCH_ANSWER_CLOCK_US;
     bool is_whole = false;
 
     do {

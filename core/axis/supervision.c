@@ -119,8 +119,8 @@ void supervision_settle(supervision_t *self)
 {
     self->due_q16 = 0;
     self->silent_us = 0U;
-    count_account_settle(&self->account);
-    edge_pace_settle(&self->pace);
+    count_balance_settle(&self->account);
+    edge_spacing_settle(&self->pace);
 }
 
 /* What is missing is called by its name if nothing at all is counted any more. Once told, it is
@@ -128,7 +128,7 @@ void supervision_settle(supervision_t *self)
 static uint32_t watch_counts(supervision_t *self, const axis_config_t *config,
                              const count_cycle_t *cycle)
 {
-    const bool is_wrong = count_account_step(&self->account, config, cycle);
+    const bool is_wrong = count_balance_step(&self->account, config, cycle);
     const bool is_none = is_silent(self, config, cycle);
     if (!is_none && !is_wrong) {
         return 0U;
@@ -162,14 +162,14 @@ static uint32_t way_after(int64_t before_q8, int64_t speed_q8, uint32_t age_us, 
     return (uint32_t)((way_q16 < 0) ? -way_q16 : way_q16);
 }
 
-/* Before count_account_step(): that one knows the direction of the cycle before. */
+/* Before count_balance_step(): that one knows the direction of the cycle before. */
 static bool is_uneven(supervision_t *self, const supervision_view_t *view, int64_t before_q8,
                       const count_cycle_t *cycle)
 {
     const bool is_upwards = cycle->model_q16 > 0;
     if (cycle->model_q16 == 0) {
         if (cycle->counted_ticks != 0) {
-            edge_pace_begin(&self->pace);
+            edge_spacing_begin(&self->pace);
         }
         return false;
     }
@@ -177,17 +177,17 @@ static bool is_uneven(supervision_t *self, const supervision_view_t *view, int64
     const int32_t ticks = fixed_saturate(is_upwards ? cycle->counted_ticks : -cycle->counted_ticks);
     if ((ticks < 0) || ((self->account.direction > 0) != is_upwards) ||
         (view->edge_age_us == ENCODER_AGE_UNKNOWN) || (self->account.unsure_us != 0U)) {
-        edge_pace_begin(&self->pace);
+        edge_spacing_begin(&self->pace);
         return false;
     }
     const int64_t speed_q8 = motor_heat_slow(view->lost_q16, self->model.speed_ticks_per_s_q8);
-    const edge_pace_view_t pace = {
+    const edge_spacing_view_t pace = {
         .way_q16 = (uint32_t)way_q16,
         .after_q16 =
             (ticks > 0) ? way_after(before_q8, speed_q8, view->edge_age_us, cycle->elapsed_us) : 0U,
         .ticks = (uint32_t)ticks,
     };
-    return edge_pace_step(&self->pace, &pace);
+    return edge_spacing_step(&self->pace, &pace);
 }
 
 static void settle(supervision_t *self, const supervision_view_t *view)
@@ -253,8 +253,8 @@ void supervision_init(supervision_t *self)
 {
     (void)memset(self, 0, sizeof *self);
     stall_watchdog_chart_init(&self->stall);
-    count_account_init(&self->account);
-    edge_pace_init(&self->pace);
+    count_balance_init(&self->account);
+    edge_spacing_init(&self->pace);
 }
 
 bool supervision_is_at_rest(const supervision_t *self)
@@ -351,8 +351,8 @@ static void pass_over(supervision_t *self, const axis_config_t *config,
     self->off_us = 0U;
     self->drives = 0U;
     settle(self, view);
-    count_account_doubt(&self->account);
-    edge_pace_begin(&self->pace);
+    count_balance_doubt(&self->account);
+    edge_spacing_begin(&self->pace);
 }
 
 uint32_t supervision_step(supervision_t *self, const axis_config_t *config,

@@ -7,8 +7,8 @@
 #ifndef BORESIGHT_SUPERVISION_H
 #define BORESIGHT_SUPERVISION_H
 
-#include "axis/count_account.h"
-#include "axis/edge_pace.h"
+#include "axis/count_balance.h"
+#include "axis/edge_spacing.h"
 #include "card/card_frame.h"
 #include "charts/stall_watchdog_chart.h"
 #include "motion/motor_model.h"
@@ -69,8 +69,8 @@ typedef struct {
     int64_t due_q16;       /**< Way of the model since the last count in its direction. */
     uint32_t silent_us;    /**< Since LIMIT_SILENT_TICKS were due without any. */
     int32_t missing_ticks; /**< What was due of them at a fault, for the record. */
-    count_account_t account;
-    edge_pace_t pace;
+    count_balance_t account;
+    edge_spacing_t pace;
     stall_watchdog_chart_t stall;
 } supervision_t;
 

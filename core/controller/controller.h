@@ -142,12 +142,12 @@ typedef struct {
     uint32_t is_box_settled; /**< START_UP waits for no recording any more: 0 or 1. */
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
-    uint32_t strangers;    /**< Bit n: a card that the robot does not name is in slot n. */
-    uint32_t table_damage; /**< As robot_damage() ever said: nothing moves any more. */
-    uint32_t has_started;  /**< cycle, which wraps, does not tell. */
-    uint32_t axis_count;   /**< Of the robot, as its undamaged table said last; at most
-                              ROBOT_AXIS_MAX. */
-    uint32_t cycle;        /**< This and what follows counts only: any value is as good. */
+    uint32_t unexpected_cards; /**< Bit n: a card that the robot does not name is in slot n. */
+    uint32_t table_damage;     /**< As robot_damage() ever said: nothing moves any more. */
+    uint32_t has_started;      /**< cycle, which wraps, does not tell. */
+    uint32_t axis_count;       /**< Of the robot, as its undamaged table said last; at most
+                                  ROBOT_AXIS_MAX. */
+    uint32_t cycle;            /**< This and what follows counts only: any value is as good. */
     uint32_t time_us;
     uint32_t sequence; /**< Of the outgoing frames. */
     uint32_t events;   /**< Number of the next event. */

@@ -193,21 +193,21 @@ static void observe_stranger(controller_t *self, const cycle_t *cycle, uint32_t 
     link_t *const link = &self->links[slot];
     (void)link_check(link);
     hear(link, cycle, slot);
-    if ((link->is_fresh != 0U) && ((self->strangers & bit) == 0U)) {
-        self->strangers |= bit;
+    if ((link->is_fresh != 0U) && ((self->unexpected_cards & bit) == 0U)) {
+        self->unexpected_cards |= bit;
         controller_note(self, cycle, EVENT_UNEXPECTED_CARD, slot, (int32_t)link->report.card_type);
     }
-    if (((self->strangers & bit) != 0U) && (link->age_cycles >= LIMIT_LINK_AGE_CYCLES)) {
-        self->strangers &= ~bit;
+    if (((self->unexpected_cards & bit) != 0U) && (link->age_cycles >= LIMIT_LINK_AGE_CYCLES)) {
+        self->unexpected_cards &= ~bit;
         controller_note(self, cycle, EVENT_CARD_LOST, slot, (int32_t)LINK_CAUSE_AGE);
         link_init(link, (uint32_t)CARD_TYPE_NONE, cycle->robot->card_firmware);
     }
 }
 
 /* In the slots that the robot does not name. */
-static void observe_strangers(controller_t *self, const cycle_t *cycle)
+static void observe_unexpected_cards(controller_t *self, const cycle_t *cycle)
 {
-    const uint32_t answered = cycle->inputs->frames_received | self->strangers;
+    const uint32_t answered = cycle->inputs->frames_received | self->unexpected_cards;
     const uint32_t slots = answered & ~self->cards.named_slots & CARD_EVERY_SLOT;
     for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
         if (((slots >> i) & 1U) != 0U) {
@@ -219,7 +219,7 @@ static void observe_strangers(controller_t *self, const cycle_t *cycle)
 void controller_observe_other_cards(controller_t *self, const cycle_t *cycle)
 {
     observe_sensors(self, cycle);
-    observe_strangers(self, cycle);
+    observe_unexpected_cards(self, cycle);
 }
 
 static void note_troubles(controller_t *self, const cycle_t *cycle, uint32_t slot, uint32_t changed)

@@ -25,7 +25,7 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
     self->events++;
 }
 
-cycle_t controller_because(const cycle_t *cycle, event_cause_t cause, uint32_t peer)
+cycle_t controller_with_cause(const cycle_t *cycle, event_cause_t cause, uint32_t peer)
 {
     cycle_t because = *cycle;
     because.cause = cause;

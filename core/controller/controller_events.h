@@ -31,7 +31,7 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
  * @satisfies SWR-EVENT-005
  * @satisfies SWR-EVENT-006
  */
-cycle_t controller_because(const cycle_t *cycle, event_cause_t cause, uint32_t peer);
+cycle_t controller_with_cause(const cycle_t *cycle, event_cause_t cause, uint32_t peer);
 
 /**
  * A note of the exchange, which is in the log of events.

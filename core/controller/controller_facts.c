@@ -46,13 +46,13 @@ static bool is_box_ready(const controller_inputs_t *inputs)
 bool controller_lacks_box(const controller_t *self, const cycle_t *cycle)
 {
     return (cycle->inputs->lacks_black_box != 0U) && (self->is_box_settled == 0U) &&
-           (self->awaited == 0U) && !controller_is_blind(self) &&
+           (self->awaited == 0U) && !controller_is_table_invalid(self) &&
            !needle_may_be_in(cycle->robot, self->axes);
 }
 
 uint32_t controller_bars(const controller_t *self, const cycle_t *cycle)
 {
-    return fact(controller_is_blind(self), GUARD_BLIND) |
+    return fact(controller_is_table_invalid(self), GUARD_BLIND) |
            fact(cycle->inputs->unfit != 0U, GUARD_UNFIT) |
            fact(controller_lacks_box(self, cycle), GUARD_NO_BOX) |
            fact(controller_is_spent(self), GUARD_SPENT);

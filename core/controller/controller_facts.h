@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 /** The robot's table was damaged: nothing of it may be used. */
-static inline bool controller_is_blind(const controller_t *self)
+static inline bool controller_is_table_invalid(const controller_t *self)
 {
     return self->table_damage != 0U;
 }

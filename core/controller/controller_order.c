@@ -176,6 +176,6 @@ void controller_enter_emergency(controller_t *self, const cycle_t *cycle)
 void controller_fail_order(controller_t *self, const cycle_t *cycle, event_cause_t cause,
                            uint32_t peer)
 {
-    const cycle_t because = controller_because(cycle, cause, peer);
+    const cycle_t because = controller_with_cause(cycle, cause, peer);
     controller_tell_order(self, &because, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "site/served/connection.h"
 
-#include "http/gate/http_lines.h"
+#include "http/gate/http_connections.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -164,13 +164,13 @@ const char *mg_get_response_code_text(const struct mg_connection *connection, in
     return "Unknown";
 }
 
-bool http_lines_is_leaving(const struct mg_connection *connection)
+bool http_connections_is_leaving(const struct mg_connection *connection)
 {
     (void)connection;
     return false;
 }
 
-void http_lines_note(const struct mg_connection *connection, http_line_t state)
+void http_connections_note(const struct mg_connection *connection, http_line_t state)
 {
     (void)connection;
     (void)state;

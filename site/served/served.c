@@ -66,7 +66,7 @@ bool served_start(uint32_t seed, uint32_t utc_s)
         .box = SERVED_ROBOT_BOX,
         .recordings = ""};
     http_server_init(&server, &config);
-    (void)session_desk_make_code(&server.desk);
+    (void)session_store_make_code(&server.desk);
     (void)snprintf(answer, sizeof answer, "%s", server.desk.code);
     return true;
 }

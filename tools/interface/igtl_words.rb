@@ -52,14 +52,14 @@ module Interface
     def source
       <<~CODE
         #{C.file('The words of the workphase protocol that are commands.', FROM).chomp}
-        #include "igtl/workphase/workphase_words.h"
+        #include "igtl/workphase/workphase_commands.h"
 
         #include <stddef.h>
 
-        const workphase_word_t workphase_words[] = {
+        const workphase_command_t workphase_commands[] = {
         #{rows.join}};
 
-        const size_t workphase_word_count = sizeof workphase_words / sizeof workphase_words[0];
+        const size_t workphase_command_count = sizeof workphase_commands / sizeof workphase_commands[0];
       CODE
     end
   end

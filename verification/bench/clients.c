@@ -32,7 +32,7 @@
 #define CLIENTS ((2U * POLLERS) + 1U)
 #define COMMANDER (CLIENTS - 1U)
 #define COMMAND_PAUSE_US UINT64_C(20000)
-#define PATIENCE_US UINT64_C(60000000)
+#define ANSWER_CLOCK_US UINT64_C(60000000)
 #define BUCKETS 1000000U /* Of 1 us; the last holds all above. */
 
 typedef struct {
@@ -258,7 +258,7 @@ static void play(uint64_t duration_us)
 static uint64_t await_status(const char *name)
 {
     client_t *self = &clients[COMMANDER];
-    const uint64_t deadline_us = now_us() + PATIENCE_US;
+    const uint64_t deadline_us = now_us() + ANSWER_CLOCK_US;
 
     while (now_us() < deadline_us) {
         const igtl_message_t *message = next_message(self, MSG_DONTWAIT);
@@ -302,7 +302,7 @@ static uint32_t quantile(uint32_t share_permille)
 
 static void finish(void)
 {
-    const uint64_t deadline_us = now_us() + PATIENCE_US;
+    const uint64_t deadline_us = now_us() + ANSWER_CLOCK_US;
 
     while (is_awaited()) {
         if (now_us() >= deadline_us) {

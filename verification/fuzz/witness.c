@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "fuzz/witness.h"
 
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "igtl/dialect/transform_proposals.h"
-#include "igtl/workphase/workphase_words.h"
+#include "igtl/workphase/workphase_commands.h"
 #include "fuzz/sentence.h"
 #include "limits/requirement_limits.h"
 #include "igtl/wire/igtl_crc64.h"
@@ -191,7 +191,7 @@ static void judge_tracking(const world_t *world, uint32_t place, const igtl_mess
     }
     SENTENCE(message->content_bytes == TRACKED_BYTES, "one instrument is tracked");
     SENTENCE(is_pose_known(world), "no pose is tracked that is not known");
-    igtl_border_write_pose(&world->moment.snapshot->scanner_treatment, numbers);
+    igtl_units_write_pose(&world->moment.snapshot->scanner_treatment, numbers);
     for (uint32_t i = 0U; i < IGTL_TRANSFORM_BYTES; i++) {
         SENTENCE(message->content[TRACKED_NUMBERS + i] ==
                      (uint8_t)(numbers[i / 4U] >> (24U - (8U * (i % 4U)))),
@@ -217,7 +217,7 @@ static void judge_transform(const world_t *world, uint32_t place, const igtl_mes
         SENTENCE(peer->was_pose_known, "no pose is told that is not known");
     }
     if (is_measured && !peer->has_hung) {
-        igtl_border_write_pose(&world->moment.snapshot->scanner_treatment, numbers);
+        igtl_units_write_pose(&world->moment.snapshot->scanner_treatment, numbers);
         SENTENCE(memcmp(numbers, message->numbers, sizeof numbers) == 0,
                  "a pose is the present one");
     }
@@ -411,7 +411,7 @@ static bool is_draping(const world_t *world, const igtl_request_t *pose)
 {
     const char *motion = (pose == NULL) ? NULL : world->workphase.peers[pose->peer].motion;
 
-    return (motion != NULL) && (strcmp(motion, WORKPHASE_WORD_DRAPING) == 0) &&
+    return (motion != NULL) && (strcmp(motion, WORKPHASE_COMMAND_DRAPING) == 0) &&
            (pose->command.kind == (uint32_t)COMMAND_POSE) &&
            (pose->command.as.pose_name.pose == (uint32_t)POSE_DRAPING);
 }
@@ -592,12 +592,12 @@ static bool is_in_range(const rigid_t *pose)
             return false;
         }
     }
-    return (pose->translation.x_nm <= IGTL_BORDER_MAX_NM) &&
-           (pose->translation.x_nm >= -IGTL_BORDER_MAX_NM) &&
-           (pose->translation.y_nm <= IGTL_BORDER_MAX_NM) &&
-           (pose->translation.y_nm >= -IGTL_BORDER_MAX_NM) &&
-           (pose->translation.z_nm <= IGTL_BORDER_MAX_NM) &&
-           (pose->translation.z_nm >= -IGTL_BORDER_MAX_NM);
+    return (pose->translation.x_nm <= IGTL_UNITS_MAX_NM) &&
+           (pose->translation.x_nm >= -IGTL_UNITS_MAX_NM) &&
+           (pose->translation.y_nm <= IGTL_UNITS_MAX_NM) &&
+           (pose->translation.y_nm >= -IGTL_UNITS_MAX_NM) &&
+           (pose->translation.z_nm <= IGTL_UNITS_MAX_NM) &&
+           (pose->translation.z_nm >= -IGTL_UNITS_MAX_NM);
 }
 
 static bool is_proposal(uint32_t kind)
@@ -671,7 +671,7 @@ void witness_stepped(world_t *world)
              "what a connection had that was lost is released");
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         const igtl_request_t *request = &world->workphase.requests.requests[i];
-        const uint64_t age_us = world->moment.patience_us - request->sent_us;
+        const uint64_t age_us = world->moment.answer_clock_us - request->sent_us;
 
         if ((request->id != 0U) && !request->is_accepted && !request->is_overdue) {
             SENTENCE(age_us < (IGTL_ANSWER_TIMEOUT_US + WORLD_TURN_US), "nobody waits for ever");

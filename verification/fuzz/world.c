@@ -57,7 +57,7 @@ void world_begin(world_t *self, uint32_t beginning)
     }
     self->next_number = 1U;
     self->moment.now_us = 1000000U;
-    self->moment.patience_us = 1000000U;
+    self->moment.answer_clock_us = 1000000U;
     self->moment.timestamp = 1U;
     self->moment.snapshot = (place == FUZZ_BEGINNING_DARK) ? NULL : &self->rig.outputs.snapshot;
     workphase_dialect_init(&self->workphase, &robot_neuro, FIRST_ID);
@@ -226,7 +226,7 @@ static void pass(world_t *self, igtl_requests_t *requests)
 static void advance(world_t *self)
 {
     self->moment.now_us += CYCLE_US;
-    self->moment.patience_us += CYCLE_US;
+    self->moment.answer_clock_us += CYCLE_US;
     self->moment.timestamp += UINT64_C(4294967);
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/call/http_act.h"
 
-#include "http/call/http_door.h"
+#include "http/call/http_login_gate.h"
 #include "http/call/http_reply.h"
 #include "http/view/telemetry_units.h"
 #include "interface/app/messages.h"
@@ -38,11 +38,12 @@ int http_act_judge(http_server_t *server, http_call_t *call)
         (call->page == 0U)) {
         return refuse(connection, PROBLEM_PAGE_MISSING);
     }
-    if (!http_door_find(server, connection, &session)) {
+    if (!http_login_gate_find(server, connection, &session)) {
         return refuse(connection, PROBLEM_NO_SESSION);
     }
     const uint32_t holder = holder_of(server);
-    const page_verdict_t verdict = act_desk_greet(&server->acts, call->page, &session, holder);
+    const page_verdict_t verdict =
+        command_client_register_page(&server->acts, call->page, &session, holder);
     if (verdict != PAGE_GREETED) {
         return refuse(connection, (verdict == PAGE_ANOTHERS) ? PROBLEM_PAGE_REFUSED : PROBLEM_BUSY);
     }
@@ -147,7 +148,8 @@ int http_act_refuse_choice(const http_call_t *call, bool has_both, const char *p
 int http_act_command(http_server_t *server, const http_call_t *call, const command_t *command)
 {
     answer_t answer;
-    switch (act_desk_converse(&server->acts, call->page, command->id, command, &answer)) {
+    switch (
+        command_client_send_and_wait(&server->acts, call->page, command->id, command, &answer)) {
     case ACT_ANSWERED:
         return reply(server, call, command->id, &answer);
     case ACT_ID_USED:

@@ -2,7 +2,7 @@
 #include "http/call/http_call.h"
 
 #include "common/axis_terms.h"
-#include "http/gate/http_lines.h"
+#include "http/gate/http_connections.h"
 #include "http/call/http_reply.h"
 #include "http/call/http_transaction.h"
 #include "limits/requirement_limits.h"
@@ -211,14 +211,14 @@ int http_call_receive(struct mg_connection *connection, char *bytes)
         request_headers_expect(request->http_version, mg_get_header(connection, "Expect"))) {
         (void)mg_write(connection, HTTP_REPLY_GO_ON, strlen(HTTP_REPLY_GO_ON));
     }
-    http_lines_note(connection, HTTP_LINE_READS);
+    http_connections_note(connection, HTTP_LINE_READS);
     const int size = (length > 0) ? mg_read(connection, bytes, (size_t)length) : 0;
-    http_lines_note(connection, HTTP_LINE_ASKS);
+    http_connections_note(connection, HTTP_LINE_ASKS);
     if ((length <= 0) || (size == (int)length)) {
         return 0;
     }
     return refuse(connection,
-                  http_lines_is_leaving(connection) ? PROBLEM_GAVE_WAY : PROBLEM_BAD_BODY);
+                  http_connections_is_leaving(connection) ? PROBLEM_GAVE_WAY : PROBLEM_BAD_BODY);
 }
 
 static int read_body(http_call_t *self)

@@ -10,14 +10,14 @@
 #include "exchange/exchange.h"
 #include "exchange/exchange_files.h"
 #include "http/gate/http_guard.h"
-#include "http/pages/act_desk.h"
+#include "http/pages/command_client.h"
 #include "http/pages/http_notes.h"
 #include "http/pages/http_peers_log.h"
 #include "http/pages/http_record.h"
 #include "http/view/telemetry.h"
 #include "http/view/telemetry_json.h"
-#include "saved/saved_desk.h"
-#include "http/login/session_desk.h"
+#include "saved/saved_store.h"
+#include "http/login/session_store.h"
 
 #include <civetweb.h>
 #include <pthread.h>
@@ -54,12 +54,12 @@ typedef struct {
     const tls_front_t *front; /**< How TLS leads here; NULL: it does not. */
     http_guard_t front_guard; /**< Of the listener that it feeds. */
     const char *instance;     /**< Its name. */
-    session_desk_t desk;
+    session_store_t desk;
     http_notes_t notes;
     http_record_t record;
     http_peers_log_t peers_log;
-    act_desk_t acts;
-    saved_desk_t positions;
+    command_client_t acts;
+    saved_store_t positions;
     bool has_key;
     saved_key_t key;        /**< Of the box. */
     pthread_mutex_t orders; /**< Of who orders something of a connection of OpenIGTLink. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file The thread of one client of the stream: http_stream_serve(). */
-#include "http/call/http_door.h"
+#include "http/call/http_login_gate.h"
 #include "http/call/http_reply.h"
 #include "http/call/http_context.h"
 #include "http/call/http_stream.h"
@@ -31,7 +31,7 @@ static void converse(http_stream_t *self, http_stream_client_t *client, const ch
 {
     http_server_t *server = mg_get_user_data(mg_get_context(client->connection));
     bool is_there = http_stream_greet(client, server, hello);
-    while (is_there && http_door_is_open(server, client->connection)) {
+    while (is_there && http_login_gate_is_open(server, client->connection)) {
         is_there = http_stream_send_news(client, server) &&
                    http_stream_send_frame(client, wait_for_frame(self, client));
     }

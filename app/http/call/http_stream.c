@@ -93,7 +93,7 @@ static bool send_events(const http_stream_t *self, http_stream_client_t *client)
 }
 
 static bool send_act(http_server_t *server, const http_stream_client_t *client,
-                     const act_news_t *news)
+                     const act_result_t *news)
 {
     char json[512];
     char message[600];
@@ -107,9 +107,9 @@ static bool send_act(http_server_t *server, const http_stream_client_t *client,
 
 static bool send_acts(http_server_t *server, http_stream_client_t *client)
 {
-    act_news_t news;
+    act_result_t news;
     bool is_there = true;
-    while (is_there && act_desk_read_news(&server->acts, &client->next_act, &news)) {
+    while (is_there && command_client_read_results(&server->acts, &client->next_act, &news)) {
         is_there = send_act(server, client, &news);
     }
     return is_there;
@@ -117,7 +117,7 @@ static bool send_acts(http_server_t *server, http_stream_client_t *client)
 
 bool http_stream_greet(http_stream_client_t *client, http_server_t *server, const char *hello)
 {
-    client->next_act = act_desk_news(&server->acts);
+    client->next_act = command_client_result_count(&server->acts);
     const int size =
         snprintf(client->frame, sizeof client->frame, "event: hello\ndata: %s\n\n", hello);
     return write_text(client, client->frame, (size_t)size);

@@ -5,14 +5,14 @@
 
 #define PATIENCE_MS 500U
 
-uint32_t patience_looks(const exchange_t *exchange)
+uint32_t answer_timeout_looks(const exchange_t *exchange)
 {
     loop_figures_t loop;
     const uint32_t slowness = exchange_read_loop(exchange, &loop) ? loop.slowness : 1U;
     return (PATIENCE_MS / PATIENCE_LOOK_MS) * slowness;
 }
 
-void patience_wait(void)
+void answer_timeout_wait(void)
 {
     const struct timespec look = {.tv_sec = 0, .tv_nsec = (long)PATIENCE_LOOK_MS * 1000000L};
     (void)nanosleep(&look, NULL);

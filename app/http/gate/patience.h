@@ -13,9 +13,9 @@
  * Looks are counted and no time, as a pause of the machine is one look; a slow board answers
  * slowly.
  */
-uint32_t patience_looks(const exchange_t *exchange);
+uint32_t answer_timeout_looks(const exchange_t *exchange);
 
 /** Waits until the next look. */
-void patience_wait(void);
+void answer_timeout_wait(void);
 
 #endif

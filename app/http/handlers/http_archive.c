@@ -7,7 +7,7 @@
 #include "recording/archive/log_search.h"
 #include "common/utc_text.h"
 #include "exchange/exchange_files.h"
-#include "http/call/http_door.h"
+#include "http/call/http_login_gate.h"
 #include "http/call/http_download.h"
 #include "http/call/http_reply.h"
 #include "http/view/telemetry_json.h"
@@ -294,7 +294,7 @@ int http_archive_recording(http_server_t *server, const http_call_t *call)
 static const char *reason_against_setting(http_server_t *server, const http_call_t *call)
 {
     session_t session;
-    if (!http_door_find(server, call->connection, &session)) {
+    if (!http_login_gate_find(server, call->connection, &session)) {
         return problems[PROBLEM_NO_SESSION].detail;
     }
     return (session.account.role < routes[ROUTE_SET_LOG_LEVEL].role)
@@ -318,7 +318,7 @@ int http_archive_set_log_level(http_server_t *server, const http_call_t *call)
 {
     exchange_log_level_t level = {.severity = call->body.set_log_level.level};
     session_t session;
-    if (!http_door_find(server, call->connection, &session)) {
+    if (!http_login_gate_find(server, call->connection, &session)) {
         return http_reply_refuse(call->connection, PROBLEM_NO_SESSION);
     }
     (void)snprintf(level.by, sizeof level.by, "%s", session.account.name);

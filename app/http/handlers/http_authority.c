@@ -24,7 +24,7 @@ int http_authority_take(http_server_t *server, const http_call_t *call)
 int http_authority_renew(http_server_t *server, const http_call_t *call)
 {
     const command_t command = {.kind = (uint32_t)COMMAND_RENEW};
-    return act_desk_send(&server->acts, call->page, &command)
+    return command_client_send(&server->acts, call->page, &command)
                ? http_authority_show(server, call)
                : http_reply_refuse(call->connection, PROBLEM_BUSY);
 }
@@ -32,7 +32,7 @@ int http_authority_renew(http_server_t *server, const http_call_t *call)
 /* What `page` has or asked for is not seen any more, or control does not come to it. */
 static void await_release(const http_server_t *server, uint32_t page)
 {
-    const uint32_t looks = patience_looks(server->exchange);
+    const uint32_t looks = answer_timeout_looks(server->exchange);
     snapshot_t snapshot;
     for (uint32_t i = 0U; i < looks; i++) {
         const bool is_there = exchange_read_snapshot(server->exchange, &snapshot) &&
@@ -43,14 +43,14 @@ static void await_release(const http_server_t *server, uint32_t page)
         if (!is_there) {
             return;
         }
-        patience_wait();
+        answer_timeout_wait();
     }
 }
 
 int http_authority_release(http_server_t *server, const http_call_t *call)
 {
     const command_t command = {.kind = (uint32_t)COMMAND_RELEASE};
-    if (!act_desk_send(&server->acts, call->page, &command)) {
+    if (!command_client_send(&server->acts, call->page, &command)) {
         return http_reply_refuse(call->connection, PROBLEM_BUSY);
     }
     await_release(server, call->page);

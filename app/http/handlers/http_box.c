@@ -9,7 +9,7 @@
 #include "bsp_bench.h"
 #include "http/call/box_order.h"
 #include "http/call/http_act.h"
-#include "http/call/http_door.h"
+#include "http/call/http_login_gate.h"
 #include "http/call/http_reply.h"
 #include "interface/app/messages.h"
 
@@ -92,7 +92,7 @@ static void note(http_server_t *server, const http_call_t *call, const box_order
 {
     char text[ORDER_SIZE + 32U];
     session_t session;
-    if (http_door_find(server, call->connection, &session)) {
+    if (http_login_gate_find(server, call->connection, &session)) {
         (void)snprintf(text, sizeof text, "ordered of the simulated box: %s.", order->words);
         http_notes_write(&server->notes, NOTE_BOX, session.account.name, text);
     }

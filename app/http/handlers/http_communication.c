@@ -93,13 +93,13 @@ int http_communication_show(http_server_t *server, const http_call_t *call)
 /* Orders go one by one. */
 static status_t have_done(http_server_t *server, const exchange_order_t *order)
 {
-    const uint32_t looks = patience_looks(server->exchange);
+    const uint32_t looks = answer_timeout_looks(server->exchange);
     status_t status = STATUS_NO_ANSWER;
     bool is_answered = false;
     (void)pthread_mutex_lock(&server->orders);
     const uint32_t id = exchange_give_order(server->exchange, order);
     for (uint32_t i = 0U; (i < looks) && !is_answered; i++) {
-        patience_wait();
+        answer_timeout_wait();
         is_answered = exchange_read_order_answer(server->exchange, id, &status);
     }
     (void)pthread_mutex_unlock(&server->orders);

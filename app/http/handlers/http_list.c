@@ -34,8 +34,8 @@ static int refuse(http_server_t *server, const http_call_t *call, const http_lis
 static int commands(http_server_t *server, const http_call_t *call, const http_list_t *list,
                     const command_t *sent, uint32_t count, uint32_t first)
 {
-    answer_t answers[ACT_DESK_ERRANDS];
-    switch (act_desk_do_all(&server->acts, call->page, sent, count, answers)) {
+    answer_t answers[COMMAND_CLIENT_ERRANDS];
+    switch (command_client_do_all(&server->acts, call->page, sent, count, answers)) {
     case ACT_ANSWERED:
         break;
     case ACT_LATER:
@@ -65,11 +65,11 @@ static int send_items(http_server_t *server, const http_call_t *call, const http
                       const void *items, uint32_t total, uint32_t *crc)
 {
     const robot_t *robot = exchange_robot(server->exchange);
-    command_t sent[ACT_DESK_ERRANDS];
+    command_t sent[COMMAND_CLIENT_ERRANDS];
     int status = 0;
-    for (uint32_t first = 0U; (first < total) && (status == 0); first += ACT_DESK_ERRANDS) {
+    for (uint32_t first = 0U; (first < total) && (status == 0); first += COMMAND_CLIENT_ERRANDS) {
         uint32_t count = 0U;
-        while ((count < ACT_DESK_ERRANDS) && ((first + count) < total)) {
+        while ((count < COMMAND_CLIENT_ERRANDS) && ((first + count) < total)) {
             if (!list->item(robot, items, first + count, &sent[count], crc)) {
                 return refuse_item(call, list, first + count);
             }
@@ -84,14 +84,14 @@ static int send_items(http_server_t *server, const http_call_t *call, const http
 static int show_held(http_server_t *server, const http_call_t *call, const http_list_t *list,
                      uint32_t count)
 {
-    const uint32_t looks = patience_looks(server->exchange);
+    const uint32_t looks = answer_timeout_looks(server->exchange);
     snapshot_t snapshot;
     for (uint32_t i = 0U; i < looks; i++) {
         if (exchange_read_snapshot(server->exchange, &snapshot) &&
             (list->held(&snapshot) == count)) {
             return list->show(call, &snapshot);
         }
-        patience_wait();
+        answer_timeout_wait();
     }
     return http_reply_refuse(call->connection, PROBLEM_NO_ANSWER);
 }

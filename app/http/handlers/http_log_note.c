@@ -3,7 +3,7 @@
 
 #include "exchange/exchange_notes.h"
 #include "http/call/http_act.h"
-#include "http/call/http_door.h"
+#include "http/call/http_login_gate.h"
 #include "http/call/http_reply.h"
 #include "interface/app/handlers.h"
 #include "limits/requirement_limits.h"
@@ -38,7 +38,7 @@ static uint32_t find_earlier(http_server_t *server, const http_call_t *call)
     command_t command;
     exchange_note_t note;
     const bool is_same =
-        act_desk_recall(&server->acts, call->page, body->id, &command) &&
+        command_client_recall(&server->acts, call->page, body->id, &command) &&
         (command.kind == (uint32_t)COMMAND_NOTE) &&
         exchange_read_note(server->exchange, (uint32_t)command.as.note.number, &note) &&
         (strcmp(note.text, body->text) == 0);
@@ -67,7 +67,7 @@ int http_log_note_write(http_server_t *server, const http_call_t *call)
     if (!http_log_note_is_plain(body->text)) {
         return http_act_refuse_member(call, "/text");
     }
-    if (!http_door_find(server, call->connection, &session)) {
+    if (!http_login_gate_find(server, call->connection, &session)) {
         return http_reply_refuse(call->connection, PROBLEM_NO_SESSION);
     }
     if (number == 0U) {

@@ -3,11 +3,11 @@
 #include "interface/app/handlers.h"
 
 #include "exchange/exchange_rows.h"
-#include "http/view/axis_outlook.h"
-#include "http/view/command_outlook.h"
-#include "http/call/http_door.h"
+#include "http/view/axis_availability.h"
+#include "http/view/command_availability.h"
+#include "http/call/http_login_gate.h"
 #include "http/call/http_reply.h"
-#include "http/view/mode_outlook.h"
+#include "http/view/mode_availability.h"
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
 #include "mode/mode.h"
@@ -43,15 +43,15 @@ static cJSON *new_axes(const telemetry_view_t *view, mode_kind_t kind)
     const uint32_t count = is_for_axes ? view->robot->axis_count : 0U;
     cJSON *axes = cJSON_CreateArray();
     for (uint32_t i = 0U; i < count; i++) {
-        const status_t up = axis_outlook(view->robot, &view->snapshot, kind, i, true);
-        const status_t down = axis_outlook(view->robot, &view->snapshot, kind, i, false);
-        const json_axis_outlook_t also = {.axis = view->robot->axes[i].name,
-                                          .upwards = name_of(up),
-                                          .upwards_reason = reason_of(up, mode_rows[kind].command),
-                                          .downwards = name_of(down),
-                                          .downwards_reason =
-                                              reason_of(down, mode_rows[kind].command)};
-        (void)cJSON_AddItemToArray(axes, json_axis_outlook(&also));
+        const status_t up = axis_availability(view->robot, &view->snapshot, kind, i, true);
+        const status_t down = axis_availability(view->robot, &view->snapshot, kind, i, false);
+        const json_axis_availability_t also = {
+            .axis = view->robot->axes[i].name,
+            .upwards = name_of(up),
+            .upwards_reason = reason_of(up, mode_rows[kind].command),
+            .downwards = name_of(down),
+            .downwards_reason = reason_of(down, mode_rows[kind].command)};
+        (void)cJSON_AddItemToArray(axes, json_axis_availability(&also));
     }
     return axes;
 }
@@ -59,7 +59,7 @@ static cJSON *new_axes(const telemetry_view_t *view, mode_kind_t kind)
 static cJSON *new_mode(const telemetry_view_t *view, const int32_t *start_ticks, mode_kind_t kind)
 {
     const mode_row_t *row = &mode_rows[kind];
-    const status_t status = mode_outlook(view->robot, &view->snapshot, start_ticks, kind);
+    const status_t status = mode_availability(view->robot, &view->snapshot, start_ticks, kind);
     const json_mode_t also = {.name = mode_kind_name((int32_t)kind),
                               .says = mode_kind_text((int32_t)kind),
                               .command = command_kind_name((int32_t)row->command),
@@ -73,7 +73,7 @@ static cJSON *new_mode(const telemetry_view_t *view, const int32_t *start_ticks,
 
 static cJSON *new_step(const telemetry_view_t *view, workphase_t workphase)
 {
-    const status_t status = workphase_outlook(view->robot, &view->snapshot, workphase);
+    const status_t status = workphase_availability(view->robot, &view->snapshot, workphase);
     const json_step_t also = {.name = workphase_name((int32_t)workphase),
                               .says = workphase_text((int32_t)workphase),
                               .is_allowed = status == STATUS_OK,
@@ -105,7 +105,7 @@ static const route_t *route_of(command_kind_t kind)
 static cJSON *new_command(const telemetry_view_t *view, const session_t *session,
                           command_kind_t kind, role_t least)
 {
-    const status_t status = command_outlook(view->robot, &view->snapshot, kind);
+    const status_t status = command_availability(view->robot, &view->snapshot, kind);
     const bool is_of_role = !session->is_open || (session->account.role >= least);
     json_allowed_command_t also = {.name = command_kind_name((int32_t)kind)};
     if (!is_of_role) {
@@ -125,7 +125,7 @@ static cJSON *new_commands(http_server_t *server, const http_call_t *call,
 {
     cJSON *commands = cJSON_CreateArray();
     session_t session = {.is_open = false};
-    (void)http_door_find(server, call->connection, &session);
+    (void)http_login_gate_find(server, call->connection, &session);
     for (uint32_t i = (uint32_t)COMMAND_NONE + 1U; i < COMMAND_KIND_COUNT; i++) {
         const route_t *route = route_of((command_kind_t)i);
         if ((route != NULL) && (mode_of_command(i) == MODE_NONE)) {

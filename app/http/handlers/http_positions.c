@@ -19,7 +19,7 @@
 void http_positions_begin(http_server_t *server, const char *path)
 {
     char error[256];
-    saved_desk_init(&server->positions);
+    saved_store_init(&server->positions);
     server->has_key = (path != NULL) && saved_key_open(&server->key, path, error, sizeof error);
     if ((path != NULL) && !server->has_key) {
         (void)fprintf(stderr, "boresight-http: %s Positions cannot be saved.\n", error);
@@ -205,7 +205,7 @@ static int send_view(http_server_t *server, const http_call_t *call, saved_view_
         return http_reply_refuse(call->connection, PROBLEM_SAVED_NOT_MOVED);
     }
     view->shown_ms = telemetry_now_ms();
-    saved_desk_show(&server->positions, view);
+    saved_store_show(&server->positions, view);
     return http_reply_object(call->connection, 200, tell_view(view, robot, &snapshot));
 }
 
@@ -271,7 +271,7 @@ int http_positions_restore(http_server_t *server, const http_call_t *call)
     problem_t problem = PROBLEM_PREVIEW_GONE;
     saved_view_t view;
     command_t asked;
-    if (!saved_desk_find(&server->positions, body->token, &view)) {
+    if (!saved_store_find(&server->positions, body->token, &view)) {
         return http_reply_refuse(call->connection, problem);
     }
     command_t command = {.id = body->id,
@@ -279,7 +279,7 @@ int http_positions_restore(http_server_t *server, const http_call_t *call)
                          .as.positions = {.axes = view.plan.axes, .preview = view.token}};
     /* What was asked for before is answered, whatever has become of the view: the token says which
      * positions, and they are those that were sent. */
-    const bool is_new = !act_desk_recall(&server->acts, call->page, body->id, &asked);
+    const bool is_new = !command_client_recall(&server->acts, call->page, body->id, &asked);
     if (!is_new) {
         (void)memcpy(command.as.positions.ticks, asked.as.positions.ticks,
                      sizeof command.as.positions.ticks);

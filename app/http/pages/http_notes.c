@@ -11,7 +11,7 @@
 #define EVENTS_AT_ONCE 32U
 #define PATIENCE 10U /* Half a second. */
 
-void http_notes_init(http_notes_t *self, exchange_t *exchange, act_desk_t *desk)
+void http_notes_init(http_notes_t *self, exchange_t *exchange, command_client_t *desk)
 {
     (void)memset(self, 0, sizeof *self);
     self->exchange = exchange;
@@ -142,7 +142,7 @@ static void ask(http_notes_t *self, const exchange_note_t *note)
 {
     const command_t command = {.kind = (uint32_t)COMMAND_NOTE,
                                .as.note = {.note = note->kind, .number = (int32_t)note->number}};
-    (void)act_desk_send(self->desk, 0U, &command);
+    (void)command_client_send(self->desk, 0U, &command);
     self->asked = note->number;
     self->patience = PATIENCE;
 }

@@ -9,7 +9,7 @@
 #define BORESIGHT_HTTP_NOTES_H
 
 #include "exchange/exchange_notes.h"
-#include "http/pages/act_desk.h"
+#include "http/pages/command_client.h"
 
 #include <pthread.h>
 #include <stdbool.h>
@@ -24,7 +24,7 @@ typedef struct {
 
 typedef struct {
     exchange_t *exchange;
-    act_desk_t *desk;
+    command_client_t *desk;
     pthread_mutex_t lock;
     uint32_t written;    /**< Number of the newest note. */
     uint32_t logged;     /**< Of the last one that stands in the log. */
@@ -37,7 +37,7 @@ typedef struct {
 } http_notes_t;
 
 /** Starts with nothing to log. `exchange` and `desk`, which asks control, outlive `self`. */
-void http_notes_init(http_notes_t *self, exchange_t *exchange, act_desk_t *desk);
+void http_notes_init(http_notes_t *self, exchange_t *exchange, command_client_t *desk);
 
 /** Keeps a note; http_notes_tick() has it logged. Any thread. `owner` is an http_notes_t. */
 void http_notes_write(void *owner, note_kind_t kind, const char *who, const char *text);

@@ -25,7 +25,7 @@ typedef struct {
     http_notes_t *notes;
     pthread_mutex_t lock;
     http_record_pace_t commanded;
-    http_record_pace_t refused; /**< And what strangers ask. */
+    http_record_pace_t refused; /**< And what unexpected_cards ask. */
 } http_record_t;
 
 /** A request that was answered. */

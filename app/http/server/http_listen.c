@@ -2,7 +2,7 @@
 /** @file The server at its port: http_server_start(). */
 #include "http/server/asset.h"
 #include "http/gate/http_handover.h"
-#include "http/gate/http_lines.h"
+#include "http/gate/http_connections.h"
 #include "http/call/http_reply.h"
 #include "http/server/http_routes.h"
 #include "http/server/http_server.h"
@@ -85,20 +85,20 @@ static void stand_back(void)
 
 static int begin_request(struct mg_connection *connection)
 {
-    http_lines_note(connection, HTTP_LINE_ASKS);
+    http_connections_note(connection, HTTP_LINE_ASKS);
     return http_routes_answer(mg_get_user_data(mg_get_context(connection)), connection);
 }
 
 static int begin_connection(const struct mg_connection *connection, void **own)
 {
     (void)own;
-    http_lines_enter(connection);
+    http_connections_enter(connection);
     return 0;
 }
 
 static void end_connection(const struct mg_connection *connection)
 {
-    http_lines_leave(connection);
+    http_connections_leave(connection);
 }
 
 /* Requests that the library itself refuses, before there is a path to look at. */
@@ -107,9 +107,9 @@ static int refuse(struct mg_connection *connection, int status, const char *mess
     (void)message;
     http_problem_t problem = http_problem_of(PROBLEM_BAD_REQUEST);
     problem.http = status;
-    if (http_lines_is_leaving(connection)) {
+    if (http_connections_is_leaving(connection)) {
         problem = http_problem_of(PROBLEM_GAVE_WAY);
-    } else if (http_lines_received(connection) >= LIBRARY_HEAD_BYTES) {
+    } else if (http_connections_received(connection) >= LIBRARY_HEAD_BYTES) {
         problem = http_problem_of(PROBLEM_TOO_MANY_HEADERS);
     } else {
         /* It says itself what it has read. */
@@ -135,7 +135,7 @@ static struct mg_context *start_library(http_server_t *self)
                                                   .log_message = keep_quiet};
     char workers[16];
     char head_bytes[16];
-    (void)snprintf(workers, sizeof workers, "%u", HTTP_LINES_WORKERS);
+    (void)snprintf(workers, sizeof workers, "%u", HTTP_CONNECTIONS_WORKERS);
     (void)snprintf(head_bytes, sizeof head_bytes, "%u", LIBRARY_HEAD_BYTES);
     /* clang-format off */
     const char *options[] = {

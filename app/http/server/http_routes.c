@@ -4,7 +4,7 @@
 #include "http/server/asset.h"
 #include "http/call/http_act.h"
 #include "http/call/http_call.h"
-#include "http/call/http_door.h"
+#include "http/call/http_login_gate.h"
 #include "http/call/http_reply.h"
 #include "http/call/http_transaction.h"
 #include "interface/app/handlers.h"
@@ -69,15 +69,16 @@ static int answer_other(struct mg_connection *connection, const char *allowed)
 static int dispatch(http_server_t *server, http_call_t *call, const char *allowed)
 {
     struct mg_connection *connection = call->connection;
-    int status = http_call_judge(
-        connection, http_door_is_tls(server, connection) ? &server->front_guard : &server->guard);
+    int status = http_call_judge(connection, http_login_gate_is_tls(server, connection)
+                                                 ? &server->front_guard
+                                                 : &server->guard);
     if (status != 0) {
         return status;
     }
     if (call->route == NULL) {
         return answer_other(connection, allowed);
     }
-    status = http_door_judge(server, call);
+    status = http_login_gate_judge(server, call);
     if (status == 0) {
         status = http_act_judge(server, call);
     }
@@ -108,7 +109,7 @@ static void note(http_server_t *server, const http_call_t *call, int status,
 {
     const struct mg_request_info *request = mg_get_request_info(call->connection);
     session_t session;
-    const bool has_session = http_door_find(server, call->connection, &session);
+    const bool has_session = http_login_gate_find(server, call->connection, &session);
     const http_record_entry_t entry = {
         .who = has_session ? session.account.name : NULL,
         .method = request->request_method,

@@ -38,12 +38,12 @@ void http_server_init(http_server_t *self, const http_server_config_t *config)
                                     .is_front_only = true};
         self->front_guard = front;
     }
-    act_desk_init(&self->acts, config->exchange);
+    command_client_init(&self->acts, config->exchange);
     (void)pthread_mutex_init(&self->orders, NULL);
     http_notes_init(&self->notes, config->exchange, &self->acts);
     http_record_init(&self->record, &self->notes, telemetry_now_ms());
     http_peers_log_init(&self->peers_log, &self->notes);
-    session_desk_init(&self->desk, config->accounts, http_notes_write, &self->notes);
+    session_store_init(&self->desk, config->accounts, http_notes_write, &self->notes);
     http_positions_begin(self, config->box_key);
     make_boot_id(self->identity.boot_id, sizeof self->identity.boot_id);
     self->identity.version = BUILD_VERSION;
@@ -68,7 +68,7 @@ bool http_server_prepare_logins(http_server_t *self, char *error, size_t error_s
         return false;
     }
     if (self->desk.accounts_file == NULL) {
-        if (!session_desk_make_code(&self->desk)) {
+        if (!session_store_make_code(&self->desk)) {
             (void)snprintf(error, error_size, "The system has no random numbers.");
             return false;
         }
@@ -89,14 +89,14 @@ static void set_log_level(http_server_t *self)
 void http_server_tick(http_server_t *self)
 {
     telemetry_view_t view;
-    session_desk_tick(&self->desk, telemetry_now_ms());
+    session_store_tick(&self->desk, telemetry_now_ms());
     set_log_level(self);
     http_notes_tell_replaced(&self->notes);
     http_notes_tell_damage(&self->notes, telemetry_now_ms());
     http_record_tick(&self->record, telemetry_now_ms());
     http_peers_log_tick(&self->peers_log, telemetry_now_ms());
     http_notes_tick(&self->notes);
-    act_desk_tick(&self->acts, &self->desk, telemetry_now_ms());
+    command_client_tick(&self->acts, &self->desk, telemetry_now_ms());
     telemetry_look(&self->telemetry, &view);
     if (!view.has_snapshot || !http_stream_is_watched(&self->stream)) {
         return;

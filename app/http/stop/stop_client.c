@@ -10,7 +10,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#define PATIENCE_US 2000000U /* A client may take so long for its request, and for its answer. */
+#define ANSWER_CLOCK_US                                                                            \
+    2000000U /* A client may take so long for its request, and for its answer. */
 
 static void dismiss(stop_client_t *self)
 {
@@ -70,7 +71,7 @@ static void tell_to_go_on(stop_client_t *self)
 
 static void ask(stop_client_t *self, exchange_t *exchange)
 {
-    self->question = stop_desk_ask(exchange, self->request.workphase);
+    self->question = stop_command_ask(exchange, self->request.workphase);
     self->state = STOP_CLIENT_WAITS;
 }
 
@@ -183,11 +184,11 @@ void stop_client_enter(stop_client_t *self, exchange_t *exchange, const gate_t *
 
 void stop_client_look(stop_client_t *self, exchange_t *exchange)
 {
-    char json[STOP_DESK_JSON_SIZE];
+    char json[STOP_COMMAND_JSON_SIZE];
     answer_t found;
-    const status_t status = stop_desk_look(exchange, &self->question, &found);
+    const status_t status = stop_command_look(exchange, &self->question, &found);
     if (status != STATUS_BUSY) {
-        const stop_report_t report = stop_desk_tell(status, &found, json);
+        const stop_report_t report = stop_command_tell(status, &found, json);
         if (report.is_good) {
             answer(self, json);
         } else {
@@ -199,7 +200,7 @@ void stop_client_look(stop_client_t *self, exchange_t *exchange)
 /* Of the console's clients the library would say so. */
 void stop_client_judge_patience(stop_client_t *self)
 {
-    if ((clock_monotonic_us() - self->since_us) <= PATIENCE_US) {
+    if ((clock_monotonic_us() - self->since_us) <= ANSWER_CLOCK_US) {
         return;
     }
     if (self->gate->is_console && (self->state == STOP_CLIENT_READS) && (self->size > 0U)) {

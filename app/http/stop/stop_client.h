@@ -9,7 +9,7 @@
 
 #include "exchange/exchange.h"
 #include "http/stop/gate.h"
-#include "http/stop/stop_desk.h"
+#include "http/stop/stop_command.h"
 #include "http/stop/stop_request.h"
 
 #include <stdbool.h>

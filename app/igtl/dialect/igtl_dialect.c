@@ -2,7 +2,7 @@
 #include "igtl/dialect/igtl_dialect.h"
 
 #include "charts/arming_chart.h"
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 
@@ -102,7 +102,7 @@ void igtl_pack_pose(igtl_packet_t *packet, const char *name, const rigid_t *pose
 {
     uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
 
-    igtl_border_write_pose(pose, numbers);
+    igtl_units_write_pose(pose, numbers);
     igtl_encode_transform(packet, name, numbers, moment->timestamp);
 }
 

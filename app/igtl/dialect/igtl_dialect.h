@@ -19,12 +19,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define IGTL_PORTS 4U                         /**< Ports, those that call included. */
-#define IGTL_PEERS 8U                         /**< Connections per port. */
-#define IGTL_PLACES (IGTL_PORTS * IGTL_PEERS) /**< Of all ports; a dialect may serve several. */
-#define IGTL_STREAM_US UINT64_C(100000)       /**< Between two poses of a stream. */
+#define IGTL_PORTS 4U                        /**< Ports, those that call included. */
+#define IGTL_PEERS 8U                        /**< Connections per port. */
+#define IGTL_SLOTS (IGTL_PORTS * IGTL_PEERS) /**< Of all ports; a dialect may serve several. */
+#define IGTL_STREAM_US UINT64_C(100000)      /**< Between two poses of a stream. */
 
-#if IGTL_REQUESTS_URGENT != (IGTL_PLACES * IGTL_REQUESTS_PER_PEER)
+#if IGTL_REQUESTS_URGENT != (IGTL_SLOTS * IGTL_REQUESTS_PER_PEER)
 #error "STOP finds a place whoever else waits for one."
 #endif
 
@@ -46,7 +46,7 @@ typedef struct {
 /** The moment in which something happens. */
 typedef struct {
     uint64_t now_us;            /**< Monotonic. */
-    uint64_t patience_us;       /**< By which timeouts of answers run; see igtl_timeout_clock.h. */
+    uint64_t answer_clock_us;   /**< By which timeouts of answers run; see igtl_timeout_clock.h. */
     uint64_t timestamp;         /**< For outgoing messages, units of 2^-32 s since 1970. */
     const snapshot_t *snapshot; /**< The newest; NULL: none yet, or control is silent. */
     const char *holder;         /**< How people call who has authority by that; NULL: nobody. */

@@ -2,7 +2,7 @@
 #include "igtl/dialect/igtl_questions.h"
 
 #include "charts/arming_chart.h"
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 
@@ -165,7 +165,7 @@ static void tell_needle(const igtl_tracking_t *tracking, igtl_outbox_t *outbox,
     igtl_packet_t packet;
     igtl_tracked_t needle = {.name = "needle"};
 
-    igtl_border_write_pose(&moment->snapshot->scanner_treatment, needle.numbers);
+    igtl_units_write_pose(&moment->snapshot->scanner_treatment, needle.numbers);
     igtl_encode_tracking(&packet, tracking->name, &needle, 1U, moment->timestamp);
     igtl_outbox_add_state(outbox, &packet);
 }

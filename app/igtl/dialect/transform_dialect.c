@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "igtl/dialect/transform_dialect.h"
 
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "igtl/dialect/transform_view.h"
 #include "interface/app/names.h"
 
@@ -92,7 +92,7 @@ static void propose(transform_dialect_t *self, uint32_t index, const igtl_messag
         refuse_unknown(peer, message, moment);
         return;
     }
-    status = igtl_border_read_pose(message->numbers, &command.as.seen_pose.pose);
+    status = igtl_units_read_pose(message->numbers, &command.as.seen_pose.pose);
     if (status == STATUS_OK) {
         put(self, index, &command, moment);
     } else {
@@ -118,8 +118,8 @@ static status_t read_trajectory(const igtl_message_t *message, uint32_t peer,
 
             *proposal = (command_t){.peer = peer, .kind = (uint32_t)kinds[i]};
             rigid_set_identity(&proposal->as.seen_pose.pose);
-            status = igtl_border_read_point(&message->numbers[3U * i],
-                                            &proposal->as.seen_pose.pose.translation);
+            status = igtl_units_read_point(&message->numbers[3U * i],
+                                           &proposal->as.seen_pose.pose.translation);
             (*count)++;
         }
     }
@@ -230,7 +230,7 @@ bool transform_dialect_answer(transform_dialect_t *self, const answer_t *answer,
 /* Those that control did not answer. */
 static void tell_overdue(transform_dialect_t *self, const igtl_moment_t *moment)
 {
-    const igtl_request_t *overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
+    const igtl_request_t *overdue = igtl_requests_overdue(&self->requests, moment->answer_clock_us);
 
     while (overdue != NULL) {
         if (overdue->peer != IGTL_NOBODY) {
@@ -238,7 +238,7 @@ static void tell_overdue(transform_dialect_t *self, const igtl_moment_t *moment)
                               transform_proposals_name(&overdue->command), STATUS_NO_ANSWER,
                               moment);
         }
-        overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
+        overdue = igtl_requests_overdue(&self->requests, moment->answer_clock_us);
     }
 }
 
@@ -263,7 +263,7 @@ void transform_dialect_step(transform_dialect_t *self, const igtl_moment_t *mome
     if (moment->snapshot != NULL) {
         transform_view_take(&view, moment->snapshot);
     }
-    for (uint32_t i = 0U; i < IGTL_PLACES; i++) {
+    for (uint32_t i = 0U; i < IGTL_SLOTS; i++) {
         transform_peer_t *peer = &self->peers[i];
 
         if (peer->outbox != NULL) {

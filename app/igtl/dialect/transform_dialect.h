@@ -40,7 +40,7 @@ typedef struct {
 typedef struct {
     const robot_t *robot;
     igtl_requests_t requests;
-    transform_peer_t peers[IGTL_PLACES];
+    transform_peer_t peers[IGTL_SLOTS];
 } transform_dialect_t;
 
 /** `first_id` numbers the commands, odd. */

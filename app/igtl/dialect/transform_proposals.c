@@ -56,7 +56,7 @@ void transform_proposals_put(transform_proposals_t *self, const command_t *comma
     if (!waiting->is_waiting) {
         waiting->is_waiting = true;
         waiting->turn = self->next_turn;
-        waiting->waits_since_us = moment->patience_us;
+        waiting->waits_since_us = moment->answer_clock_us;
         self->next_turn++;
     }
     waiting->command = *command;
@@ -96,7 +96,7 @@ static bool pass_one(transform_proposals_t *self, transform_waiting_t *waiting,
     if (!is_noted) {
         mark_unlogged(&command);
     }
-    if (igtl_requests_add(requests, peer, &command, moment->patience_us) == NULL) {
+    if (igtl_requests_add(requests, peer, &command, moment->answer_clock_us) == NULL) {
         return false;
     }
     waiting->is_waiting = false;
@@ -126,7 +126,7 @@ const char *transform_proposals_overdue(transform_proposals_t *self, const igtl_
         transform_waiting_t *waiting = &self->waiting[i];
 
         if (waiting->is_waiting &&
-            ((moment->patience_us - waiting->waits_since_us) >= LIMIT_IGTL_PROPOSAL_WAIT_US)) {
+            ((moment->answer_clock_us - waiting->waits_since_us) >= LIMIT_IGTL_PROPOSAL_WAIT_US)) {
             waiting->is_waiting = false;
             return subjects[i].name;
         }

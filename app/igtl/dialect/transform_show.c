@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "igtl/dialect/transform_show.h"
 
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "robot/probe.h"
 
 #include <stddef.h>
@@ -40,7 +40,7 @@ static void encode_point(igtl_packet_t *packet, const char *name, const transfor
     uint32_t numbers[3];
 
     if (point->is_valid != 0U) {
-        igtl_border_write_point(&point->point, numbers);
+        igtl_units_write_point(&point->point, numbers);
         igtl_encode_point(packet, name, numbers, moment->timestamp);
     } else {
         igtl_encode_empty(packet, "POINT", name, moment->timestamp);
@@ -52,9 +52,9 @@ static void send_joints(const robot_t *robot, igtl_outbox_t *outbox,
 {
     char text[IGTL_LIST_SIZE];
 
-    igtl_border_write_positions(robot, measured->ticks, text);
+    igtl_units_write_positions(robot, measured->ticks, text);
     send_text(outbox, "measured_jp", text, moment);
-    igtl_border_write_speeds(robot, measured->speeds_q8, text);
+    igtl_units_write_speeds(robot, measured->speeds_q8, text);
     send_text(outbox, "measured_jv", text, moment);
 }
 
@@ -101,7 +101,7 @@ static void send_desired(transform_shown_t *self, const robot_t *robot, igtl_out
         igtl_tell_refusal(outbox, "desired_jp", (status_t)desired->pose_status, moment);
     } else {
         send_pose(outbox, "desired_cp", &desired->pose, moment);
-        igtl_border_write_positions(robot, desired->ticks, text);
+        igtl_units_write_positions(robot, desired->ticks, text);
         send_text(outbox, "desired_jp", text, moment);
     }
     self->seen.desired = *desired;
@@ -155,7 +155,7 @@ static void send_lengths(transform_shown_t *self, const robot_t *robot, igtl_out
 
         if ((length->name[0] != '\0') && is_known) {
             (void)snprintf(text, sizeof text, "%f",
-                           igtl_border_mm(probe_told_nm(length, probe->length_nm)));
+                           igtl_units_mm(probe_told_nm(length, probe->length_nm)));
             send_text(outbox, length->name, text, moment);
         }
     }

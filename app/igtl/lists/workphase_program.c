@@ -2,7 +2,7 @@
 #include "igtl/lists/workphase_program.h"
 
 #include "common/list_terms.h"
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "igtl/lists/workphase_text.h"
 #include "limits/requirement_limits.h"
 #include "igtl/wire/igtl_packet.h"
@@ -66,12 +66,12 @@ static status_t read_row(const robot_t *robot, const igtl_message_t *message, ui
 
     for (uint32_t i = 0U; (i < 3U) && (status == STATUS_OK); i++) {
         if ((numbers[i] != &told.angle_deg) || told.has_angle) {
-            status = igtl_border_read_double(message, at, numbers[i]);
+            status = igtl_units_read_double(message, at, numbers[i]);
             at++;
         }
     }
     if (status == STATUS_OK) {
-        status = igtl_border_read_whole(message, at, &gate);
+        status = igtl_units_read_whole(message, at, &gate);
     }
     if ((status == STATUS_OK) && ((gate < 0) || (gate > 1))) {
         status = STATUS_OUT_OF_RANGE;

@@ -2,7 +2,7 @@
 #include "igtl/lists/workphase_trajectory.h"
 
 #include "common/list_terms.h"
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "igtl/lists/workphase_text.h"
 #include "limits/requirement_limits.h"
 
@@ -63,17 +63,17 @@ static status_t read_row(const robot_t *robot, const igtl_message_t *message, ui
     const uint32_t first = index * message->columns;
     trajectory_row_t *row = &item->row;
     int32_t time_ms = 0;
-    status_t status = igtl_border_read_whole(message, first, &time_ms);
+    status_t status = igtl_units_read_whole(message, first, &time_ms);
 
     *row = (trajectory_row_t){.time_ms = 0U};
     if (status == STATUS_OK) {
         status = put_time(time_ms, row);
     }
     for (uint32_t i = 0U; (i < axes) && (status == STATUS_OK); i++) {
-        status = igtl_border_read_whole(message, first + 1U + i, &row->ticks[i]);
+        status = igtl_units_read_whole(message, first + 1U + i, &row->ticks[i]);
         if (status == STATUS_OK) {
             status =
-                igtl_border_read_whole(message, first + 1U + axes + i, &row->speeds_ticks_per_s[i]);
+                igtl_units_read_whole(message, first + 1U + axes + i, &row->speeds_ticks_per_s[i]);
         }
     }
     return status;

@@ -112,7 +112,7 @@ static void advance_timeouts(uint64_t elapsed_us)
     igtl_timeout_clock_step(&process.timeouts, elapsed_us, slowness,
                             exchange_beats(process.exchange, EXCHANGE_CONTROL),
                             process.is_control_silent);
-    process.moment.patience_us = igtl_timeout_clock_us(&process.timeouts);
+    process.moment.answer_clock_us = igtl_timeout_clock_us(&process.timeouts);
 }
 
 static void look_who_commands(void)

@@ -2,7 +2,7 @@
 #include "igtl/server/igtl_server.h"
 
 #include "igtl/server/igtl_listener.h"
-#include "igtl/server/igtl_places.h"
+#include "igtl/server/igtl_slots.h"
 #include "limits/requirement_limits.h"
 
 #include <stdio.h>
@@ -105,7 +105,7 @@ static void accept_peers(igtl_server_t *self, uint64_t now_us)
         }
         if (igtl_port_allows(self->port, address)) {
             greet(self, address, number, now_us);
-            igtl_places_enter(self, descriptor, address, number, now_us);
+            igtl_slots_enter(self, descriptor, address, number, now_us);
         } else {
             char place[IGTL_PLACE_SIZE];
 
@@ -123,7 +123,7 @@ static void call_peer(igtl_server_t *self, uint64_t now_us)
     switch (igtl_caller_step(&self->caller, now_us, &descriptor)) {
     case IGTL_CALL_ANSWERED:
         greet(self, self->port->address, self->port->number, now_us);
-        igtl_places_enter(self, descriptor, self->port->address, self->port->number, now_us);
+        igtl_slots_enter(self, descriptor, self->port->address, self->port->number, now_us);
         break;
     case IGTL_CALL_FAILED:
         note(self, IGTL_TROUBLE_CALL, strerror(self->caller.error), now_us);
@@ -165,7 +165,7 @@ static bool handle(igtl_server_t *self, igtl_connection_t *connection, igtl_inbo
             igtl_connection_keep_status(connection, &inbox->message);
         }
         if ((connection->place != IGTL_NO_PLACE) ||
-            igtl_places_admit(self, connection, &inbox->message, moment)) {
+            igtl_slots_admit(self, connection, &inbox->message, moment)) {
             self->calls->receive(self->dialect, igtl_seats_peer(self, connection), &inbox->message,
                                  moment);
             igtl_connection_keep_refusal(connection);
@@ -216,7 +216,7 @@ void igtl_server_receive(igtl_server_t *self, const igtl_moment_t *moment)
             receive_from(self, &self->connections[i], moment);
         }
     }
-    igtl_places_fill(self); /* Who has gone makes room, first for those who wait. */
+    igtl_slots_fill(self); /* Who has gone makes room, first for those who wait. */
     if (self->port->is_calling) {
         call_peer(self, moment->now_us);
     } else {
@@ -254,7 +254,7 @@ static bool has_hung(igtl_server_t *self, igtl_connection_t *connection,
         igtl_connection_unwatch(connection);
         return false;
     }
-    return igtl_connection_unread_us(connection, moment->patience_us) >= LIMIT_IGTL_UNREAD_US;
+    return igtl_connection_unread_us(connection, moment->answer_clock_us) >= LIMIT_IGTL_UNREAD_US;
 }
 
 void igtl_server_send(igtl_server_t *self, const igtl_moment_t *moment)

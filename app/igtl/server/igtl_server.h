@@ -41,7 +41,7 @@ bool igtl_server_has_peers(const igtl_server_t *self);
 /**
  * Accepts or calls, reads, and drops whoever stays in the middle of a message. At most a few
  * messages per connection and at most IGTL_BYTES_PER_TURN, so that nobody is kept waiting by
- * another. Who has a place: igtl_places.h.
+ * another. Who has a place: igtl_slots.h.
  *
  * @satisfies SWR-IGTL-011
  * @satisfies SWR-IGTL-048

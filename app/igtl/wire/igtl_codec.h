@@ -3,7 +3,7 @@
  * @file
  * OpenIGTLink messages as they arrive, with header version 1 or 2; igtl_packet.h writes them. No
  * allocation, no copy of a body; every length is checked in 64 bits before it is used. Numbers stay
- * the bits of the wire (igtl_border.h).
+ * the bits of the wire (igtl_units.h).
  */
 #ifndef BORESIGHT_IGTL_CODEC_H
 #define BORESIGHT_IGTL_CODEC_H

@@ -2,7 +2,7 @@
 /**
  * @file
  * OpenIGTLink messages to be sent, complete and with header version 1; igtl_packet_extend() makes
- * version 2 of them. Numbers are the bits of the wire (igtl_border.h).
+ * version 2 of them. Numbers are the bits of the wire (igtl_units.h).
  */
 #ifndef BORESIGHT_IGTL_PACKET_H
 #define BORESIGHT_IGTL_PACKET_H

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "igtl/workphase/workphase_answer.h"
 
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "igtl/workphase/workphase_draping.h"
 #include "igtl/lists/workphase_lists.h"
 #include "igtl/workphase/workphase_peer.h"
-#include "igtl/workphase/workphase_watch.h"
+#include "igtl/workphase/workphase_notifications.h"
 #include "interface/app/names.h"
 #include "procedure/command_kinds.h"
 
@@ -22,7 +22,7 @@ static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t
         return peer->motion;
     }
     if (peer->draping == request->id) {
-        return WORKPHASE_WORD_DRAPING;
+        return WORKPHASE_COMMAND_DRAPING;
     }
     if (list != NULL) {
         return list->word;
@@ -119,7 +119,7 @@ static void write_end(const workphase_dialect_t *self, const igtl_request_t *req
                                  workphase_name((int32_t)answer->workphase), text};
 
     if (is_fault) {
-        workphase_watch_fault_text(self, answer->axis, moment, text);
+        workphase_notifications_fault_text(self, answer->axis, moment, text);
     } else if (answer->status != (uint32_t)STATUS_OK) {
         igtl_reason_text(self->robot, answer, moment, text);
     } else {
@@ -174,7 +174,7 @@ static void answer_phase(workphase_dialect_t *self, const igtl_request_t *reques
         if (answer->kind == (uint32_t)ANSWER_ACCEPTED) {
             workphase_draping_go_on(self, request->peer, moment);
         } else {
-            tell_outcome(self, peer, WORKPHASE_WORD_DRAPING, answer, moment);
+            tell_outcome(self, peer, WORKPHASE_COMMAND_DRAPING, answer, moment);
         }
         return;
     }
@@ -230,14 +230,14 @@ static void answer_entry(const workphase_dialect_t *self, workphase_peer_t *peer
         tell_outcome(self, peer, subject_of(peer, request), answer, moment);
         return;
     }
-    (void)snprintf(text, sizeof text, "%.3f, %.3f, %.3f mm", igtl_border_mm(entry->x_nm),
-                   igtl_border_mm(entry->y_nm), igtl_border_mm(entry->z_nm));
+    (void)snprintf(text, sizeof text, "%.3f, %.3f, %.3f mm", igtl_units_mm(entry->x_nm),
+                   igtl_units_mm(entry->y_nm), igtl_units_mm(entry->z_nm));
     igtl_tell_status(peer->outbox, subject_of(peer, request), &taken, moment);
 }
 
 static bool is_draping(const workphase_peer_t *peer)
 {
-    return strcmp(peer->motion, WORKPHASE_WORD_DRAPING) == 0;
+    return strcmp(peer->motion, WORKPHASE_COMMAND_DRAPING) == 0;
 }
 
 /* As a later server does, DRAPING has one STATUS, when it is entered. */
@@ -402,7 +402,7 @@ void workphase_answer_tell(workphase_dialect_t *self, const igtl_request_t *requ
     if (is_awaited) {
         release_end(peer);
     }
-    workphase_watch_note(self, request, answer, moment);
+    workphase_notifications_note(self, request, answer, moment);
 }
 
 void workphase_answer_tell_none(workphase_dialect_t *self, const igtl_request_t *request,

@@ -4,10 +4,10 @@
 #include "charts/authority_chart.h"
 #include "igtl/workphase/workphase_answer.h"
 #include "igtl/workphase/workphase_peer.h"
-#include "igtl/workphase/workphase_poll.h"
+#include "igtl/workphase/workphase_queries.h"
 #include "igtl/workphase/workphase_progress.h"
 #include "igtl/workphase/workphase_receive.h"
-#include "igtl/workphase/workphase_watch.h"
+#include "igtl/workphase/workphase_notifications.h"
 #include "procedure/command_kinds.h"
 
 #include <stddef.h>
@@ -77,7 +77,7 @@ static void look_who_commands(workphase_dialect_t *self, const igtl_moment_t *mo
         return;
     }
     self->controller = IGTL_NOBODY;
-    for (uint32_t i = 0U; (i < IGTL_PLACES) && is_held_here(moment->snapshot); i++) {
+    for (uint32_t i = 0U; (i < IGTL_SLOTS) && is_held_here(moment->snapshot); i++) {
         if ((self->peers[i].outbox != NULL) &&
             (self->peers[i].number == moment->snapshot->holder_peer)) {
             self->controller = i;
@@ -105,11 +105,11 @@ void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
         break;
     case IGTL_KIND_GET_TRANSFORM:
         workphase_peer_send_deferred(asker, moment->now_us, true);
-        workphase_poll_transform(asker, message, moment);
+        workphase_queries_transform(asker, message, moment);
         break;
     case IGTL_KIND_GET_STATUS:
         workphase_peer_send_deferred(asker, moment->now_us, true);
-        workphase_poll_status(asker, message, moment);
+        workphase_queries_status(asker, message, moment);
         break;
     case IGTL_KIND_POINT:
     case IGTL_KIND_TRAJECTORY: /* Who commands proposes nothing. */
@@ -167,7 +167,7 @@ static void release_lost(workphase_dialect_t *self, const igtl_moment_t *moment)
 
     if ((self->is_new || is_lost) && !is_releasing(self)) {
         release.peer = self->is_new ? 0U : moment->snapshot->holder_peer;
-        (void)igtl_requests_add(&self->requests, IGTL_NOBODY, &release, moment->patience_us);
+        (void)igtl_requests_add(&self->requests, IGTL_NOBODY, &release, moment->answer_clock_us);
     }
 }
 
@@ -218,16 +218,16 @@ static void tell_no_answer(workphase_dialect_t *self, const igtl_request_t *requ
 
 void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *moment)
 {
-    const igtl_request_t *overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
+    const igtl_request_t *overdue = igtl_requests_overdue(&self->requests, moment->answer_clock_us);
 
     look_who_commands(self, moment);
     release_lost(self, moment);
     while (overdue != NULL) {
         tell_no_answer(self, overdue, moment);
-        overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
+        overdue = igtl_requests_overdue(&self->requests, moment->answer_clock_us);
     }
     workphase_receive_go_on(self, moment);
-    for (uint32_t i = 0U; i < IGTL_PLACES; i++) {
+    for (uint32_t i = 0U; i < IGTL_SLOTS; i++) {
         if (self->peers[i].outbox != NULL) {
             workphase_peer_send_deferred(&self->peers[i], moment->now_us, false);
             workphase_receive_step(self, i, moment);
@@ -236,7 +236,7 @@ void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *mome
             igtl_questions_step(&self->peers[i].tracking, self->peers[i].outbox, moment);
         }
     }
-    workphase_watch_step(self, moment);
+    workphase_notifications_step(self, moment);
     stream_position(self, moment);
     follow_program(self, moment);
 }
@@ -255,5 +255,5 @@ void workphase_dialect_control_lost(workphase_dialect_t *self, const igtl_moment
             igtl_requests_end(request);
         }
     }
-    workphase_watch_control_lost(self, is_told, moment);
+    workphase_notifications_control_lost(self, is_told, moment);
 }

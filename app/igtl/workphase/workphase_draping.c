@@ -3,9 +3,9 @@
 
 #include <string.h>
 
-bool workphase_draping_is_ahead(const workphase_word_t *word, const igtl_moment_t *moment)
+bool workphase_draping_is_ahead(const workphase_command_t *word, const igtl_moment_t *moment)
 {
-    return (strcmp(word->word, WORKPHASE_WORD_DRAPING) == 0) && (moment->snapshot != NULL) &&
+    return (strcmp(word->word, WORKPHASE_COMMAND_DRAPING) == 0) && (moment->snapshot != NULL) &&
            (moment->snapshot->workphase != (uint32_t)WORKPHASE_MANUAL);
 }
 
@@ -16,7 +16,7 @@ static uint32_t ask(workphase_dialect_t *self, uint32_t index, command_t command
     workphase_peer_t *peer = &self->peers[index];
     command.peer = peer->number;
     const igtl_request_t *entry =
-        igtl_requests_add(&self->requests, index, &command, moment->patience_us);
+        igtl_requests_add(&self->requests, index, &command, moment->answer_clock_us);
 
     peer->tip.is_waiting = false;
     peer->pending = (entry == NULL) ? peer->pending : entry->id;
@@ -39,8 +39,8 @@ void workphase_draping_go_on(workphase_dialect_t *self, uint32_t peer, const igt
     const command_t command = {.kind = (uint32_t)COMMAND_POSE,
                                .as.pose_name = {.pose = (uint32_t)POSE_DRAPING}};
 
-    self->peers[peer].motion = WORKPHASE_WORD_DRAPING;
+    self->peers[peer].motion = WORKPHASE_COMMAND_DRAPING;
     if (ask(self, peer, command, moment) == 0U) {
-        igtl_tell_refusal(self->peers[peer].outbox, WORKPHASE_WORD_DRAPING, STATUS_BUSY, moment);
+        igtl_tell_refusal(self->peers[peer].outbox, WORKPHASE_COMMAND_DRAPING, STATUS_BUSY, moment);
     }
 }

@@ -9,14 +9,14 @@
 
 #include "igtl/dialect/igtl_dialect.h"
 #include "igtl/workphase/workphase_state.h"
-#include "igtl/workphase/workphase_words.h"
+#include "igtl/workphase/workphase_commands.h"
 #include "interface/status.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
 /** `word` is DRAPING, and MANUAL has to be entered before its pose. */
-bool workphase_draping_is_ahead(const workphase_word_t *word, const igtl_moment_t *moment);
+bool workphase_draping_is_ahead(const workphase_command_t *word, const igtl_moment_t *moment);
 
 /**
  * Asks for MANUAL.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "igtl/workphase/workphase_needle.h"
 
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "limits/requirement_limits.h"
 #include "robot/probe.h"
 
@@ -44,7 +44,7 @@ static void tell_verdict(const workphase_peer_t *peer, int32_t length_nm, const 
                                   is_right ? "NEEDLE_LENGTH" : "CONFIG_ERROR", text};
 
     (void)snprintf(text, sizeof text, "%sThe robot is set to a needle of %.3f mm.",
-                   is_right ? "" : "CONFIG_ERROR: ", igtl_border_mm(length_nm));
+                   is_right ? "" : "CONFIG_ERROR: ", igtl_units_mm(length_nm));
     igtl_tell_status(peer->outbox, "NEEDLE_LENGTH", &status, moment);
 }
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "igtl/workphase/workphase_receive.h"
 
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "igtl/workphase/workphase_draping.h"
 #include "igtl/lists/workphase_lists.h"
 #include "igtl/workphase/workphase_needle.h"
 #include "igtl/workphase/workphase_peer.h"
-#include "igtl/workphase/workphase_poll.h"
-#include "igtl/workphase/workphase_words.h"
+#include "igtl/workphase/workphase_queries.h"
+#include "igtl/workphase/workphase_commands.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 
@@ -79,7 +79,7 @@ static uint32_t request(workphase_dialect_t *self, uint32_t index, command_t *co
 {
     workphase_peer_t *peer = &self->peers[index];
     const igtl_request_t *entry =
-        igtl_requests_add(&self->requests, index, command, moment->patience_us);
+        igtl_requests_add(&self->requests, index, command, moment->answer_clock_us);
 
     peer->tip.is_waiting = false;
     if (entry == NULL) {
@@ -137,19 +137,20 @@ static bool pass_word(workphase_dialect_t *self, uint32_t index, const char *wor
         self->peers[index].motion = word;
         return request(self, index, command, moment) != 0U;
     }
-    return igtl_requests_add(&self->requests, index, command, moment->patience_us) != NULL;
+    return igtl_requests_add(&self->requests, index, command, moment->answer_clock_us) != NULL;
 }
 
 /* What is no list of lengths by name may be the list without names of before. */
 static void refuse_word(const workphase_dialect_t *self, workphase_peer_t *peer,
-                        const workphase_word_t *word, status_t status, const igtl_moment_t *moment)
+                        const workphase_command_t *word, status_t status,
+                        const igtl_moment_t *moment)
 {
     char text[IGTL_REASON_SIZE];
     const bool is_form = (word->kind == COMMAND_PROBE) &&
                          ((status == STATUS_PROBE_LENGTH) || (status == STATUS_OUT_OF_RANGE));
 
     if (is_form) {
-        workphase_words_tell_form(self->robot, status, text);
+        workphase_commands_tell_form(self->robot, status, text);
         const igtl_status_t refusal = {igtl_reason_code(status), status_name((int32_t)status),
                                        text};
         igtl_tell_refused(peer->outbox, word->word, &refusal, moment);
@@ -160,14 +161,14 @@ static void refuse_word(const workphase_dialect_t *self, workphase_peer_t *peer,
     }
 }
 
-static void receive_word(workphase_dialect_t *self, uint32_t index, const workphase_word_t *word,
+static void receive_word(workphase_dialect_t *self, uint32_t index, const workphase_command_t *word,
                          const igtl_message_t *message, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[index];
     command_t command = {.peer = peer->number};
     status_t status = is_others(self, index)
                           ? STATUS_NO_AUTHORITY
-                          : workphase_words_read(word, self->robot, message, &command);
+                          : workphase_commands_read(word, self->robot, message, &command);
 
     if ((status == STATUS_OK) && workphase_draping_is_ahead(word, moment)) {
         status = workphase_draping_begin(self, index, moment);
@@ -223,7 +224,8 @@ static status_t begin_array(workphase_dialect_t *self, uint32_t index, const wor
     if (status != STATUS_OK) {
         return status;
     }
-    workphase_array_step(array, &self->requests, self->peers[index].number, moment->patience_us);
+    workphase_array_step(array, &self->requests, self->peers[index].number,
+                         moment->answer_clock_us);
     if (array->next == 0U) {
         workphase_array_end(array, index);
         return STATUS_BUSY;
@@ -250,7 +252,7 @@ void workphase_receive_array(workphase_dialect_t *self, uint32_t index,
 static bool receive_other(workphase_dialect_t *self, uint32_t index, const igtl_message_t *message,
                           const igtl_moment_t *moment)
 {
-    const workphase_word_t *word = workphase_words_find(message);
+    const workphase_command_t *word = workphase_commands_find(message);
     const workphase_list_t *list = workphase_lists_find(message);
 
     if (word != NULL) {
@@ -261,7 +263,7 @@ static bool receive_other(workphase_dialect_t *self, uint32_t index, const igtl_
         receive_list(self, index, list, message, moment);
         return true;
     }
-    return workphase_poll_string(&self->peers[index], message, moment);
+    return workphase_queries_string(&self->peers[index], message, moment);
 }
 
 static bool is_command(const igtl_message_t *message)
@@ -336,7 +338,7 @@ static status_t pass_pose(workphase_dialect_t *self, uint32_t index, const pose_
 {
     command_t command = {.peer = self->peers[index].number, .kind = (uint32_t)what->kind};
     rigid_t pose;
-    status_t status = igtl_border_read_pose(message->numbers, &pose);
+    status_t status = igtl_units_read_pose(message->numbers, &pose);
 
     if (status == STATUS_OK) {
         if (what->kind == COMMAND_REGISTRATION) {
@@ -346,7 +348,7 @@ static status_t pass_pose(workphase_dialect_t *self, uint32_t index, const pose_
         }
         if (what->kind == COMMAND_NEEDLE) {
             receive_tip(&self->peers[index], &pose);
-        } else if (igtl_requests_add(&self->requests, index, &command, moment->patience_us) ==
+        } else if (igtl_requests_add(&self->requests, index, &command, moment->answer_clock_us) ==
                    NULL) {
             status = STATUS_BUSY;
         } else {
@@ -402,7 +404,7 @@ void workphase_receive_go_on(workphase_dialect_t *self, const igtl_moment_t *mom
     if (array->is_busy && is_others(self, array->peer) && workphase_array_fail(array)) {
         igtl_tell_refusal(peer->outbox, array->list->word, STATUS_NO_AUTHORITY, moment);
     }
-    workphase_array_step(array, &self->requests, peer->number, moment->patience_us);
+    workphase_array_step(array, &self->requests, peer->number, moment->answer_clock_us);
     if (array->is_owed && !array->is_busy && (peer->outbox != NULL)) {
         igtl_outbox_add(peer->outbox, &array->refusal);
     }
@@ -432,7 +434,7 @@ static void pass_tip(workphase_dialect_t *self, uint32_t index, const igtl_momen
         .kind = (uint32_t)COMMAND_NEEDLE,
         .as.seen_pose = {.pose = peer->tip.pose, .is_one_of_many = is_noted ? 0U : 1U}};
 
-    if (igtl_requests_add(&self->requests, index, &command, moment->patience_us) == NULL) {
+    if (igtl_requests_add(&self->requests, index, &command, moment->answer_clock_us) == NULL) {
         return;
     }
     peer->tip.is_waiting = false;

@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 /**
- * A STRING: a workphase named CMD_x, a question, a word of workphase_words.h, NEEDLE_LENGTH.
+ * A STRING: a workphase named CMD_x, a question, a word of workphase_commands.h, NEEDLE_LENGTH.
  * Anything else is refused.
  *
  * @satisfies SWR-IGTL-006

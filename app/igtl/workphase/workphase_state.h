@@ -87,13 +87,13 @@ typedef struct {
     uint64_t waiting_since_us;
     bool is_control_lost; /**< At this cycle. */
     uint32_t cycle;
-} workphase_watch_t;
+} workphase_notifications_t;
 
 typedef struct {
     const robot_t *robot;
     igtl_requests_t requests;
-    workphase_watch_t watch;
-    workphase_peer_t peers[IGTL_PLACES];
+    workphase_notifications_t watch;
+    workphase_peer_t peers[IGTL_SLOTS];
     uint32_t controller;       /**< Peer that has authority as control shows it, or IGTL_NOBODY. */
     uint64_t next_position_us; /**< When the next CURRENT_POSITION is due. */
     bool is_new;               /**< What connections of an earlier run had is not released yet. */

@@ -28,7 +28,7 @@ static permit_common_facts_t common_facts(const controller_t *self, const cycle_
         .is_pedal_unproven = (pedal == PEDAL_GATE_STATE_UNPROVEN),
         .is_pedal_pressed = pedal_gate_is_open(&self->pedal),
         .is_every_axis_homed = guards_have(guards, GUARD_HOMED),
-        .is_memory_damaged = controller_is_blind(self),
+        .is_memory_damaged = controller_is_table_invalid(self),
         .are_cards_unprotected = (cycle->inputs->dialect != (uint32_t)CARD_DIALECT_OWN) &&
                                  (cycle->inputs->is_dialect_accepted == 0U),
         .may_be_unhomed = mode_may_be_unhomed(kind),
@@ -131,7 +131,7 @@ static void send_to_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
         .guard_maximum_ticks = 0,
         .axis_id = index,
     };
-    if (link_is_usable(link) && !controller_is_blind(self)) {
+    if (link_is_usable(link) && !controller_is_table_invalid(self)) {
         axis_guard(&self->axes[index], config, (state & CARD_SYSTEM_PERMIT) != 0U,
                    &command.guard_minimum_ticks, &command.guard_maximum_ticks);
     }
@@ -166,7 +166,7 @@ static uint32_t probed_slot(const controller_t *self, bool is_driven)
 /* Of the robot, and what else is known to be there or is looked for. */
 static void send_to_others(controller_t *self, const cycle_t *cycle, uint32_t state, bool is_driven)
 {
-    const uint32_t others = self->strangers | probed_slot(self, is_driven);
+    const uint32_t others = self->unexpected_cards | probed_slot(self, is_driven);
     const uint32_t slots = self->cards.sensor_slots | (others & ~self->cards.named_slots);
     for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
         if (((slots >> i) & 1U) != 0U) {

@@ -51,8 +51,8 @@ static void tell(controller_t *self, const cycle_t *cycle, const mode_result_t *
     } else if (result->progress == MODE_FAILED) {
         const bool is_of_axis = result->axis != MODE_NO_AXIS;
         const cycle_t because =
-            controller_because(cycle, is_of_axis ? EVENT_CAUSE_AXIS : EVENT_CAUSE_NONE,
-                               is_of_axis ? result->axis : 0U);
+            controller_with_cause(cycle, is_of_axis ? EVENT_CAUSE_AXIS : EVENT_CAUSE_NONE,
+                                  is_of_axis ? result->axis : 0U);
         controller_tell_order(self, &because, ARMING_EVENT_FAULT, result->status);
     } else {
         /* It goes on. */

@@ -137,7 +137,7 @@ static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index,
     }
     if (is_in_doubt) {
         controller_note(self, cycle, EVENT_AXIS_UNVERIFIED, index, axis->encoder.position_ticks);
-        const cycle_t because = controller_because(cycle, EVENT_CAUSE_AXIS, index);
+        const cycle_t because = controller_with_cause(cycle, EVENT_CAUSE_AXIS, index);
         controller_tell_order(self, &because, ARMING_EVENT_FAULT, STATUS_NOT_HOMED);
     }
     if ((now == (uint32_t)AXIS_REFERENCE_LOST) && was_known && !axis_is_faulty(axis)) {
@@ -214,7 +214,7 @@ static void watch_heat(controller_t *self, const cycle_t *cycle, uint32_t index)
 static void watch_axis(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t index = self->cycle % ROBOT_AXIS_MAX;
-    if ((index < self->axis_count) && !controller_is_blind(self)) {
+    if ((index < self->axis_count) && !controller_is_table_invalid(self)) {
         watch_drift(self, cycle, index);
         watch_heat(self, cycle, index);
     }
@@ -271,7 +271,7 @@ static void note_gate(controller_t *self, const cycle_t *cycle)
     } else {
         /* The pedal itself. */
     }
-    const cycle_t because = controller_because(cycle, cause, 0U);
+    const cycle_t because = controller_with_cause(cycle, cause, 0U);
     controller_note(self, &because,
                     (self->was_gate_open != 0U) ? EVENT_PEDAL_PRESSED : EVENT_PEDAL_RELEASED, 0U,
                     0);
@@ -331,7 +331,7 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
         axis_disable(&self->axes[i]);
     }
     const cycle_t because =
-        controller_because(cycle, is_pulled ? EVENT_CAUSE_ESTOP : EVENT_CAUSE_INPUTS, 0U);
+        controller_with_cause(cycle, is_pulled ? EVENT_CAUSE_ESTOP : EVENT_CAUSE_INPUTS, 0U);
     controller_enter_emergency(self, &because);
 }
 
@@ -380,7 +380,7 @@ static void observe_scanner(controller_t *self, const cycle_t *cycle)
         is_read(cycle, BOX_INPUT_SCANNER)) {
         self->was_scanner_active = cycle->inputs->scanner_active;
         controller_note(self, cycle, EVENT_SCANNER, 0U, (int32_t)self->was_scanner_active);
-        if (!controller_is_blind(self)) {
+        if (!controller_is_table_invalid(self)) {
             audit_scan(self, cycle);
         }
     }
@@ -389,7 +389,7 @@ static void observe_scanner(controller_t *self, const cycle_t *cycle)
 static bool is_confirmation_barred(const controller_t *self, const cycle_t *cycle)
 {
     bool is_barred = procedure_is_armed(&self->procedure) || (cycle->inputs->estop_open != 0U) ||
-                     controller_is_blind(self);
+                     controller_is_table_invalid(self);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         is_barred = is_barred || axis_is_moving_in_doubt(&self->axes[i]);
     }
@@ -509,7 +509,7 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
     observe_recording(self, cycle);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         controller_observe_card(self, cycle, i);
-        if (!controller_is_blind(self)) {
+        if (!controller_is_table_invalid(self)) {
             observe_axis(self, cycle, i);
         }
     }

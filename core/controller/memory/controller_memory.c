@@ -253,7 +253,7 @@ static void take_axes(controller_t *self, const robot_t *robot, uint32_t damage)
 
 static void check_table(controller_t *self, const cycle_t *cycle, uint32_t damage)
 {
-    if ((damage == 0U) || controller_is_blind(self)) {
+    if ((damage == 0U) || controller_is_table_invalid(self)) {
         return;
     }
     self->table_damage = damage;

@@ -105,7 +105,7 @@ void controller_obey(controller_t *self, const cycle_t *cycle)
 {
     for (uint32_t i = 0U; i < cycle->inputs->command_count; i++) {
         const command_t *const command = &cycle->inputs->commands[i];
-        const cycle_t because = controller_because(cycle, cause_of(command), command->peer);
+        const cycle_t because = controller_with_cause(cycle, cause_of(command), command->peer);
         answer(self, &because, command);
     }
 }

@@ -331,7 +331,7 @@ static void show_program(const controller_t *self, const cycle_t *cycle, snapsho
 static status_t pose_status(const controller_t *self, bool is_homed)
 {
     status_t status = STATUS_OK;
-    if (controller_is_blind(self)) {
+    if (controller_is_table_invalid(self)) {
         status = STATUS_MEMORY_DAMAGED;
     } else if (!is_homed) {
         status = STATUS_NOT_HOMED;
@@ -350,7 +350,7 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
     int32_t ticks[ROBOT_AXIS_MAX];
     joints_t joints;
     shown->pose_status = (uint32_t)pose_status(self, shown->is_homed != 0U);
-    if (controller_is_blind(self)) {
+    if (controller_is_table_invalid(self)) {
         (void)memset(&shown->zframe_treatment, 0, sizeof shown->zframe_treatment);
         (void)memset(&shown->scanner_treatment, 0, sizeof shown->scanner_treatment);
         return;

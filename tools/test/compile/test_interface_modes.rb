@@ -106,7 +106,7 @@ class TestInterfaceModes < Minitest::Test
                    .sub('payload: turn, workphases', 'payload: turn, words: [{word: TURN, form: "TURN 5"}], workphases')
     with_output('commands.yml' => rows) do |folder|
       assert_includes File.read(File.join(folder, 'app', 'igtl_words.c')), <<~CODE
-        const workphase_word_t workphase_words[] = {
+        const workphase_command_t workphase_commands[] = {
             {.word = "STAY",
              .kind = COMMAND_WORKPHASE,
              .as.workphase = {.workphase = (uint32_t)WORKPHASE_HERE}},

@@ -9,7 +9,7 @@
 
 #include "unity.h"
 
-#include "http/view/mode_outlook.h"
+#include "http/view/mode_availability.h"
 #include "base/seal.h"
 #include "controller/controller.h"
 #include "limits/requirement_limits.h"
@@ -146,10 +146,11 @@ void test_SWR_NEXT_024_what_is_shown_of_homing_is_what_becomes_of_it(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     const snapshot_t *const shown = &rig.outputs.snapshot;
     TEST_ASSERT_EQUAL(STATUS_MOVED_IN_VAIN,
-                      workphase_outlook(&rig.robot, shown, WORKPHASE_START_UP));
-    TEST_ASSERT_EQUAL(STATUS_MOVED_IN_VAIN,
-                      mode_outlook(&rig.robot, shown, rig.controller.rows[0].ticks, MODE_HOMING));
-    TEST_ASSERT_EQUAL(STATUS_OK, workphase_outlook(&rig.robot, shown, WORKPHASE_STOP));
+                      workphase_availability(&rig.robot, shown, WORKPHASE_START_UP));
+    TEST_ASSERT_EQUAL(
+        STATUS_MOVED_IN_VAIN,
+        mode_availability(&rig.robot, shown, rig.controller.rows[0].ticks, MODE_HOMING));
+    TEST_ASSERT_EQUAL(STATUS_OK, workphase_availability(&rig.robot, shown, WORKPHASE_STOP));
 }
 
 void test_SWR_NEXT_024_tries_that_move_less_are_not_refused(void)

@@ -9,8 +9,8 @@
 
 #include "base/seal.h"
 #include "controller/controller.h"
-#include "http/view/axis_outlook.h"
-#include "http/view/mode_outlook.h"
+#include "http/view/axis_availability.h"
+#include "http/view/mode_availability.h"
 #include "http/view/shown.h"
 #include "robot/robot_neuro.h"
 #include "robot/robot_prostate.h"
@@ -326,7 +326,7 @@ void test_SWR_SWEEP_008_a_released_pedal_drives_nothing_and_the_step_begins_anew
 static void expect_outlook(mode_kind_t kind, status_t status)
 {
     TEST_ASSERT_EQUAL_UINT32(status,
-                             mode_outlook(&robot_prostate, &rig.outputs.snapshot, NULL, kind));
+                             mode_availability(&robot_prostate, &rig.outputs.snapshot, NULL, kind));
 }
 
 void test_SWR_MODE_004_a_needle_that_is_in_is_named_beforehand(void)

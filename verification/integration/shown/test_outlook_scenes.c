@@ -9,9 +9,9 @@
 #include "unity.h"
 
 #include "card/card_dialect.h"
-#include "http/view/axis_outlook.h"
-#include "http/view/command_outlook.h"
-#include "http/view/mode_outlook.h"
+#include "http/view/axis_availability.h"
+#include "http/view/command_availability.h"
+#include "http/view/mode_availability.h"
 #include "http/view/shown.h"
 #include "unit/support/commands.h"
 #include "integration/support/rig.h"
@@ -91,16 +91,16 @@ static void compare_workphases(void)
     for (uint32_t i = (uint32_t)WORKPHASE_UNDEFINED + 1U; i < WORKPHASE_COUNT; i++) {
         const command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE,
                                    .as.workphase = {.workphase = i}};
-        expect(workphase_outlook(&rig.robot, &rig.outputs.snapshot, (workphase_t)i),
-               workphase_outlook(&rig.robot, &next.outputs.snapshot, (workphase_t)i), command,
+        expect(workphase_availability(&rig.robot, &rig.outputs.snapshot, (workphase_t)i),
+               workphase_availability(&rig.robot, &next.outputs.snapshot, (workphase_t)i), command,
                workphase_name((int32_t)i));
     }
 }
 
 static status_t said_of(const rig_t *shown, mode_kind_t kind)
 {
-    return mode_outlook(&shown->robot, &shown->outputs.snapshot, rig.controller.rows[0].ticks,
-                        kind);
+    return mode_availability(&shown->robot, &shown->outputs.snapshot, rig.controller.rows[0].ticks,
+                             kind);
 }
 
 static void compare_modes(void)
@@ -127,9 +127,9 @@ static void compare_axis(void)
     if (rig_position(&rig, axis) != rig_position(&next, axis)) {
         return; /* The command is for where it was. */
     }
-    expect(axis_outlook(&rig.robot, &rig.outputs.snapshot, kind, axis, is_upwards),
-           axis_outlook(&rig.robot, &next.outputs.snapshot, kind, axis, is_upwards),
-           axis_outlook_command(&rig.robot, &rig.outputs.snapshot, kind, axis, is_upwards),
+    expect(axis_availability(&rig.robot, &rig.outputs.snapshot, kind, axis, is_upwards),
+           axis_availability(&rig.robot, &next.outputs.snapshot, kind, axis, is_upwards),
+           axis_availability_command(&rig.robot, &rig.outputs.snapshot, kind, axis, is_upwards),
            mode_kind_name((int32_t)kind));
 }
 
@@ -147,8 +147,8 @@ static void compare_acts(void)
             (void)memcpy(command.as.probe.lengths_nm, rig.robot.probe.length_nm,
                          sizeof rig.robot.probe.length_nm);
         }
-        expect(command_outlook(&rig.robot, &rig.outputs.snapshot, kind),
-               command_outlook(&rig.robot, &next.outputs.snapshot, kind), command,
+        expect(command_availability(&rig.robot, &rig.outputs.snapshot, kind),
+               command_availability(&rig.robot, &next.outputs.snapshot, kind), command,
                command_kind_name((int32_t)kind));
     }
 }
@@ -401,12 +401,13 @@ void test_SWR_MODE_010_a_card_that_was_lost_and_answers_again_may_be_started_up(
     rig_start_robot_homed(&rig, robot);
     rig_box(&rig, "card pitch silent");
     rig_cycles(&rig, 100U);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY,
-                             workphase_outlook(robot, &rig.outputs.snapshot, WORKPHASE_START_UP));
+    TEST_ASSERT_EQUAL_UINT32(
+        STATUS_HARDWARE_NOT_READY,
+        workphase_availability(robot, &rig.outputs.snapshot, WORKPHASE_START_UP));
     rig_box(&rig, "card pitch normal");
     rig_cycles(&rig, 100U);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK,
-                             workphase_outlook(robot, &rig.outputs.snapshot, WORKPHASE_START_UP));
+    TEST_ASSERT_EQUAL_UINT32(
+        STATUS_OK, workphase_availability(robot, &rig.outputs.snapshot, WORKPHASE_START_UP));
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
 }
 

@@ -341,7 +341,7 @@ static int32_t clamped(const axis_config_t *axis, int32_t ticks)
     return (ticks < least) ? least : (ticks > most) ? most : ticks;
 }
 
-command_t foe_jog(foe_t *self, const rig_t *rig)
+command_t adversary_jog(foe_t *self, const rig_t *rig)
 {
     if (self->wish == FOE_ASKS_APART) {
         return apart_jog(&self->apart, rig, &self->random);

@@ -91,7 +91,7 @@ void foe_begin(foe_t *self, rig_t *rig, const robot_t *robot, uint32_t seed);
 bool foe_play(foe_t *self, rig_t *rig);
 
 /** The jog that the operator wishes for now. */
-command_t foe_jog(foe_t *self, const rig_t *rig);
+command_t adversary_jog(foe_t *self, const rig_t *rig);
 
 /** The plan in words. */
 void foe_describe(const foe_t *self, char *text, size_t size);

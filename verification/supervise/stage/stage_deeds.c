@@ -226,7 +226,7 @@ void stage_do_wish(stage_t *self, rig_t *rig)
         stage_send_phase(self, rig, WORKPHASE_MANUAL);
     } else {
         rig_box(rig, "pedal release");
-        stage_send(self, rig, foe_jog(&self->foe, rig));
+        stage_send(self, rig, adversary_jog(&self->foe, rig));
     }
 }
 

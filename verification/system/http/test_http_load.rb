@@ -53,7 +53,7 @@ class TestHttpLoad < SystemTest
              'half requests' => { consoles: 2, halves: 100 },
              'guessed passwords' => { consoles: 2, guessers: 8 },
              'all of them' => { consoles: 2, lazy: 40, comers: 16, halves: 100, guessers: 8 } }.freeze
-  WORKERS = 64 # HTTP_LINES_WORKERS
+  WORKERS = 64 # HTTP_CONNECTIONS_WORKERS
   PLACES = 512 # STOP_PORT_CLIENTS
   SERVED = { comers: 'answered', halves: 'refused', guessers: 'refused', lazy: 'dropped' }.freeze
 

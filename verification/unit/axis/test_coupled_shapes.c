@@ -7,9 +7,9 @@
 #include "unity.h"
 
 #include "axis/axis.h"
-#include "axis/count_account.h"
+#include "axis/count_balance.h"
 #include "axis/drift_audit.h"
-#include "axis/edge_pace.h"
+#include "axis/edge_spacing.h"
 #include "axis/follower.h"
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"

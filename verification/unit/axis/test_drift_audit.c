@@ -3,7 +3,7 @@
  * @file
  * Rule under test: what an axis counts at rest is added up, and no more.
  */
-#include "axis/count_account.h"
+#include "axis/count_balance.h"
 #include "axis/drift_audit.h"
 
 #include "base/fixed.h"

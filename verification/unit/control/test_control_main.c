@@ -684,7 +684,7 @@ void test_SWR_CTRL_012_frames_leave_in_the_cycle_that_made_them(void)
 void test_SWR_REC_019_elastic_time_waits_once_for_a_dead_recorder_and_goes_on(void)
 {
     (void)control_ends(BY_SIGNAL, SIGTERM);
-    TEST_ASSERT_EQUAL_UINT64(UINT64_C(1000) * LIMIT_RECORDER_PATIENCE_US, record->stood_ns);
+    TEST_ASSERT_EQUAL_UINT64(UINT64_C(1000) * LIMIT_RECORDER_ANSWER_CLOCK_US, record->stood_ns);
     TEST_ASSERT_EQUAL_UINT32((LAST_CYCLE + 1U) - RECORDED, record->cycles_lost);
     expect_off(2U);
 }

@@ -8,7 +8,7 @@
 #include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
 #include "exchange/exchange_segment.h"
-#include "http/pages/act_desk.h"
+#include "http/pages/command_client.h"
 #include "http/pages/http_notes.h"
 #include "http/pages/page_table.h"
 #include "http/gate/patience.h"
@@ -16,7 +16,7 @@
 #include "http/login/device_mark.h"
 #include "http/login/login_delay.h"
 #include "http/login/password.h"
-#include "http/login/session_desk.h"
+#include "http/login/session_store.h"
 #include "http/login/session_table.h"
 
 #include <stdio.h>
@@ -30,7 +30,7 @@ static exchange_t *control;
 static exchange_t *server;
 static char name[32];
 static char error[256];
-static act_desk_t desk;
+static command_client_t desk;
 static http_notes_t notes;
 static command_t taken[COMMANDS];
 static uint32_t events;
@@ -43,7 +43,7 @@ void setUp(void)
     server = exchange_open(name, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(server, error);
     (void)exchange_write_note(server, NOTE_LOGIN, "earlier", "logged in.");
-    act_desk_init(&desk, server);
+    command_client_init(&desk, server);
     http_notes_init(&notes, server, &desk);
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, COMMANDS));
     events = 0U;

@@ -8,7 +8,7 @@
 #include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
 #include "http/gate/patience.h"
-#include "http/pages/act_desk.h"
+#include "http/pages/command_client.h"
 #include "http/pages/http_notes.h"
 #include "http/pages/http_record.h"
 #include "http/pages/http_peers_log.h"
@@ -19,7 +19,7 @@
 #include "http/login/device_mark.h"
 #include "http/login/login_delay.h"
 #include "http/login/password.h"
-#include "http/login/session_desk.h"
+#include "http/login/session_store.h"
 #include "http/login/session_table.h"
 
 #include <stdio.h>
@@ -32,7 +32,7 @@ static exchange_t *control;
 static exchange_t *server;
 static char name[32];
 static char error[256];
-static act_desk_t desk;
+static command_client_t desk;
 static http_notes_t notes;
 static http_record_t record;
 static http_peers_log_t statuses;
@@ -59,7 +59,7 @@ void setUp(void)
     TEST_ASSERT_NOT_NULL_MESSAGE(control, error);
     server = exchange_open(name, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(server, error);
-    act_desk_init(&desk, server);
+    command_client_init(&desk, server);
     http_notes_init(&notes, server, &desk);
     http_record_init(&record, &notes, NOW_MS);
     http_peers_log_init(&statuses, &notes);

@@ -5,7 +5,7 @@
  */
 #include "base/fixed.h"
 #include "base/rigid.h"
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "igtl/dialect/igtl_dialect.h"
 #include "interface/app/names.h"
 #include "igtl/wire/igtl_codec.h"

@@ -6,14 +6,14 @@
  */
 #include "base/fixed.h"
 #include "base/rigid.h"
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "igtl/wire/igtl_codec.h"
 #include "igtl/wire/igtl_crc64.h"
 #include "igtl/wire/igtl_packet.h"
 #include "igtl/server/igtl_caller.h"
 #include "igtl/server/igtl_connection.h"
 #include "igtl/server/igtl_listener.h"
-#include "igtl/server/igtl_places.h"
+#include "igtl/server/igtl_slots.h"
 #include "igtl/server/igtl_ports.h"
 #include "igtl/server/igtl_ports_values.h"
 #include "igtl/server/igtl_show.h"
@@ -123,7 +123,7 @@ void setUp(void)
     (void)memset(is_connected, 0, sizeof is_connected);
     seated = 0U;
     has_orders = false;
-    moment = (igtl_moment_t){.now_us = 1000000U, .patience_us = 1000000U};
+    moment = (igtl_moment_t){.now_us = 1000000U, .answer_clock_us = 1000000U};
     settings = (igtl_port_t){.name = "test", .address = INADDR_LOOPBACK, .entry_prefix = "ENTRY_"};
     server.calls = &calls;
     server.next_number = 11U;
@@ -797,15 +797,15 @@ void test_SWR_IGTL_027_hung_client_is_dropped_while_its_order_runs(void)
     stuff();
     has_orders = true;
     moment.now_us += LIMIT_IGTL_UNREAD_US;
-    moment.patience_us += LIMIT_IGTL_UNREAD_US;
+    moment.answer_clock_us += LIMIT_IGTL_UNREAD_US;
     igtl_server_send(&server, &moment); /* Watched from here on. */
     while (is_connected[ORDERING]) {    /* Its machine may find room for a little more. */
         moved_us = connection->moved_us;
-        TEST_ASSERT_LESS_THAN_UINT64(LIMIT_IGTL_UNREAD_US, moment.patience_us - moved_us);
-        moment.patience_us += LIMIT_IGTL_UNREAD_US / 2U;
+        TEST_ASSERT_LESS_THAN_UINT64(LIMIT_IGTL_UNREAD_US, moment.answer_clock_us - moved_us);
+        moment.answer_clock_us += LIMIT_IGTL_UNREAD_US / 2U;
         igtl_server_send(&server, &moment);
     }
-    TEST_ASSERT_EQUAL_UINT64(LIMIT_IGTL_UNREAD_US, moment.patience_us - moved_us);
+    TEST_ASSERT_EQUAL_UINT64(LIMIT_IGTL_UNREAD_US, moment.answer_clock_us - moved_us);
     TEST_ASSERT_EQUAL_UINT64(1U, troubles(IGTL_TROUBLE_HUNG));
 }
 
@@ -815,7 +815,7 @@ void test_SWR_IGTL_027_hung_client_without_an_order_is_left_alone(void)
     has_orders = true;
     igtl_server_send(&server, &moment);
     has_orders = false;
-    moment.patience_us += LIMIT_IGTL_UNREAD_US;
+    moment.answer_clock_us += LIMIT_IGTL_UNREAD_US;
     igtl_server_send(&server, &moment);
     has_orders = true;
     igtl_server_send(&server, &moment);
@@ -829,7 +829,7 @@ void test_SWR_IGTL_027_slow_client_keeps_its_order(void)
     for (uint32_t i = 0U; i < 10U; i++) {
         add_packets();
         TEST_ASSERT_GREATER_THAN_INT(0, queued_bytes());
-        moment.patience_us += LIMIT_IGTL_UNREAD_US - 1U;
+        moment.answer_clock_us += LIMIT_IGTL_UNREAD_US - 1U;
         read_some();
     }
 }
@@ -839,12 +839,12 @@ void test_SWR_IGTL_027_client_that_has_read_all_keeps_its_order(void)
     stuff();
     has_orders = true;
     igtl_server_send(&server, &moment);
-    moment.patience_us += LIMIT_IGTL_UNREAD_US - 1U;
+    moment.answer_clock_us += LIMIT_IGTL_UNREAD_US - 1U;
     unstuff();
     for (uint32_t i = 0U; i < 10U; i++) {
         igtl_server_send(&server, &moment);
         TEST_ASSERT_TRUE(is_connected[ORDERING]);
-        moment.patience_us += LIMIT_IGTL_UNREAD_US;
+        moment.answer_clock_us += LIMIT_IGTL_UNREAD_US;
     }
 }
 

@@ -7,7 +7,7 @@
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "igtl/dialect/igtl_dialect.h"
 #include "igtl/dialect/igtl_questions.h"
 #include "igtl/dialect/igtl_requests.h"

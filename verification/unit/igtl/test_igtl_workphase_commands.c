@@ -10,7 +10,7 @@
 #include "charts/arming_chart.h"
 #include "common/axis_terms.h"
 #include "common/list_terms.h"
-#include "igtl/dialect/igtl_border.h"
+#include "igtl/dialect/igtl_units.h"
 #include "igtl/dialect/igtl_dialect.h"
 #include "igtl/dialect/igtl_questions.h"
 #include "igtl/dialect/igtl_requests.h"
@@ -21,13 +21,13 @@
 #include "igtl/lists/workphase_lists.h"
 #include "igtl/workphase/workphase_needle.h"
 #include "igtl/workphase/workphase_peer.h"
-#include "igtl/workphase/workphase_poll.h"
+#include "igtl/workphase/workphase_queries.h"
 #include "igtl/lists/workphase_program.h"
 #include "igtl/workphase/workphase_receive.h"
 #include "igtl/lists/workphase_text.h"
 #include "igtl/lists/workphase_trajectory.h"
-#include "igtl/workphase/workphase_watch.h"
-#include "igtl/workphase/workphase_words.h"
+#include "igtl/workphase/workphase_notifications.h"
+#include "igtl/workphase/workphase_commands.h"
 #include "interface/app/names.h"
 #include "interface/mode_list.h"
 #include "igtl/wire/igtl_codec.h"
@@ -187,7 +187,7 @@ void test_SWR_IGTL_006_stop_and_emergency_find_a_place_in_any_flood(void)
 /* Ports share the dialect: their peers, and those that have gone, share the places for STOP. */
 void test_SWR_IGTL_049_stop_finds_a_place_when_all_peers_of_all_ports_wait_for_one(void)
 {
-    const uint32_t last = IGTL_PLACES - 1U;
+    const uint32_t last = IGTL_SLOTS - 1U;
 
     for (uint32_t peer = 0U; peer < last; peer++) {
         const igtl_introduction_t introduction = {NUMBER + peer, language, "", &outboxes[0]};

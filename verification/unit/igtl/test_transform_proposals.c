@@ -24,7 +24,7 @@ void setUp(void)
 {
     (void)memset(&proposals, 0, sizeof proposals);
     igtl_requests_init(&requests, 1U, IGTL_REQUESTS_COMMON);
-    moment = (igtl_moment_t){.now_us = 5U, .patience_us = 5U};
+    moment = (igtl_moment_t){.now_us = 5U, .answer_clock_us = 5U};
 }
 
 void tearDown(void)
@@ -34,7 +34,7 @@ void tearDown(void)
 static void pass_us(uint64_t time_us)
 {
     moment.now_us += time_us;
-    moment.patience_us += time_us;
+    moment.answer_clock_us += time_us;
 }
 
 static void put(command_kind_t kind, uint32_t argument, int32_t x_nm)

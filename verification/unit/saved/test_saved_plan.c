@@ -3,8 +3,8 @@
  * this power-on contradict, was not known or stands there already is left alone. */
 #include "unity.h"
 
-#include "axis/count_account.h"
-#include "axis/edge_pace.h"
+#include "axis/count_balance.h"
+#include "axis/edge_spacing.h"
 #include "axis/encoder.h"
 #include "axis/supervision.h"
 #include "base/fixed.h"

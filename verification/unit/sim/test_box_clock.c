@@ -13,7 +13,7 @@
 
 #define START_US UINT64_C(5000000)
 #define CYCLE_US 1000U
-#define PATIENT_LOOKS (LIMIT_ELASTIC_PATIENCE_US / BOX_CLOCK_LOOK_US)
+#define PATIENT_LOOKS (LIMIT_ELASTIC_ANSWER_CLOCK_US / BOX_CLOCK_LOOK_US)
 
 static box_clock_t box;
 static uint64_t world_us;

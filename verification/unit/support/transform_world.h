@@ -64,7 +64,7 @@ static inline void place(const char *name, float x)
 static inline void pass_us(uint64_t time_us)
 {
     moment.now_us += time_us;
-    moment.patience_us += time_us;
+    moment.answer_clock_us += time_us;
     transform_dialect_step(&dialect, &moment);
 }
 

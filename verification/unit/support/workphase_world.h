@@ -185,7 +185,7 @@ static inline void accept(uint32_t is_final)
 static inline void pass_us(uint64_t time_us)
 {
     moment.now_us += time_us;
-    moment.patience_us += time_us;
+    moment.answer_clock_us += time_us;
     workphase_dialect_step(&dialect, &moment);
 }
 

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Who of a port's connections has a place. Who finds all taken waits, and is told nothing. With its
+ * first message that is more than a greeting it gets the place of the one that has been silent for
+ * longest; who never says anything gets one that has become free. So a silent one takes nobody's
+ * place, and one that speaks finds one.
+ */
+#ifndef BORESIGHT_IGTL_SLOTS_H
+#define BORESIGHT_IGTL_SLOTS_H
+
+#include "igtl/server/igtl_seats.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** Takes over a connected socket to `address` and `port`: seated, or waiting. When IGTL_WAITING
+ * wait already, the one that has waited for longest is dropped. */
+void igtl_slots_enter(igtl_server_t *self, int descriptor, uint32_t address, uint16_t port,
+                      uint64_t now_us);
+
+/**
+ * A waiting connection has sent `message`: whether it has a place now. A stop takes one even of who
+ * has just spoken. If nobody's can be taken, it
+ * is told so (STATUS of the message's name, 6) and waits on.
+ *
+ * @satisfies SWR-IGTL-026
+ */
+bool igtl_slots_admit(igtl_server_t *self, igtl_connection_t *connection,
+                      const igtl_message_t *message, const igtl_moment_t *moment);
+
+/** Gives free places to those who wait, the longest waiting first. */
+void igtl_slots_fill(igtl_server_t *self);
+
+#endif
