@@ -335,4 +335,4 @@ include site/site.mk
 include verification/bench/bench.mk
 include verification/detection/detection.mk
 include verification/fuzz/fuzz.mk
-include verification/fight/fight.mk
+include verification/authority_stress/authority_stress.mk

@@ -5,7 +5,7 @@
  * are those of tools/fuzz/scenes.rb: a beginning, then operations with their words.
  */
 #include "fuzz/grammar.h"
-#include "fuzz/witness.h"
+#include "fuzz/dialect_oracle.h"
 #include "fuzz/words.h"
 #include "fuzz/world.h"
 

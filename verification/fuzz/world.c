@@ -3,7 +3,7 @@
 
 #include "fuzz/grammar.h"
 #include "fuzz/sentence.h"
-#include "fuzz/witness.h"
+#include "fuzz/dialect_oracle.h"
 #include "fuzz/words.h"
 #include "robot/robot_neuro.h"
 #include "procedure/command_kinds.h"

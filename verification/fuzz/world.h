@@ -12,7 +12,7 @@
 #include "igtl/dialect/transform_dialect.h"
 #include "igtl/workphase/workphase_dialect.h"
 #include "integration/support/rig.h"
-#include "supervise/watch/reign.h"
+#include "supervise/watch/authority_oracle.h"
 #include "igtl/wire/igtl_inbox.h"
 #include "igtl/wire/igtl_outbox.h"
 

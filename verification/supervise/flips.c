@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervise/flips.h"
 
-#include "supervise/stage/chance.h"
+#include "supervise/scenario/prng.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -35,16 +35,16 @@ typedef struct {
 
 static flip_t some_flip(uint32_t *random, const scene_t *scene)
 {
-    flip_t flip = {.is_table = chance_below(random, TABLE_SHARE) == 0U,
+    flip_t flip = {.is_table = prng_below(random, TABLE_SHARE) == 0U,
                    .is_moving = rig_is_driving(&scene->rig)};
     const controller_t *const controller = &scene->rig.controller;
     const size_t held =
         CONTROLLER_CHECKPOINT_BYTES + (controller->mode.list.count * sizeof controller->rows[0]);
     const size_t size = flip.is_table ? sizeof scene->rig.robot : held;
-    flip.byte = 4U * chance_below(random, (uint32_t)(size / 4U));
-    const uint32_t bits = 1U + chance_below(random, BITS_MOST);
+    flip.byte = 4U * prng_below(random, (uint32_t)(size / 4U));
+    const uint32_t bits = 1U + prng_below(random, BITS_MOST);
     for (uint32_t i = 0U; i < bits; i++) {
-        flip.mask |= (uint32_t)1U << chance_below(random, 32U);
+        flip.mask |= (uint32_t)1U << prng_below(random, 32U);
     }
     return flip;
 }
@@ -72,7 +72,7 @@ static void go_on(scene_t *scene, const flip_t *flip)
                                         SENTENCE_REACHED};
     int end = (int)FLIP_HARMLESS;
     bool is_seen = false;
-    witness_forgive(&scene->witness);
+    motion_oracle_forgive(&scene->witness);
     do_flip(&scene->rig, flip);
     for (uint32_t i = 0U; i < CYCLES_AFTER; i++) {
         rig_forget(&scene->rig);
@@ -103,7 +103,7 @@ static void judge(flip_count_t *count, const scene_t *scene, const flip_t *flip,
         count->harmless++;
     } else if (end >= (int)FLIP_WRONG) {
         count->wrong++;
-        tell(scene, flip, witness_sentence((sentence_t)(end - (int)FLIP_WRONG)));
+        tell(scene, flip, motion_oracle_sentence((sentence_t)(end - (int)FLIP_WRONG)));
     } else {
         count->crashed++;
         tell(scene, flip, WIFEXITED(status) ? "a contract is broken" : "crashed");

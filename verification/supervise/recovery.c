@@ -24,7 +24,7 @@ static void pass(scene_t *scene)
     double truth[ROBOT_AXIS_MAX];
     box_true_positions(&scene->rig.box, truth);
     rig_cycle(&scene->rig);
-    witness_look(&scene->witness, &scene->rig, truth, true);
+    motion_oracle_look(&scene->witness, &scene->rig, truth, true);
 }
 
 static uint32_t homed_axes(const rig_t *rig)
@@ -61,7 +61,7 @@ static void let_operator_act(scene_t *scene, operator_t *player)
     (void)operator_play(player, &scene->rig);
     if (player->has_started_anew) {
         player->has_started_anew = false;
-        witness_begin(&scene->witness, scene->witness.seed);
+        motion_oracle_begin(&scene->witness, scene->witness.seed);
     }
 }
 
@@ -76,7 +76,7 @@ static bool stand_astray(scene_t *scene, const robot_t *robot, uint32_t seed)
         return false;
     }
     refused_way_start(&pair, robot, &standing, &scene->rig);
-    witness_begin(&scene->witness, seed);
+    motion_oracle_begin(&scene->witness, seed);
     if ((seed % BROKEN) >= ASTRAY) {
         operator_break(&scene->rig, seed);
     }
@@ -100,7 +100,7 @@ static bool play_history(scene_t *scene, const robot_t *robot, uint32_t seed)
         scene_cycle(scene);
     }
     if (is_late) {
-        is_kept = be_late(scene, seed) || stage_is_disturbed(&scene->stage);
+        is_kept = be_late(scene, seed) || scenario_is_disturbed(&scene->stage);
     }
     return is_kept;
 }

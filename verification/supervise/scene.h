@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file One scene: the rig, the players on its stage, and the witness. */
+/** @file One scene: the rig, the players on its scenario, and the witness. */
 #ifndef BORESIGHT_SCENE_H
 #define BORESIGHT_SCENE_H
 
 #include "supervise/digest.h"
-#include "supervise/stage/stage.h"
-#include "supervise/watch/witness.h"
+#include "supervise/scenario/scenario.h"
+#include "supervise/watch/motion_oracle.h"
 
 /** Owned by the program. */
 typedef struct {
     rig_t rig;
-    stage_t stage;
-    witness_t witness;
+    scenario_t scenario;
+    motion_oracle_t witness;
     digest_t *digest; /**< Gets all that the controller says; NULL: it is not asked for. */
 } scene_t;
 

@@ -92,17 +92,17 @@ static void tell_plan(uint32_t seed)
 {
     char text[PLAN_SIZE];
     scene_begin(&scene, robot, PLAY_TAPS, seed);
-    foe_describe(&scene.stage.foe, text, sizeof text);
+    adversary_describe(&scene.stage.adversary, text, sizeof text);
     printf("    scene %u: %s\n", (unsigned)seed, text);
 }
 
 static void report_endings(ending_t ending, const char *words)
 {
-    const witness_t *const witness = &scene.witness;
-    const uint32_t latest = witness_late(witness, ending, 99U);
+    const motion_oracle_t *const witness = &scene.witness;
+    const uint32_t latest = motion_oracle_late(witness, ending, 99U);
     printf("%u %s, done after their profiles: half of them by %u ms, 99 %% by %u ms, %s\n",
            (unsigned)witness->endings[ending].count, words,
-           (unsigned)witness_late(witness, ending, 50U), (unsigned)latest,
+           (unsigned)motion_oracle_late(witness, ending, 50U), (unsigned)latest,
            (latest <= (LIMIT_DONE_TIME_US / LIMIT_CYCLE_US)) ? "in time" : "late");
 }
 
@@ -110,13 +110,14 @@ static void report_losses(void)
 {
     uint32_t losses[REIGN_LOSSES];
     for (uint32_t i = 0U; i < REIGN_LOSSES; i++) {
-        losses[i] = scene.witness.losses[i] + scene.witness.reign.losses[i];
+        losses[i] = scene.witness.losses[i] + scene.witness.authority_oracle.losses[i];
     }
     printf("authority was lost: %u times released, %u not renewed, %u in silence, %u taken; %u in "
            "motion\n",
            (unsigned)losses[AUTHORITY_LOSS_RELEASED], (unsigned)losses[AUTHORITY_LOSS_UNRENEWED],
            (unsigned)losses[AUTHORITY_LOSS_SILENT], (unsigned)losses[AUTHORITY_LOSS_TAKEN],
-           (unsigned)(scene.witness.losses_in_motion + scene.witness.reign.losses_in_motion));
+           (unsigned)(scene.witness.losses_in_motion +
+                      scene.witness.authority_oracle.losses_in_motion));
 }
 
 static void report_orders(void)
@@ -183,7 +184,7 @@ static bool report(play_t play, uint32_t count)
     }
     for (uint32_t i = 0U; i < SENTENCE_COUNT; i++) {
         const verdict_t *const verdict = &scene.witness.verdicts[i];
-        printf("%-70s ", witness_sentence((sentence_t)i));
+        printf("%-70s ", motion_oracle_sentence((sentence_t)i));
         if (verdict->episodes == 0U) {
             printf("holds\n");
         } else {

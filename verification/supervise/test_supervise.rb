@@ -38,7 +38,7 @@ class TestSupervise < Minitest::Test
     SWR_AXIS_016_an_axis_that_moves_while_off_does_not_stay_homed: /moves while off/,
     SWR_MOTION_005_a_move_ends: /under the pedal ends/,
     SWR_AXIS_013_homing_drives_the_needle_forwards_by_little_only: /drives the needle forwards/,
-    SWR_AXIS_030_homing_drives_who_homes_and_who_follows_it: /drives who homes in its stage/,
+    SWR_AXIS_030_homing_drives_who_homes_and_who_follows_it: /drives who homes in its scenario/,
     SWR_NEXT_002_an_arrival_that_is_shown_is_true: /is reached": it is/,
     SWR_COUPLE_001_coupled_limits_are_kept: /Coupled limits are kept/,
     SWR_JOG_001_nothing_is_jogged_across_a_needle_that_is_in: /across a needle that is in/,

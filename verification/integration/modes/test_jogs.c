@@ -14,7 +14,7 @@
 #include "robot/robot_neuro.h"
 #include "safety/needle.h"
 #include "safety/permit.h"
-#include "supervise/stage/chance.h"
+#include "supervise/scenario/prng.h"
 #include "unit/support/scenes.h"
 
 #define HOME_MM 143.0

@@ -14,7 +14,7 @@
 #include "http/view/shown.h"
 #include "interface/app/names.h"
 #include "robot/app/robots.h"
-#include "supervise/stage/chance.h"
+#include "supervise/scenario/prng.h"
 #include "unit/support/scenes.h"
 
 #include <stdio.h>

@@ -9,7 +9,7 @@
 #include "unit/support/commands.h"
 #include "integration/support/rig.h"
 #include "robot/robot_neuro.h"
-#include "supervise/stage/chance.h"
+#include "supervise/scenario/prng.h"
 #include "unit/support/scenes.h"
 
 #include <string.h>

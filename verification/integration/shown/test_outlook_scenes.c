@@ -19,7 +19,7 @@
 #include "robot/app/robots.h"
 #include "robot/kinematics.h"
 #include "robot/robot_damage.h"
-#include "supervise/stage/chance.h"
+#include "supervise/scenario/prng.h"
 #include "unit/support/scenes.h"
 
 #include <stddef.h>

@@ -4,12 +4,12 @@
 #include "charts/arming_chart.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
-#include "supervise/stage/acts.h"
-#include "supervise/stage/chance.h"
+#include "supervise/scenario/acts.h"
+#include "supervise/scenario/prng.h"
 #include "supervise/operator/operator_command.h"
 #include "supervise/operator/operator_history.h"
 #include "supervise/operator/operator_promise.h"
-#include "supervise/stage/targets.h"
+#include "supervise/scenario/targets.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -76,7 +76,7 @@ static void check_promise(operator_t *self, const rig_t *rig)
 {
     const uint32_t step = rig->outputs.snapshot.next_step;
     const bool is_due =
-        (step != self->checked_step) || (chance_below(&self->random, CHECK_PARTS) == 0U);
+        (step != self->checked_step) || (prng_below(&self->random, CHECK_PARTS) == 0U);
     if (is_due && operator_promise_try(rig, &self->refusal)) {
         self->checked_step = step;
     }
@@ -354,7 +354,7 @@ void operator_begin(operator_t *self, rig_t *rig, uint32_t seed)
     self->random = (seed * 668265263U) | 1U;
     self->checked_step = UINT32_MAX;
     for (uint32_t i = 0U; i < 4U; i++) {
-        (void)chance_below(&self->random, 2U);
+        (void)prng_below(&self->random, 2U);
     }
     for (uint32_t i = 0U; ((seed / 2U) % 2U == 0U) && (i < rig->box.robot->axis_count); i++) {
         mend_axis(rig, i);
@@ -363,8 +363,8 @@ void operator_begin(operator_t *self, rig_t *rig, uint32_t seed)
     rig_box(rig, "button release");
     rig->silent_sources = 0U;
     rig->lacks_black_box = ((seed / 4U) % 2U == 0U) ? 1U : 0U;
-    rig->is_page_away = chance_below(&self->random, 2U) == 0U;
-    self->wait_cycles = chance_below(&self->random, LOOK_CYCLES);
+    rig->is_page_away = prng_below(&self->random, 2U) == 0U;
+    self->wait_cycles = prng_below(&self->random, LOOK_CYCLES);
     self->is_of_others = true;
 }
 
@@ -399,7 +399,7 @@ operator_end_t operator_play(operator_t *self, rig_t *rig)
     } else if (may_command(&rig->outputs.snapshot)) {
         self->end = (step == (uint32_t)NEXT_STEP_NOTHING) ? OPERATOR_ARRIVES : OPERATOR_COMMANDS;
     } else {
-        self->wait_cycles = LOOK_CYCLES + chance_below(&self->random, LOOK_CYCLES);
+        self->wait_cycles = LOOK_CYCLES + prng_below(&self->random, LOOK_CYCLES);
         follow(self, rig, step);
     }
     if ((self->end == OPERATOR_ACTS) &&

@@ -2,7 +2,7 @@
 #include "supervise/operator/operator_history.h"
 
 #include "bsp.h"
-#include "supervise/stage/chance.h"
+#include "supervise/scenario/prng.h"
 
 #include <stdio.h>
 
@@ -31,9 +31,9 @@ uint32_t operator_history_cycles(uint32_t seed)
 {
     uint32_t random = (seed * 3266489917U) | 1U;
     for (uint32_t i = 0U; i < 4U; i++) {
-        (void)chance_below(&random, 2U);
+        (void)prng_below(&random, 2U);
     }
-    return 1U + chance_below(&random, HISTORY_CYCLES);
+    return 1U + prng_below(&random, HISTORY_CYCLES);
 }
 
 void operator_break(rig_t *rig, uint32_t seed)
@@ -67,11 +67,11 @@ void operator_leave(rig_t *rig, uint32_t *chance)
     static const char *const left[] = {"estop pull", "scanner on", "pedal press", "pedal release",
                                        "pedal a close"};
     static const uint32_t count = (uint32_t)(sizeof left / sizeof left[0]);
-    const uint32_t choice = chance_below(chance, LEFT_PARTS);
+    const uint32_t choice = prng_below(chance, LEFT_PARTS);
     if (choice < count) {
         rig_box(rig, left[choice]);
     } else if (choice == count) {
-        rig->unread = 1U + chance_below(chance, BSP_IN_ALL);
+        rig->unread = 1U + prng_below(chance, BSP_IN_ALL);
     } else if (choice == (count + 1U)) {
         rig->is_recorder_failing = 1U;
     } else if (choice == (count + 2U)) {

@@ -7,7 +7,7 @@
 #define BORESIGHT_OPERATOR_HISTORY_H
 
 #include "integration/support/rig.h"
-#include "supervise/stage/play.h"
+#include "supervise/scenario/play.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -48,7 +48,7 @@ static bool is_before(const rig_t *rig, uint32_t axis, uint32_t other)
            (config_of(rig, other)->home_stage < config_of(rig, axis)->home_stage);
 }
 
-/* Nobody of a stage before its own is left to be homed. */
+/* Nobody of a scenario before its own is left to be homed. */
 static bool is_due(const rig_t *rig, uint32_t axis)
 {
     bool is_left = false;
@@ -61,10 +61,10 @@ static bool is_due(const rig_t *rig, uint32_t axis)
 static bool is_following(const rig_t *rig, uint32_t axis)
 {
     bool is_led = false;
-    for (uint32_t stage = 1U; stage <= ROBOT_HOME_STAGES; stage++) {
-        const uint32_t leader = config_of(rig, axis)->leaders[stage - 1U];
+    for (uint32_t scenario = 1U; scenario <= ROBOT_HOME_STAGES; scenario++) {
+        const uint32_t leader = config_of(rig, axis)->leaders[scenario - 1U];
         is_led = is_led || ((leader != 0U) && homing_part_is_homing(rig, leader - 1U) &&
-                            (config_of(rig, leader - 1U)->home_stage == stage));
+                            (config_of(rig, leader - 1U)->home_stage == scenario));
     }
     return is_led;
 }

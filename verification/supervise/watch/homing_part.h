@@ -17,8 +17,8 @@ bool homing_part_is_homing(const rig_t *rig, uint32_t axis);
 /** How many axes that share a limit with another have lost their positions. */
 uint32_t homing_part_lost_carriages(const rig_t *rig);
 
-/** START_UP may drive `axis` now: it homes in its stage, goes with one that does; it is the needle
- * and leaves; or all are homed and go to the pose home. */
+/** START_UP may drive `axis` now: it homes in its scenario, goes with one that does; it is the
+ * needle and leaves; or all are homed and go to the pose home. */
 bool homing_part_has(const rig_t *rig, uint32_t axis);
 
 #endif

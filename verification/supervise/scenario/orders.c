@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervise/stage/orders.h"
+#include "supervise/scenario/orders.h"
 
 #include "interface/pose_name.h"
 #include "mode/lists/program_step.h"
 #include "mode/lists/trajectory_list.h"
-#include "supervise/stage/chance.h"
+#include "supervise/scenario/prng.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -26,13 +26,13 @@ static const axis_config_t *config_of(const rig_t *rig, uint32_t axis)
 
 static uint32_t some_axis(const rig_t *rig, uint32_t *chance)
 {
-    return chance_below(chance, rig->box.robot->axis_count);
+    return prng_below(chance, rig->box.robot->axis_count);
 }
 
 /* Up to `most` to either side. */
 static int32_t either_way(int32_t most, uint32_t *chance)
 {
-    return (int32_t)chance_below(chance, (2U * (uint32_t)most) + 1U) - most;
+    return (int32_t)prng_below(chance, (2U * (uint32_t)most) + 1U) - most;
 }
 
 static int32_t span_of(const axis_config_t *config)
@@ -66,19 +66,19 @@ static void of_pose(orders_t *self, const rig_t *rig, uint32_t *chance, command_
 {
     (void)self;
     (void)rig;
-    command->as.pose_name.pose = chance_below(chance, POSE_NAME_COUNT);
+    command->as.pose_name.pose = prng_below(chance, POSE_NAME_COUNT);
 }
 
 /* Each axis or not, and in one of four cases by way. */
 static void of_speeds(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
 {
-    const bool is_way = chance_below(chance, 4U) == 0U;
+    const bool is_way = prng_below(chance, 4U) == 0U;
     const uint32_t every = ((uint32_t)1U << rig->box.robot->axis_count) - 1U;
     command_velocity_t *const velocity = &command->as.velocity;
     (void)self;
     velocity->axes =
-        is_way ? ((uint32_t)1U << some_axis(rig, chance)) : (1U + chance_below(chance, every));
-    const uint32_t bound = 1U + chance_below(chance, 2000U);
+        is_way ? ((uint32_t)1U << some_axis(rig, chance)) : (1U + prng_below(chance, every));
+    const uint32_t bound = 1U + prng_below(chance, 2000U);
     velocity->time_ms = is_way ? 0U : bound;
     velocity->way_ticks = is_way ? bound : 0U;
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
@@ -90,7 +90,7 @@ static void of_speeds(orders_t *self, const rig_t *rig, uint32_t *chance, comman
 /* It begins where the axes stand. */
 static void of_list(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
 {
-    *self = (orders_t){.rows = 2U + chance_below(chance, ROWS_MOST - 1U)};
+    *self = (orders_t){.rows = 2U + prng_below(chance, ROWS_MOST - 1U)};
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
         self->row.ticks[i] = rig->outputs.snapshot.axes[i].position_ticks;
     }
@@ -100,13 +100,13 @@ static void of_list(orders_t *self, const rig_t *rig, uint32_t *chance, command_
 static void of_program(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
 {
     (void)rig;
-    *self = (orders_t){.rows = 1U + chance_below(chance, STEPS_MOST), .is_program = true};
+    *self = (orders_t){.rows = 1U + prng_below(chance, STEPS_MOST), .is_program = true};
     command->as.list_begin.count = self->rows;
 }
 
 static bool is_amiss(uint32_t *chance)
 {
-    return chance_below(chance, AMISS_PARTS) == 0U;
+    return prng_below(chance, AMISS_PARTS) == 0U;
 }
 
 /* Mostly an axis with waves, where there is one, that the operator has found free. */
@@ -169,7 +169,7 @@ bool orders_choose(orders_t *self, const rig_t *rig, orders_wish_t wish, uint32_
     if (rows == 0U) {
         return false;
     }
-    uint32_t left = chance_below(chance, rows);
+    uint32_t left = prng_below(chance, rows);
     for (uint32_t i = 0U; i < ORDERS; i++) {
         if (is_for(i, due)) {
             if (left == 0U) {
@@ -231,7 +231,7 @@ static void send_step(orders_t *self, const rig_t *rig, uint32_t *chance, comman
     const int32_t *const target_ticks = rig->controller.plan.target_ticks;
     const uint32_t turning = program_step_turning_axis(robot);
     const axis_config_t *const along = config_of(rig, robot->needle_axis);
-    const int32_t dwell_ms = DWELL_LEAST_MS + (int32_t)chance_below(chance, DWELL_SPREAD_MS);
+    const int32_t dwell_ms = DWELL_LEAST_MS + (int32_t)prng_below(chance, DWELL_SPREAD_MS);
     const int32_t way = either_way(span_of(along) / WAY_PARTS, chance);
     command_step_t *const sent = &command->as.step;
     program_step_t step;
@@ -239,7 +239,7 @@ static void send_step(orders_t *self, const rig_t *rig, uint32_t *chance, comman
     command->kind = (uint32_t)COMMAND_PROGRAM_STEP;
     *sent = (command_step_t){.index = self->next,
                              .dwell_ms = (uint32_t)dwell_ms,
-                             .is_gated = (chance_below(chance, 2U) == 0U) ? 0U : 1U};
+                             .is_gated = (prng_below(chance, 2U) == 0U) ? 0U : 1U};
     sent->ticks[robot->needle_axis] =
         clamped(along, target_ticks[robot->needle_axis] - (is_deeper ? way : abs(way)));
     if (turning < robot->axis_count) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervise/watch/reign.h"
+#include "supervise/watch/authority_oracle.h"
 
 #include "charts/arming_chart.h"
 #include "charts/authority_chart.h"
@@ -21,7 +21,7 @@ typedef struct {
     bool is_pressed;         /* The pedal was. */
 } view_t;
 
-static uint32_t rule(reign_rule_t which, bool is_broken)
+static uint32_t rule(authority_oracle_rule_t which, bool is_broken)
 {
     return is_broken ? ((uint32_t)1U << (uint32_t)which) : 0U;
 }
@@ -61,7 +61,7 @@ static void read_event(view_t *view, const event_t *event)
     }
 }
 
-static view_t view_of(const reign_t *self, const rig_t *rig)
+static view_t view_of(const authority_oracle_t *self, const rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
     view_t view = {.rig = rig, .before = self->holder};
@@ -81,7 +81,7 @@ static bool has_it(const view_t *view, const command_t *command)
            is_same(&sender, &view->taken);
 }
 
-static bool is_usurped(const reign_t *self, const view_t *view)
+static bool is_usurped(const authority_oracle_t *self, const view_t *view)
 {
     const bool is_handed_on = (view->before.peer != 0U) && (view->after.peer != 0U) &&
                               !is_same(&view->before, &view->after);
@@ -118,7 +118,7 @@ static bool is_lost_by(const view_t *view, authority_loss_t loss)
     return (view->losses & ((uint32_t)1U << (uint32_t)loss)) != 0U;
 }
 
-static bool is_lost_wrongly(const reign_t *self, const view_t *view)
+static bool is_lost_wrongly(const authority_oracle_t *self, const view_t *view)
 {
     const uint32_t silent = view->rig->inputs.silent_sources >> (view->before.source % 32U);
     const bool is_gone = (view->before.peer != 0U) && (view->after.peer == 0U);
@@ -144,7 +144,7 @@ static bool is_armed_wrongly(const view_t *view)
 }
 
 /* What was pressed, and for how long, before the controller looks at it. */
-static void watch_button(reign_t *self, const rig_t *rig)
+static void watch_button(authority_oracle_t *self, const rig_t *rig)
 {
     const controller_inputs_t *const inputs = &rig->inputs;
     const bool is_meant =
@@ -152,7 +152,7 @@ static void watch_button(reign_t *self, const rig_t *rig)
     self->pressed_us = is_meant ? (self->pressed_us + inputs->elapsed_us) : 0U;
 }
 
-static void watch_requests(reign_t *self, const view_t *view)
+static void watch_requests(authority_oracle_t *self, const view_t *view)
 {
     for (uint32_t i = 0U; i < view->rig->inputs.command_count; i++) {
         const command_t *const command = &view->rig->inputs.commands[i];
@@ -172,7 +172,7 @@ static void watch_requests(reign_t *self, const view_t *view)
     }
 }
 
-static bool is_unrenewed(const reign_t *self, const view_t *view)
+static bool is_unrenewed(const authority_oracle_t *self, const view_t *view)
 {
     return is_same(&view->before, &view->after) &&
            (view->after.source == (uint32_t)COMMAND_SOURCE_HTTP) &&
@@ -188,7 +188,7 @@ static bool are_at_rest(const rig_t *rig)
     return is_every_one;
 }
 
-static void remember(reign_t *self, const view_t *view)
+static void remember(authority_oracle_t *self, const view_t *view)
 {
     const bool is_lost = (view->losses != 0U) || (view->is_damaged && (view->after.peer == 0U));
     self->is_ending = is_lost || (self->is_ending && (view->after.peer == 0U));
@@ -208,7 +208,7 @@ static void remember(reign_t *self, const view_t *view)
     }
 }
 
-uint32_t reign_look(reign_t *self, const rig_t *rig)
+uint32_t authority_oracle_look(authority_oracle_t *self, const rig_t *rig)
 {
     const view_t view = view_of(self, rig);
     uint32_t broken = 0U;

@@ -3,11 +3,11 @@
 
 .PHONY: fight
 
-build/gcc/bin/fight-witness: $(call object,$(wildcard verification/fight/*.c verification/witness/*.c app/recording/format/*.c app/recording/read/*.c app/recording/write/recording_writer.c) \
+build/gcc/bin/fight-witness: $(call object,$(wildcard verification/authority_stress/*.c verification/witness/*.c app/recording/format/*.c app/recording/read/*.c app/recording/write/recording_writer.c) \
     app/replay/verify/replay.c app/replay/verify/field_name.c $(GEN)/interface/app/fields.c $(NAMES) $(FIND_ROBOT)) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $^ $(LIBS_boresight-replay) -lm -o $@
 	@echo "built $@"
 
 fight: build build/gcc/bin/fight-witness ## Pages and connections fight for authority, MINUTES=5 long; the recording of a broken rule is kept
-	@ruby verification/fight/fight.rb $(or $(MINUTES),5)
+	@ruby verification/authority_stress/authority_stress.rb $(or $(MINUTES),5)

@@ -3,14 +3,14 @@
  * @file
  * An enemy who owns the fault keyboard of the simulated box and the foot on the pedal. In a scene
  * it has one plan: what is broken, in what rhythm, and how the pedal is tapped. One part of one
- * axis at a time: two faults that hide each other are no plan. The stage owns one.
+ * axis at a time: two faults that hide each other are no plan. The scenario owns one.
  */
-#ifndef BORESIGHT_FOE_H
-#define BORESIGHT_FOE_H
+#ifndef BORESIGHT_ADVERSARY_H
+#define BORESIGHT_ADVERSARY_H
 
 #include "integration/support/rig.h"
 #include "sim/model/sim_random.h"
-#include "supervise/watch/apart.h"
+#include "supervise/watch/coupled_limit_jogs.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -25,7 +25,7 @@ typedef enum {
     FOE_COUPLED = 4,  /**< Axes are far out in a coupled limit when one of them is lost. */
     FOE_REST = 5,     /**< Something is broken only while nothing is to move. */
     FOE_SHORT = 6     /**< An encoder is broken, and all moves are short. */
-} foe_plan_t;
+} adversary_plan_t;
 
 #define FOE_PLANS 7U
 
@@ -36,7 +36,7 @@ typedef enum {
     FOE_ASKS_JOGS = 2,    /**< Jogs of its axis to anywhere. */
     FOE_ASKS_SHORT = 3,   /**< Jogs of its axis by a few ticks. */
     FOE_ASKS_APART = 4    /**< Jogs of the axes of a coupled limit, far out. */
-} foe_wish_t;
+} adversary_wish_t;
 
 /** When the part is broken. */
 typedef enum {
@@ -44,21 +44,21 @@ typedef enum {
     FOE_HOMED = 1,  /**< Once all axes were homed. */
     FOE_MOVING = 2, /**< While an order moves. */
     FOE_IDLE = 3    /**< Homed, and nothing is armed. */
-} foe_when_t;
+} adversary_when_t;
 
 /** State of the enemy. */
 typedef struct {
     const robot_t *robot;
     sim_random_t random;
-    foe_plan_t plan;
-    foe_wish_t wish;
+    adversary_plan_t plan;
+    adversary_wish_t wish;
     uint32_t start; /**< 0: power-on, 1: homed, 2: with a target. */
     uint32_t axis;
-    apart_t apart; /**< Of FOE_COUPLED. */
-    uint32_t part; /**< Of the axis, and how it is broken; indices into lists of foe.c. */
+    coupled_limit_jogs_t apart; /**< Of FOE_COUPLED. */
+    uint32_t part; /**< Of the axis, and how it is broken; indices into lists of adversary.c. */
     uint32_t fault;
     double load;
-    foe_when_t when;
+    adversary_when_t when;
     uint32_t from_cycle;
     uint32_t broken_ms; /**< Of its rhythm; 0: nothing is ever broken. */
     uint32_t whole_ms;  /**< 0: it stays broken. */
@@ -82,18 +82,18 @@ typedef struct {
     uint32_t leg;     /**< axis_reference_t of the cycle before. */
     uint32_t leg_cycles;
     double edge_ticks;
-} foe_t;
+} adversary_t;
 
 /** Makes a plan for the scene `seed` of `robot` and starts the rig that it needs. */
-void foe_begin(foe_t *self, rig_t *rig, const robot_t *robot, uint32_t seed);
+void adversary_begin(adversary_t *self, rig_t *rig, const robot_t *robot, uint32_t seed);
 
 /** What the enemy does before the next cycle, after the operator. @return something is broken */
-bool foe_play(foe_t *self, rig_t *rig);
+bool adversary_play(adversary_t *self, rig_t *rig);
 
 /** The jog that the operator wishes for now. */
-command_t adversary_jog(foe_t *self, const rig_t *rig);
+command_t adversary_jog(adversary_t *self, const rig_t *rig);
 
 /** The plan in words. */
-void foe_describe(const foe_t *self, char *text, size_t size);
+void adversary_describe(const adversary_t *self, char *text, size_t size);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervise/stage/lateness.h"
+#include "supervise/scenario/lateness.h"
 
 #include <stdbool.h>
 #include <stdio.h>

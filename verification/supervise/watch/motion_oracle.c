@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervise/watch/witness.h"
+#include "supervise/watch/motion_oracle.h"
 
 #include "charts/arming_chart.h"
 #include "charts/axis_chart.h"
@@ -28,7 +28,7 @@
 /* The drive of an axis that has homed is off in the next frame. */
 #define IDLE_CYCLES 1U
 
-const char *witness_sentence(sentence_t sentence)
+const char *motion_oracle_sentence(sentence_t sentence)
 {
     static const char *const words[SENTENCE_COUNT] = {
         "A drive leaves only with pedal, e-stop, scanner, cards and order",
@@ -43,7 +43,7 @@ const char *witness_sentence(sentence_t sentence)
         "In a short mean no axis is faster than its speed (percent)",
         "Neither jog nor homing drives across a needle that is in (mm)",
         "A needle that is not homed is not jogged inwards",
-        "Homing drives who homes in its stage and goes with it, no other",
+        "Homing drives who homes in its scenario and goes with it, no other",
         "What is proposed changes no target that was accepted",
         "A retraction drives the needle outwards only",
         "Lengths of the probe are those that were told last, or none",
@@ -70,9 +70,9 @@ const char *witness_sentence(sentence_t sentence)
     return words[sentence];
 }
 
-void witness_begin(witness_t *self, uint32_t seed)
+void motion_oracle_begin(motion_oracle_t *self, uint32_t seed)
 {
-    static witness_t kept;
+    static motion_oracle_t kept;
     kept = *self;
     (void)memset(self, 0, sizeof *self);
     (void)memcpy(self->verdicts, kept.verdicts, sizeof kept.verdicts);
@@ -82,19 +82,19 @@ void witness_begin(witness_t *self, uint32_t seed)
         self->done[i] = kept.done[i] + kept.order_watch.done[i];
     }
     (void)memcpy(self->found, kept.found, sizeof kept.found);
-    self->losses_in_motion = kept.losses_in_motion + kept.reign.losses_in_motion;
+    self->losses_in_motion = kept.losses_in_motion + kept.authority_oracle.losses_in_motion;
     for (uint32_t i = 0U; i < REIGN_LOSSES; i++) {
-        self->losses[i] = kept.losses[i] + kept.reign.losses[i];
+        self->losses[i] = kept.losses[i] + kept.authority_oracle.losses[i];
     }
     self->seed = seed;
 }
 
-void witness_forgive(witness_t *self)
+void motion_oracle_forgive(motion_oracle_t *self)
 {
     (void)memset(self->is_broken, 0, sizeof self->is_broken);
 }
 
-static void complain(witness_t *self, const rig_t *rig, sentence_t sentence, uint32_t axis,
+static void complain(motion_oracle_t *self, const rig_t *rig, sentence_t sentence, uint32_t axis,
                      double figure)
 {
     verdict_t *const verdict = &self->verdicts[sentence];
@@ -138,7 +138,7 @@ static bool is_driven(const rig_t *rig, uint32_t axis)
     return rig->box.axes[axis].card.applied.mode != (uint32_t)CARD_DRIVE_OFF;
 }
 
-static void judge_permit(witness_t *self, const rig_t *rig)
+static void judge_permit(motion_oracle_t *self, const rig_t *rig)
 {
     const controller_inputs_t *const inputs = &rig->inputs;
     if (rig_is_driving(rig) && ((inputs->pedal_a == 0U) || (inputs->pedal_b == 0U) ||
@@ -150,7 +150,7 @@ static void judge_permit(witness_t *self, const rig_t *rig)
 
 /* Counts in a sweep are compared with no expected speed: until it ends, an encoder that is or was
  * broken may have lost those of a run, or made too much. */
-static void note_sweep(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
+static void note_sweep(motion_oracle_t *self, const rig_t *rig, uint32_t axis, double truth)
 {
     const double off = truth - (double)rig->outputs.snapshot.axes[axis].position_ticks;
     const double run = config_of(rig, axis)->full_speed_ticks_per_s * SWEPT_S;
@@ -166,7 +166,7 @@ static void note_sweep(witness_t *self, const rig_t *rig, uint32_t axis, double 
 }
 
 /* An axis without a switch may be taken where it stands once: the operator has put it there. */
-static void judge_belief(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
+static void judge_belief(motion_oracle_t *self, const rig_t *rig, uint32_t axis, double truth)
 {
     const double believed = rig->outputs.snapshot.axes[axis].position_ticks;
     const double away = fabs(measure(rig, axis, truth - believed - self->swept_off[axis]));
@@ -180,7 +180,7 @@ static void judge_belief(witness_t *self, const rig_t *rig, uint32_t axis, doubl
 
 /* What is allowed, and what the motor runs until it is noticed. Who shows half of a way is found
  * out after twice as much. */
-static double most_off(witness_t *self, const rig_t *rig, uint32_t axis)
+static double most_off(motion_oracle_t *self, const rig_t *rig, uint32_t axis)
 {
     const double allowed = truth_in_words(
         config_of(rig, axis)->unit, is_length(rig, axis) ? LIMIT_REST_WAY_NM : LIMIT_REST_WAY_BAM);
@@ -192,7 +192,7 @@ static double most_off(witness_t *self, const rig_t *rig, uint32_t axis)
            measure(rig, axis, running * LIMIT_REST_NOTICE_US / 1e6);
 }
 
-static void judge_rest(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
+static void judge_rest(motion_oracle_t *self, const rig_t *rig, uint32_t axis, double truth)
 {
     const uint32_t place = self->off_cycles[axis] % WITNESS_SECOND;
     const double most = most_off(self, rig, axis);
@@ -210,13 +210,13 @@ static void judge_rest(witness_t *self, const rig_t *rig, uint32_t axis, double 
     }
 }
 
-static uint32_t homing_ends(const witness_t *self)
+static uint32_t homing_ends(const motion_oracle_t *self)
 {
     const uint32_t others = (self->lost_carriages > 0U) ? (self->lost_carriages - 1U) : 0U;
     return HOMING_ENDS_CYCLES + (others * CARRIAGE_ENDS_CYCLES);
 }
 
-static void judge_end(witness_t *self, const rig_t *rig)
+static void judge_end(motion_oracle_t *self, const rig_t *rig)
 {
     const bool is_moving = rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING;
     const bool is_sweep = self->order_watch.kind == (uint32_t)COMMAND_SWEEP;
@@ -231,7 +231,7 @@ static void judge_end(witness_t *self, const rig_t *rig)
     }
 }
 
-static void judge_needle(witness_t *self, const rig_t *rig, double truth)
+static void judge_needle(motion_oracle_t *self, const rig_t *rig, double truth)
 {
     const uint32_t needle = rig->box.robot->needle_axis;
     const snapshot_t *const shown = &rig->outputs.snapshot;
@@ -261,7 +261,7 @@ static bool is_idle_in_homing(const rig_t *rig, uint32_t axis)
                : (is_any_homing && !homing_part_is_homing(rig, axis));
 }
 
-static void judge_homing(witness_t *self, const rig_t *rig)
+static void judge_homing(motion_oracle_t *self, const rig_t *rig)
 {
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
         const bool is_sent = rig_sent(rig, i).drive.mode != (uint32_t)CARD_DRIVE_OFF;
@@ -275,7 +275,7 @@ static void judge_homing(witness_t *self, const rig_t *rig)
 }
 
 /* What the controller remembers later may have been damaged. */
-static void remember_target(witness_t *self, const rig_t *rig)
+static void remember_target(motion_oracle_t *self, const rig_t *rig)
 {
     bool is_new = !self->has_looked;
     if (is_new) {
@@ -292,7 +292,7 @@ static void remember_target(witness_t *self, const rig_t *rig)
 }
 
 /* Another probe, as the answer to a command says; its target is another one too. */
-static bool takes_probe(witness_t *self, const rig_t *rig)
+static bool takes_probe(motion_oracle_t *self, const rig_t *rig)
 {
     bool is_taken = false;
     for (uint32_t i = 0U; i < rig->outputs.answer_count; i++) {
@@ -312,7 +312,7 @@ static bool takes_probe(witness_t *self, const rig_t *rig)
     return is_taken;
 }
 
-static void judge_probe(witness_t *self, const rig_t *rig)
+static void judge_probe(motion_oracle_t *self, const rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
     if (takes_probe(self, rig) && (rig->inputs.command_count == 1U) && (shown->has_target != 0U)) {
@@ -327,8 +327,8 @@ static void judge_probe(witness_t *self, const rig_t *rig)
 
 /* What is shown is at the target, and what is true no farther from it than a broken part may hide.
  */
-static double beyond_target(const witness_t *self, const rig_t *rig, uint32_t axis, double truth,
-                            bool is_disturbed)
+static double beyond_target(const motion_oracle_t *self, const rig_t *rig, uint32_t axis,
+                            double truth, bool is_disturbed)
 {
     const double hidden = is_length(rig, axis) ? BELIEVED_MM : BELIEVED_DEG;
     const double shown = rig->outputs.snapshot.axes[axis].position_ticks;
@@ -341,8 +341,8 @@ static double beyond_target(const witness_t *self, const rig_t *rig, uint32_t ax
     return (is_there && homing_part_is_homed(rig, axis) && (away <= most)) ? 0.0 : away;
 }
 
-static void judge_reached(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
-                          bool is_disturbed)
+static void judge_reached(motion_oracle_t *self, const rig_t *rig,
+                          const double truth[ROBOT_AXIS_MAX], bool is_disturbed)
 {
     const bool is_said = rig->outputs.snapshot.next_step == (uint32_t)NEXT_STEP_NOTHING;
     uint32_t axis = 0U;
@@ -394,7 +394,7 @@ static double coupled_slack(const rig_t *rig, uint32_t limit, const double truth
 
 /* Who jogs an axis that is not known may bring it beyond, and so may a motor that runs by itself;
  * then it comes back. No other order takes it farther out, not even homing. */
-static void judge_coupled(witness_t *self, const rig_t *rig, uint32_t limit,
+static void judge_coupled(motion_oracle_t *self, const rig_t *rig, uint32_t limit,
                           const double truth[ROBOT_AXIS_MAX], bool is_disturbed)
 {
     double *const forgiven = &self->coupled_beyond[limit];
@@ -417,7 +417,8 @@ static void judge_coupled(witness_t *self, const rig_t *rig, uint32_t limit,
     }
 }
 
-static void judge_jog(witness_t *self, const rig_t *rig, double depth_ticks, bool is_disturbed)
+static void judge_jog(motion_oracle_t *self, const rig_t *rig, double depth_ticks,
+                      bool is_disturbed)
 {
     const uint32_t along = rig->box.robot->needle_axis;
     const double in = measure(rig, along, depth_ticks) - NEEDLE_OUT_MM;
@@ -458,7 +459,7 @@ static bool is_only_told(const rig_t *rig)
     return is_only;
 }
 
-static void judge_told(witness_t *self, const rig_t *rig)
+static void judge_told(motion_oracle_t *self, const rig_t *rig)
 {
     const plan_t *const plan = &rig->controller.plan;
     const plan_t *const before = &self->plan;
@@ -472,7 +473,7 @@ static void judge_told(witness_t *self, const rig_t *rig)
     self->plan = *plan;
 }
 
-static void judge_retraction(witness_t *self, const rig_t *rig)
+static void judge_retraction(motion_oracle_t *self, const rig_t *rig)
 {
     const uint32_t along = rig->box.robot->needle_axis;
     const card_drive_t needle = rig_sent(rig, along).drive;
@@ -495,7 +496,7 @@ static bool is_moving_to_target(const rig_t *rig)
            (rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING);
 }
 
-static void judge_beyond(witness_t *self, const rig_t *rig)
+static void judge_beyond(motion_oracle_t *self, const rig_t *rig)
 {
     const profile_t *const profile = &rig->controller.mode.leg.profile;
     for (uint32_t i = 0U; (i < rig->box.robot->axis_count) && is_moving_to_target(rig); i++) {
@@ -508,7 +509,7 @@ static void judge_beyond(witness_t *self, const rig_t *rig)
     }
 }
 
-static void judge_speed(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
+static void judge_speed(motion_oracle_t *self, const rig_t *rig, uint32_t axis, double truth)
 {
     const uint32_t place = self->looks % WITNESS_MEAN;
     const double way = fabs(truth - self->places[axis][place]);
@@ -519,7 +520,7 @@ static void judge_speed(witness_t *self, const rig_t *rig, uint32_t axis, double
     self->places[axis][place] = truth;
 }
 
-static void count_ending(witness_t *self, ending_t ending)
+static void count_ending(motion_oracle_t *self, ending_t ending)
 {
     endings_t *const endings = &self->endings[ending];
     const uint32_t late =
@@ -539,7 +540,7 @@ static bool has_non_pwm_way(const rig_t *rig, const profile_t *profile)
 }
 
 /* A leg ends when the next one begins or the move is done, not when the pedal is released. */
-static void judge_endings(witness_t *self, const rig_t *rig, bool is_done)
+static void judge_endings(motion_oracle_t *self, const rig_t *rig, bool is_done)
 {
     const profile_t *const profile = &rig->controller.mode.leg.profile;
     const bool is_over = is_moving_to_target(rig) && profile_is_finished(profile);
@@ -569,7 +570,7 @@ static bool is_accusation(uint32_t id)
     return is_one;
 }
 
-static void judge_accusation(witness_t *self, const rig_t *rig, const event_t *event)
+static void judge_accusation(motion_oracle_t *self, const rig_t *rig, const event_t *event)
 {
     self->found[event->id % EVENT_ID_COUNT]++;
     if (self->is_sound && is_accusation(event->id)) {
@@ -577,7 +578,7 @@ static void judge_accusation(witness_t *self, const rig_t *rig, const event_t *e
     }
 }
 
-static void judge_events(witness_t *self, const rig_t *rig, bool is_disturbed)
+static void judge_events(motion_oracle_t *self, const rig_t *rig, bool is_disturbed)
 {
     bool is_done = false;
     for (uint32_t i = 0U; i < rig->outputs.event_count; i++) {
@@ -596,7 +597,7 @@ static void judge_events(witness_t *self, const rig_t *rig, bool is_disturbed)
     judge_endings(self, rig, is_done && (rig->controller.mode.kind == (uint32_t)MODE_MOVE));
 }
 
-uint32_t witness_late(const witness_t *self, ending_t ending, uint32_t percent)
+uint32_t motion_oracle_late(const motion_oracle_t *self, ending_t ending, uint32_t percent)
 {
     const endings_t *const endings = &self->endings[ending];
     uint32_t cycles = 0U;
@@ -609,7 +610,7 @@ uint32_t witness_late(const witness_t *self, ending_t ending, uint32_t percent)
 }
 
 /* A bit of `broken` for each of `count` sentences from `first` on. */
-static void complain_of(witness_t *self, const rig_t *rig, sentence_t first, uint32_t count,
+static void complain_of(motion_oracle_t *self, const rig_t *rig, sentence_t first, uint32_t count,
                         uint32_t broken)
 {
     for (uint32_t i = 0U; i < count; i++) {
@@ -620,8 +621,8 @@ static void complain_of(witness_t *self, const rig_t *rig, sentence_t first, uin
 }
 
 /* Those of single modes see an order as it was before this cycle. */
-static void judge_orders(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
-                         bool is_disturbed)
+static void judge_orders(motion_oracle_t *self, const rig_t *rig,
+                         const double truth[ROBOT_AXIS_MAX], bool is_disturbed)
 {
     const order_watch_t *const order = &self->order_watch;
     complain_of(self, rig, SENTENCE_SWEEP, SWEEP_RULES,
@@ -632,12 +633,13 @@ static void judge_orders(witness_t *self, const rig_t *rig, const double truth[R
                 order_watch_look(&self->order_watch, rig, truth, is_disturbed));
 }
 
-void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
-                  bool is_disturbed)
+void motion_oracle_look(motion_oracle_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
+                        bool is_disturbed)
 {
     remember_target(self, rig);
     judge_permit(self, rig);
-    complain_of(self, rig, SENTENCE_REIGN, REIGN_RULES, reign_look(&self->reign, rig));
+    complain_of(self, rig, SENTENCE_REIGN, REIGN_RULES,
+                authority_oracle_look(&self->authority_oracle, rig));
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
         note_sweep(self, rig, i, truth[i]);
         judge_belief(self, rig, i, truth[i]);

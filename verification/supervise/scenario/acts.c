@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervise/stage/acts.h"
+#include "supervise/scenario/acts.h"
 
 #include "charts/axis_chart.h"
-#include "supervise/stage/chance.h"
+#include "supervise/scenario/prng.h"
 
 #include <math.h>
 
@@ -46,9 +46,9 @@ command_t acts_choose(const rig_t *rig, uint32_t *chance)
 {
     static const command_kind_t kinds[] = {COMMAND_HOME_AXIS, COMMAND_HOME_AXIS, COMMAND_CLEAR_AXIS,
                                            COMMAND_CONFIRM_AXIS, COMMAND_SET_HOME};
-    command_kind_t kind = kinds[chance_below(chance, (uint32_t)(sizeof kinds / sizeof kinds[0]))];
-    const uint32_t axis = chance_below(chance, rig->box.robot->axis_count);
-    const bool is_bold = (kind == COMMAND_SET_HOME) && (chance_below(chance, ANYWHERE_PARTS) == 0U);
+    command_kind_t kind = kinds[prng_below(chance, (uint32_t)(sizeof kinds / sizeof kinds[0]))];
+    const uint32_t axis = prng_below(chance, rig->box.robot->axis_count);
+    const bool is_bold = (kind == COMMAND_SET_HOME) && (prng_below(chance, ANYWHERE_PARTS) == 0U);
     const bool takes_place = (kind == COMMAND_SET_HOME) ||
                              ((kind == COMMAND_HOME_AXIS) &&
                               (rig->box.robot->axes[axis].home_method == (uint8_t)HOME_IN_PLACE));

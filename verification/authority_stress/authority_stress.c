@@ -10,7 +10,7 @@
  * or is cut short.
  */
 #include "base/contract.h"
-#include "fight/witness.h"
+#include "authority_stress/message_oracle.h"
 #include "interface/interface_layout.h"
 #include "recording/read/recording_reader.h"
 #include "replay/verify/replay.h"

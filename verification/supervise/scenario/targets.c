@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervise/stage/targets.h"
+#include "supervise/scenario/targets.h"
 
 #include "integration/support/rig.h"
 #include "robot/kinematics.h"
 #include "robot/robot_kind.h"
 #include "robot/robot_neuro.h"
-#include "supervise/stage/chance.h"
+#include "supervise/scenario/prng.h"
 #include "supervise/watch/truth.h"
 
 #include <stddef.h>
@@ -49,7 +49,7 @@ static rigid_t past_middle(const robot_t *robot, uint32_t *random, int32_t parts
         const axis_config_t *const axis = &robot->axes[i];
         const int32_t span = axis->target_maximum_ticks - axis->target_minimum_ticks;
         ticks[i] = axis->target_minimum_ticks + (span / 2);
-        ticks[i] += (parts != 0) ? (int32_t)chance_below(random, (uint32_t)(span / parts) + 1U) : 0;
+        ticks[i] += (parts != 0) ? (int32_t)prng_below(random, (uint32_t)(span / parts) + 1U) : 0;
     }
     return pose_at(robot, ticks);
 }
@@ -60,8 +60,8 @@ static rigid_t straight(uint32_t *random, const int32_t least_mm[3], const uint3
 {
     int32_t at_nm[3];
     for (uint32_t i = 3U; i > 0U; i--) {
-        at_nm[i - 1U] = (least_mm[i - 1U] * 1000000) +
-                        ((int32_t)chance_below(random, counts[i - 1U]) * step_nm);
+        at_nm[i - 1U] =
+            (least_mm[i - 1U] * 1000000) + ((int32_t)prng_below(random, counts[i - 1U]) * step_nm);
     }
     return rig_pose(at_nm[0], at_nm[1], at_nm[2]);
 }
@@ -84,7 +84,7 @@ rigid_t targets_any(const robot_t *robot, uint32_t *random)
             const axis_config_t *const axis = &robot->axes[i];
             const int32_t span = axis->target_maximum_ticks - axis->target_minimum_ticks;
             ticks[i] =
-                axis->target_minimum_ticks + (int32_t)chance_below(random, (uint32_t)span + 1U);
+                axis->target_minimum_ticks + (int32_t)prng_below(random, (uint32_t)span + 1U);
         }
     }
     return pose_at(robot, ticks);

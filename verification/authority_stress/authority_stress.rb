@@ -5,7 +5,7 @@
 # Two pages of the console and two connections of OpenIGTLink fight for authority over the bench, while a hand presses
 # pedal and button and the processes between them are killed. A witness (witness.h) then replays the recording.
 #
-#   ruby verification/fight/fight.rb MINUTES [SEED]      exits 1 if a rule was broken; its recording is kept
+#   ruby verification/authority_stress/authority_stress.rb MINUTES [SEED]      exits 1 if a rule was broken; its recording is kept
 #
 # Who acts when is the machine's; what is recorded is judged again alike, wherever it is replayed.
 

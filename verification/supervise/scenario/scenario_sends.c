@@ -1,64 +1,64 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervise/stage/stage_sends.h"
+#include "supervise/scenario/scenario_sends.h"
 
 #include "limits/requirement_limits.h"
 #include "robot/kinematics.h"
-#include "supervise/stage/acts.h"
-#include "supervise/stage/chance.h"
-#include "supervise/stage/targets.h"
+#include "supervise/scenario/acts.h"
+#include "supervise/scenario/prng.h"
+#include "supervise/scenario/targets.h"
 
 #include <math.h>
 
 #define BEFORE_NM 20000000 /* Of the target, on the needle's line. */
 #define OTHER_PARTS 6U     /* One of so many orders is not of the theme of the play. */
 
-void stage_send(stage_t *self, rig_t *rig, command_t command)
+void scenario_send(scenario_t *self, rig_t *rig, command_t command)
 {
     command.id = 1000U + self->cycle;
     if (self->play == PLAY_RIVALS) {
-        rivals_sign(&self->rivals, rig, &command);
+        competing_peers_sign(&self->rivals, rig, &command);
     }
     rig->commands[rig->command_count] = command;
     rig->command_count++;
 }
 
-void stage_send_phase(stage_t *self, rig_t *rig, workphase_t phase)
+void scenario_send_phase(scenario_t *self, rig_t *rig, workphase_t phase)
 {
-    stage_send(self, rig,
-               (command_t){.kind = (uint32_t)COMMAND_WORKPHASE,
-                           .as.workphase = {.workphase = (uint32_t)phase}});
+    scenario_send(self, rig,
+                  (command_t){.kind = (uint32_t)COMMAND_WORKPHASE,
+                              .as.workphase = {.workphase = (uint32_t)phase}});
 }
 
-rigid_t stage_some_target(stage_t *self)
+rigid_t scenario_some_target(scenario_t *self)
 {
-    const bool is_near = (self->play == PLAY_TAPS) && (self->foe.wish == FOE_ASKS_NEAR);
+    const bool is_near = (self->play == PLAY_TAPS) && (self->adversary.wish == FOE_ASKS_NEAR);
     return is_near ? targets_near(self->robot, &self->random)
                    : targets_any(self->robot, &self->random);
 }
 
 /* An end of the way, or anywhere on it. */
-static int32_t some_end(stage_t *self, const axis_config_t *axis)
+static int32_t some_end(scenario_t *self, const axis_config_t *axis)
 {
     const int32_t span = axis->target_maximum_ticks - axis->target_minimum_ticks;
     int32_t ticks = axis->target_minimum_ticks;
-    switch (stage_random_below(self, 4U)) {
+    switch (scenario_random_below(self, 4U)) {
     case 0:
         break;
     case 1:
         ticks = axis->target_maximum_ticks;
         break;
     case 2:
-        ticks = axis->home_ticks + (int32_t)stage_random_below(self, 21U) - 10;
+        ticks = axis->home_ticks + (int32_t)scenario_random_below(self, 21U) - 10;
         break;
     default:
-        ticks += (int32_t)stage_random_below(self, (uint32_t)span);
+        ticks += (int32_t)scenario_random_below(self, (uint32_t)span);
         break;
     }
     return ticks;
 }
 
 /* A target with some axes at an end of their way, and the entry point that decides its depth. */
-static void send_corner(stage_t *self, rig_t *rig)
+static void send_corner(scenario_t *self, rig_t *rig)
 {
     int32_t ticks[ROBOT_AXIS_MAX] = {0};
     joints_t joints;
@@ -72,52 +72,52 @@ static void send_corner(stage_t *self, rig_t *rig)
     rigid_set_identity(&entry.as.pose.pose);
     if (targets_entry(self->robot, &joints, &target.as.pose.pose,
                       &entry.as.pose.pose.translation)) {
-        stage_send(self, rig, entry);
+        scenario_send(self, rig, entry);
     } else if (play_is_of_orders(self->play)) {
         const point_t before = {0, 0, -BEFORE_NM};
         entry.as.pose.pose.translation = rigid_apply(&target.as.pose.pose, &before);
-        stage_send(self, rig, entry);
+        scenario_send(self, rig, entry);
     } else {
         /* It is asked for none. */
     }
-    stage_send(self, rig, target);
+    scenario_send(self, rig, target);
 }
 
-void stage_send_target(stage_t *self, rig_t *rig)
+void scenario_send_target(scenario_t *self, rig_t *rig)
 {
     if ((self->play == PLAY_CORNERS) || play_is_of_orders(self->play)) {
         send_corner(self, rig);
     } else {
-        stage_send(self, rig,
-                   (command_t){.kind = (uint32_t)COMMAND_TARGET,
-                               .as.pose = {.pose = stage_some_target(self)}});
+        scenario_send(self, rig,
+                      (command_t){.kind = (uint32_t)COMMAND_TARGET,
+                                  .as.pose = {.pose = scenario_some_target(self)}});
     }
 }
 
 /* Anywhere, or near where the axis stands, as one that is not homed is jogged. */
-void stage_send_jog(stage_t *self, rig_t *rig)
+void scenario_send_jog(scenario_t *self, rig_t *rig)
 {
     command_t command = {.kind = (uint32_t)COMMAND_JOG,
-                         .as.jog = {.axis = stage_random_below(self, self->robot->axis_count)}};
+                         .as.jog = {.axis = scenario_random_below(self, self->robot->axis_count)}};
     const axis_config_t *const axis = &self->robot->axes[command.as.jog.axis];
     const int32_t span = axis->maximum_ticks - axis->minimum_ticks;
-    if (stage_random_below(self, 2U) == 0U) {
+    if (scenario_random_below(self, 2U) == 0U) {
         command.as.jog.to_ticks =
-            axis->minimum_ticks + (int32_t)stage_random_below(self, (uint32_t)span);
+            axis->minimum_ticks + (int32_t)scenario_random_below(self, (uint32_t)span);
     } else {
         command.as.jog.to_ticks = rig->outputs.snapshot.axes[command.as.jog.axis].position_ticks -
                                   (span / 20) +
-                                  (int32_t)stage_random_below(self, (uint32_t)span / 10U);
+                                  (int32_t)scenario_random_below(self, (uint32_t)span / 10U);
     }
-    stage_send(self, rig, command);
+    scenario_send(self, rig, command);
 }
 
 /* One of the acts for a single axis; who has asked for a press gives it, if what is shown is true.
  */
-void stage_send_act(stage_t *self, rig_t *rig)
+void scenario_send_act(scenario_t *self, rig_t *rig)
 {
     const command_t command = acts_choose(rig, &self->whim);
-    stage_send(self, rig, command);
+    scenario_send(self, rig, command);
     if ((command.kind == (uint32_t)COMMAND_CONFIRM_AXIS) && acts_is_shown_true(rig)) {
         rig_box(rig, "button press");
         self->wait_cycles = 2U * (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US);
@@ -125,7 +125,7 @@ void stage_send_act(stage_t *self, rig_t *rig)
 }
 
 /* Another probe, or lengths that none has: each up to a tenth of its range from the file's. */
-void stage_send_probe(stage_t *self, rig_t *rig)
+void scenario_send_probe(scenario_t *self, rig_t *rig)
 {
     const robot_t *const robot = self->robot;
     command_t command = {.kind = (uint32_t)COMMAND_PROBE,
@@ -135,38 +135,38 @@ void stage_send_probe(stage_t *self, rig_t *rig)
             robot->probe_maximum.length_nm[i] - robot->probe_minimum.length_nm[i];
         command.as.probe.lengths_nm[i] =
             robot->probe.length_nm[i] - (range_nm / 10) +
-            (int32_t)chance_below(&self->whim, (uint32_t)(range_nm / 5) + 1U);
+            (int32_t)prng_below(&self->whim, (uint32_t)(range_nm / 5) + 1U);
     }
-    stage_send(self, rig, command);
+    scenario_send(self, rig, command);
 }
 
 /* Of any mode, mostly that of the play; WORKPHASE_COUNT: wherever it is. */
-void stage_send_order(stage_t *self, rig_t *rig, workphase_t phase)
+void scenario_send_order(scenario_t *self, rig_t *rig, workphase_t phase)
 {
     const command_kind_t theme = play_theme(self->play);
-    const bool is_of_theme = (theme != COMMAND_NONE) && !stage_has_whim(self, OTHER_PARTS);
+    const bool is_of_theme = (theme != COMMAND_NONE) && !scenario_has_whim(self, OTHER_PARTS);
     const orders_wish_t wish = {phase, is_of_theme ? theme : COMMAND_NONE};
     command_t command;
     if (orders_choose(&self->orders, rig, wish, &self->whim, &command)) {
-        stage_send(self, rig, command);
+        scenario_send(self, rig, command);
     }
 }
 
 /* At the target, on the way there, or while it is drawn out already. */
-bool stage_wants_out(stage_t *self, const snapshot_t *shown)
+bool scenario_wants_out(scenario_t *self, const snapshot_t *shown)
 {
     const bool is_there = shown->next_step == (uint32_t)NEXT_STEP_NOTHING;
     return (shown->workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
-           stage_has_whim(self, is_there ? 3U : 40U);
+           scenario_has_whim(self, is_there ? 3U : 40U);
 }
 
 /* Positions that somebody has saved: where the axes are, or anywhere. */
-void stage_send_saved(stage_t *self, rig_t *rig)
+void scenario_send_saved(scenario_t *self, rig_t *rig)
 {
-    const bool is_true = !stage_has_whim(self, 8U);
+    const bool is_true = !scenario_has_whim(self, 8U);
     const uint32_t axes = ((uint32_t)1U << self->robot->axis_count) - 1U;
     command_t command = {.kind = (uint32_t)COMMAND_RESTORE,
-                         .as.positions = {.axes = 1U + chance_below(&self->whim, axes)}};
+                         .as.positions = {.axes = 1U + prng_below(&self->whim, axes)}};
     double truth[ROBOT_AXIS_MAX];
     box_true_positions(&rig->box, truth);
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
@@ -174,8 +174,8 @@ void stage_send_saved(stage_t *self, rig_t *rig)
         const uint32_t span = (uint32_t)(axis->maximum_ticks - axis->minimum_ticks);
         command.as.positions.ticks[i] =
             is_true ? (int32_t)lround(truth[i])
-                    : (axis->minimum_ticks + (int32_t)chance_below(&self->whim, span));
+                    : (axis->minimum_ticks + (int32_t)prng_below(&self->whim, span));
     }
     self->has_fault = is_true ? self->has_fault : 1U;
-    stage_send(self, rig, command);
+    scenario_send(self, rig, command);
 }

@@ -4,22 +4,22 @@
  * Who commands, for somebody who sees who sends what, button, pedal and frames, and no chart. Holds
  * five rules against every cycle.
  */
-#ifndef BORESIGHT_REIGN_H
-#define BORESIGHT_REIGN_H
+#ifndef BORESIGHT_AUTHORITY_ORACLE_H
+#define BORESIGHT_AUTHORITY_ORACLE_H
 
 #include "integration/support/rig.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Each a bit of reign_look(). */
+/** Each a bit of authority_oracle_look(). */
 typedef enum {
     REIGN_ONE = 0,     /**< Only the holder commands; between two it is lost, and the axes rest. */
     REIGN_LOST = 1,    /**< Lost by its holder, by silence, or by button and released pedal. */
     REIGN_RENEWED = 2, /**< A page that has it has given a sign of life. */
     REIGN_AFTER = 3,   /**< After a loss nothing is driven before another order and press. */
     REIGN_ARMED = 4    /**< Only the holder arms, and nothing stays armed without one. */
-} reign_rule_t;
+} authority_oracle_rule_t;
 
 #define REIGN_RULES 5U
 #define REIGN_LOSSES 4U /**< Of authority_loss_t. */
@@ -40,9 +40,9 @@ typedef struct {
     bool was_moving;               /**< In the cycle before. */
     uint32_t losses[REIGN_LOSSES]; /**< How many there were, by authority_loss_t. */
     uint32_t losses_in_motion;     /**< How many of them. */
-} reign_t;
+} authority_oracle_t;
 
 /** Looks at the cycle that `rig` has just run. @return the rules that it broke */
-uint32_t reign_look(reign_t *self, const rig_t *rig);
+uint32_t authority_oracle_look(authority_oracle_t *self, const rig_t *rig);
 
 #endif

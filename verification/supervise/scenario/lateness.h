@@ -2,7 +2,8 @@
 /**
  * @file
  * An enemy who owns time and the wires: cycles come late, exchanges come apart from them, the box
- * stands, commands and reports are damaged. Nothing of an axis is broken by it. The stage owns one.
+ * stands, commands and reports are damaged. Nothing of an axis is broken by it. The scenario owns
+ * one.
  */
 #ifndef BORESIGHT_LATENESS_H
 #define BORESIGHT_LATENESS_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "fuzz/witness.h"
+#include "fuzz/dialect_oracle.h"
 
 #include "igtl/dialect/igtl_units.h"
 #include "igtl/dialect/transform_proposals.h"

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file An operator, a world and their faults, by chance: the same seed plays the same scene. */
-#ifndef BORESIGHT_STAGE_H
-#define BORESIGHT_STAGE_H
+#ifndef BORESIGHT_SCENARIO_H
+#define BORESIGHT_SCENARIO_H
 
 #include "integration/support/rig.h"
-#include "supervise/stage/foe.h"
-#include "supervise/stage/lateness.h"
-#include "supervise/stage/orders.h"
-#include "supervise/stage/play.h"
-#include "supervise/stage/rivals.h"
-#include "supervise/stage/watcher.h"
+#include "supervise/scenario/adversary.h"
+#include "supervise/scenario/lateness.h"
+#include "supervise/scenario/orders.h"
+#include "supervise/scenario/play.h"
+#include "supervise/scenario/competing_peers.h"
+#include "supervise/scenario/watcher.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -27,27 +27,27 @@ typedef struct {
     uint32_t whim; /**< Of the operator: a chance of its own. */
     watcher_t watcher;
     orders_t orders;
-    uint32_t wish;        /**< workphase_t of PLAY_MODES' next order. */
-    uint32_t gate_cycles; /**< Of PLAY_PROGRAMS: until the gate changes. */
-    uint32_t is_brittle;  /**< 0 or 1: of a play with a theme; in motion something may break. */
-    foe_t foe;            /**< Of PLAY_TAPS. */
-    rivals_t rivals;      /**< Of PLAY_RIVALS. */
-    lateness_t lateness;  /**< Of PLAY_LATE. */
+    uint32_t wish;            /**< workphase_t of PLAY_MODES' next order. */
+    uint32_t gate_cycles;     /**< Of PLAY_PROGRAMS: until the gate changes. */
+    uint32_t is_brittle;      /**< 0 or 1: of a play with a theme; in motion something may break. */
+    adversary_t adversary;    /**< Of PLAY_TAPS. */
+    competing_peers_t rivals; /**< Of PLAY_RIVALS. */
+    lateness_t lateness;      /**< Of PLAY_LATE. */
     const robot_t *robot;
     robot_t magnitude_robot; /**< Of PLAY_MAGNITUDE. */
-} stage_t;
+} scenario_t;
 
 /** Sets the scene `seed` of `robot`, which must outlive the rig: the rig fresh, homed or targeted,
  * an operator and what may break. */
-void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, uint32_t seed);
+void scenario_begin(scenario_t *self, rig_t *rig, const robot_t *robot, play_t play, uint32_t seed);
 
 /** A fault was or is in the scene, or time is. */
-bool stage_is_disturbed(const stage_t *self);
+bool scenario_is_disturbed(const scenario_t *self);
 
 /** Nothing of an axis was broken. */
-bool stage_is_sound(const stage_t *self);
+bool scenario_is_sound(const scenario_t *self);
 
 /** What the players do before the next cycle. */
-void stage_play(stage_t *self, rig_t *rig);
+void scenario_play(scenario_t *self, rig_t *rig);
 
 #endif

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervise/stage/stage.h"
+#include "supervise/scenario/scenario.h"
 
 #include "charts/arming_chart.h"
 #include "limits/requirement_limits.h"
-#include "supervise/stage/acts.h"
-#include "supervise/stage/chance.h"
-#include "supervise/stage/stage_deeds.h"
-#include "supervise/stage/stage_sends.h"
-#include "supervise/stage/targets.h"
+#include "supervise/scenario/acts.h"
+#include "supervise/scenario/prng.h"
+#include "supervise/scenario/scenario_deeds.h"
+#include "supervise/scenario/scenario_sends.h"
+#include "supervise/scenario/targets.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -22,15 +22,15 @@
 #define REPAIR_CYCLES 6000U    /* ...and is repaired after these at the latest. */
 #define GATE_CYCLES 900U
 
-static void start_targeted(const stage_t *self, rig_t *rig)
+static void start_targeted(const scenario_t *self, rig_t *rig)
 {
     const rigid_t pose = targets_first(self->robot);
     rig_start_robot_targeted(rig, self->robot, &pose);
 }
 
-static void set_random_scene(stage_t *self, rig_t *rig)
+static void set_random_scene(scenario_t *self, rig_t *rig)
 {
-    const uint32_t start = stage_random_below(self, 4U);
+    const uint32_t start = scenario_random_below(self, 4U);
     if (start == 0U) {
         rig_start_robot(rig, self->robot);
     } else if (start == 1U) {
@@ -42,23 +42,23 @@ static void set_random_scene(stage_t *self, rig_t *rig)
         self->is_chaotic = 1U;
         return;
     }
-    self->is_chaotic = (stage_random_below(self, 3U) == 0U) ? 1U : 0U;
+    self->is_chaotic = (scenario_random_below(self, 3U) == 0U) ? 1U : 0U;
     if (self->play == PLAY_RIVALS) {
         return;
     }
     self->fault_cycle =
-        (stage_random_below(self, 5U) == 0U) ? UINT32_MAX : stage_random_below(self, 12000U);
+        (scenario_random_below(self, 5U) == 0U) ? UINT32_MAX : scenario_random_below(self, 12000U);
 }
 
 /* Anywhere within `part` of one. */
-static double near_one(stage_t *self, double part)
+static double near_one(scenario_t *self, double part)
 {
-    const double share = (double)stage_random_below(self, SHARE_STEPS + 1U) / SHARE_STEPS;
+    const double share = (double)scenario_random_below(self, SHARE_STEPS + 1U) / SHARE_STEPS;
     return 1.0 - part + (2.0 * part * share);
 }
 
 /* Other motors: full speed, time of gaining it, and the smallest word that turns them. */
-static void spread_motors(stage_t *self, rig_t *rig)
+static void spread_motors(scenario_t *self, rig_t *rig)
 {
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         sim_motor_t *const motor = &rig->box.axes[i].motor;
@@ -69,7 +69,7 @@ static void spread_motors(stage_t *self, rig_t *rig)
     }
 }
 
-static void begin_late(stage_t *self, rig_t *rig, uint32_t seed)
+static void begin_late(scenario_t *self, rig_t *rig, uint32_t seed)
 {
     if ((seed % 3U) == 0U) {
         rig_start_robot(rig, self->robot);
@@ -79,25 +79,25 @@ static void begin_late(stage_t *self, rig_t *rig, uint32_t seed)
     lateness_begin(&self->lateness, rig, seed);
 }
 
-void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, uint32_t seed)
+void scenario_begin(scenario_t *self, rig_t *rig, const robot_t *robot, play_t play, uint32_t seed)
 {
-    *self = (stage_t){.play = play,
-                      .random = (seed * 2654435761U) | 1U,
-                      .whim = (seed * 3266489917U) | 1U,
-                      .fault_cycle = UINT32_MAX,
-                      .robot = robot};
+    *self = (scenario_t){.play = play,
+                         .random = (seed * 2654435761U) | 1U,
+                         .whim = (seed * 3266489917U) | 1U,
+                         .fault_cycle = UINT32_MAX,
+                         .robot = robot};
     const bool is_of_faults = (play_theme(play) != COMMAND_NONE) || (play == PLAY_LATE);
     self->is_brittle = (is_of_faults && ((seed % 2U) == 0U)) ? 1U : 0U;
     self->wish = (play == PLAY_SWEEPS) ? (uint32_t)WORKPHASE_MANUAL : 0U;
     watcher_begin(&self->watcher, seed);
     for (uint32_t i = 0U; i < 8U; i++) {
-        (void)stage_random_below(self, 2U);
+        (void)scenario_random_below(self, 2U);
     }
     if ((play == PLAY_RANDOM) || (play == PLAY_JOGS)) {
         set_random_scene(self, rig);
     } else if (play == PLAY_RIVALS) {
         set_random_scene(self, rig);
-        rivals_begin(&self->rivals, rig, seed);
+        competing_peers_begin(&self->rivals, rig, seed);
     } else if (play == PLAY_SPREAD) {
         rig_start_robot(rig, robot);
         spread_motors(self, rig);
@@ -106,7 +106,7 @@ void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, u
         rig_start_robot(rig, &self->magnitude_robot);
         spread_motors(self, rig);
     } else if (play == PLAY_TAPS) {
-        foe_begin(&self->foe, rig, robot, seed);
+        adversary_begin(&self->adversary, rig, robot, seed);
     } else if (play == PLAY_LATE) {
         begin_late(self, rig, seed);
     } else {
@@ -114,24 +114,24 @@ void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, u
     }
 }
 
-bool stage_is_disturbed(const stage_t *self)
+bool scenario_is_disturbed(const scenario_t *self)
 {
     return (self->has_fault != 0U) || (self->play == PLAY_LATE);
 }
 
-bool stage_is_sound(const stage_t *self)
+bool scenario_is_sound(const scenario_t *self)
 {
     return self->has_fault == 0U;
 }
 
 /* One of the words between bars: "silent|corrupt|normal". */
-static void pick_word(stage_t *self, const char *words, size_t length, char *picked)
+static void pick_word(scenario_t *self, const char *words, size_t length, char *picked)
 {
     uint32_t count = 1U;
     for (size_t i = 0U; i < length; i++) {
         count += (words[i] == '|') ? 1U : 0U;
     }
-    uint32_t left = stage_random_below(self, count);
+    uint32_t left = scenario_random_below(self, count);
     size_t begin = 0U;
     for (; left > 0U; begin++) {
         left -= (words[begin] == '|') ? 1U : 0U;
@@ -163,7 +163,7 @@ static bool is_disturbance(const char *line)
 }
 
 /* Any such order that the box knows, whatever its list says today. */
-static void disturb(stage_t *self, rig_t *rig)
+static void disturb(scenario_t *self, rig_t *rig)
 {
     const char *lines[ORDERS_MOST];
     uint32_t count = 0U;
@@ -174,7 +174,7 @@ static void disturb(stage_t *self, rig_t *rig)
             count++;
         }
     }
-    const char *const line = lines[stage_random_below(self, count)];
+    const char *const line = lines[scenario_random_below(self, count)];
     char order[ORDER_SIZE * 3U] = "";
     for (const char *word = line; *word != '\n';) {
         const size_t length = strcspn(word, " \n");
@@ -183,7 +183,7 @@ static void disturb(stage_t *self, rig_t *rig)
         if (strcmp(picked, "SLOT") == 0) {
             (void)snprintf(
                 picked, sizeof picked, "%s",
-                self->robot->axes[stage_random_below(self, self->robot->axis_count)].name);
+                self->robot->axes[scenario_random_below(self, self->robot->axis_count)].name);
         }
         (void)snprintf(order + strlen(order), sizeof order - strlen(order), "%s%s",
                        (word == line) ? "" : " ", picked);
@@ -206,42 +206,42 @@ static void part_hidden_pairs(rig_t *rig)
 }
 
 /* The rest of a list that was begun, a command in each cycle. */
-static void let_list_go_on(stage_t *self, rig_t *rig)
+static void let_list_go_on(scenario_t *self, rig_t *rig)
 {
     command_t command;
     if (orders_go_on(&self->orders, rig, &self->whim, &command)) {
-        stage_send(self, rig, command);
+        scenario_send(self, rig, command);
     }
 }
 
 /* At any time. */
-static void let_watch(stage_t *self, rig_t *rig)
+static void let_watch(scenario_t *self, rig_t *rig)
 {
     command_t command;
     if (watcher_play(&self->watcher, rig, &command)) {
-        stage_send(self, rig, command);
+        scenario_send(self, rig, command);
     }
 }
 
-static void let_rivals_play(stage_t *self, rig_t *rig)
+static void let_rivals_play(scenario_t *self, rig_t *rig)
 {
     command_t command;
-    if ((self->play == PLAY_RIVALS) && rivals_play(&self->rivals, rig, &command)) {
+    if ((self->play == PLAY_RIVALS) && competing_peers_play(&self->rivals, rig, &command)) {
         command.id = 1000U + self->cycle;
         rig->commands[rig->command_count] = command;
         rig->command_count++;
     }
 }
 
-static void let_foe_play(stage_t *self, rig_t *rig)
+static void let_foe_play(scenario_t *self, rig_t *rig)
 {
-    if ((self->play == PLAY_TAPS) && foe_play(&self->foe, rig)) {
+    if ((self->play == PLAY_TAPS) && adversary_play(&self->adversary, rig)) {
         self->has_fault = 1U;
     }
 }
 
 /* Mostly it waits for a dose or has it; now and then it stops the treatment. */
-static void let_gate_change(stage_t *self, rig_t *rig)
+static void let_gate_change(scenario_t *self, rig_t *rig)
 {
     static const char *const words[] = {"gate off",  "gate dose", "gate off", "gate dose",
                                         "gate dose", "gate off",  "gate off", "gate stop"};
@@ -249,8 +249,8 @@ static void let_gate_change(stage_t *self, rig_t *rig)
         return;
     }
     if (self->gate_cycles == 0U) {
-        self->gate_cycles = 1U + chance_below(&self->whim, GATE_CYCLES);
-        rig_box(rig, words[chance_below(&self->whim, (uint32_t)(sizeof words / sizeof words[0]))]);
+        self->gate_cycles = 1U + prng_below(&self->whim, GATE_CYCLES);
+        rig_box(rig, words[prng_below(&self->whim, (uint32_t)(sizeof words / sizeof words[0]))]);
     }
     self->gate_cycles--;
 }
@@ -271,13 +271,13 @@ static void repair(rig_t *rig)
 }
 
 /* An encoder or a motor of any axis, and nothing else any more: two faults may hide each other. */
-static void break_axis(stage_t *self, rig_t *rig)
+static void break_axis(scenario_t *self, rig_t *rig)
 {
     static const char *const faults[] = {"encoder %s stuck", "encoder %s reversed",
                                          "encoder %s half",  "motor %s stuck",
                                          "motor %s half",    "motor %s twice"};
-    const char *const fault = faults[stage_random_below(self, sizeof faults / sizeof faults[0])];
-    const uint32_t axis = stage_random_below(self, self->robot->axis_count);
+    const char *const fault = faults[scenario_random_below(self, sizeof faults / sizeof faults[0])];
+    const uint32_t axis = scenario_random_below(self, self->robot->axis_count);
     char order[ORDER_SIZE];
     (void)snprintf(order, sizeof order, fault, self->robot->axes[axis].name);
     repair(rig);
@@ -285,11 +285,11 @@ static void break_axis(stage_t *self, rig_t *rig)
 }
 
 /* In the middle of an order, in a play with a theme or of time. */
-static void break_and_repair(stage_t *self, rig_t *rig)
+static void break_and_repair(scenario_t *self, rig_t *rig)
 {
     const bool is_late = self->play == PLAY_LATE;
     if ((rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING) &&
-        stage_has_whim(self, is_late ? BREAK_LATE_PARTS : BREAK_PARTS)) {
+        scenario_has_whim(self, is_late ? BREAK_LATE_PARTS : BREAK_PARTS)) {
         if (is_late) {
             break_axis(self, rig);
         } else {
@@ -297,7 +297,7 @@ static void break_and_repair(stage_t *self, rig_t *rig)
         }
         part_hidden_pairs(rig);
         self->has_fault = 1U;
-        self->fault_cycle = self->cycle + 1U + chance_below(&self->whim, REPAIR_CYCLES);
+        self->fault_cycle = self->cycle + 1U + prng_below(&self->whim, REPAIR_CYCLES);
     } else if (self->cycle == self->fault_cycle) {
         repair(rig);
     } else {
@@ -305,14 +305,14 @@ static void break_and_repair(stage_t *self, rig_t *rig)
     }
 }
 
-static void let_things_break(stage_t *self, rig_t *rig)
+static void let_things_break(scenario_t *self, rig_t *rig)
 {
     if ((play_theme(self->play) == COMMAND_NONE) && (self->play != PLAY_LATE)) {
         if (self->cycle == self->fault_cycle) {
             disturb(self, rig);
             part_hidden_pairs(rig);
             self->has_fault = 1U;
-            self->fault_cycle += 200U + stage_random_below(self, 6000U);
+            self->fault_cycle += 200U + scenario_random_below(self, 6000U);
         }
     } else if (self->is_brittle != 0U) {
         break_and_repair(self, rig);
@@ -322,7 +322,7 @@ static void let_things_break(stage_t *self, rig_t *rig)
 }
 
 /* Before the next cycle, and before the enemy. */
-static void play_operator(stage_t *self, rig_t *rig)
+static void play_operator(scenario_t *self, rig_t *rig)
 {
     const bool is_own_press = self->rivals.press_cycles == 0U;
     if (rig->box.button_pressed &&
@@ -333,22 +333,23 @@ static void play_operator(stage_t *self, rig_t *rig)
         self->wait_cycles--;
         return;
     }
-    self->wait_cycles = 30U + stage_random_below(self, play_is_of_orders(self->play) ? 200U : 600U);
+    self->wait_cycles =
+        30U + scenario_random_below(self, play_is_of_orders(self->play) ? 200U : 600U);
     if (self->play == PLAY_TAPS) {
-        stage_do_wish(self, rig);
-    } else if ((self->play == PLAY_JOGS) && (stage_random_below(self, 5U) != 0U)) {
-        stage_do_jog(self, rig);
+        scenario_do_wish(self, rig);
+    } else if ((self->play == PLAY_JOGS) && (scenario_random_below(self, 5U) != 0U)) {
+        scenario_do_jog(self, rig);
     } else if (play_is_of_orders(self->play) &&
-               !stage_does_next_step(self, &rig->outputs.snapshot)) {
-        stage_do_mode(self, rig);
+               !scenario_does_next_step(self, &rig->outputs.snapshot)) {
+        scenario_do_mode(self, rig);
     } else if (self->is_chaotic != 0U) {
-        stage_do_anything(self, rig);
+        scenario_do_anything(self, rig);
     } else {
-        stage_do_next_step(self, rig);
+        scenario_do_next_step(self, rig);
     }
 }
 
-void stage_play(stage_t *self, rig_t *rig)
+void scenario_play(scenario_t *self, rig_t *rig)
 {
     self->cycle++;
     let_things_break(self, rig);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "fight/witness.h"
+#include "authority_stress/message_oracle.h"
 
 #include "charts/arming_chart.h"
 #include "charts/authority_chart.h"

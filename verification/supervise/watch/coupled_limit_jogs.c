@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervise/watch/apart.h"
+#include "supervise/watch/coupled_limit_jogs.h"
 
 #include "supervise/watch/truth.h"
 
@@ -15,7 +15,7 @@ static uint32_t between(sim_random_t *random, uint32_t least, uint32_t most)
     return least + sim_random_below(random, most - least + 1U);
 }
 
-static uint32_t count_of(const apart_t *self)
+static uint32_t count_of(const coupled_limit_jogs_t *self)
 {
     uint32_t count = 0U;
     for (uint32_t axes = truth_coupled_axes(self->robot, self->limit); axes != 0U; axes >>= 1) {
@@ -25,7 +25,7 @@ static uint32_t count_of(const apart_t *self)
 }
 
 /* The axis number `part` of its axes, in the order of the robot. */
-static uint32_t axis_of(const apart_t *self, uint32_t part)
+static uint32_t axis_of(const coupled_limit_jogs_t *self, uint32_t part)
 {
     const uint32_t axes = truth_coupled_axes(self->robot, self->limit);
     uint32_t left = part;
@@ -37,13 +37,15 @@ static uint32_t axis_of(const apart_t *self, uint32_t part)
     return index;
 }
 
-void apart_begin(apart_t *self, const robot_t *robot, sim_random_t *random)
+void coupled_limit_jogs_begin(coupled_limit_jogs_t *self, const robot_t *robot,
+                              sim_random_t *random)
 {
     const uint32_t count = robot->coupled_limit_count;
-    *self = (apart_t){.robot = robot, .limit = (count > 1U) ? sim_random_below(random, count) : 0U};
+    *self = (coupled_limit_jogs_t){.robot = robot,
+                                   .limit = (count > 1U) ? sim_random_below(random, count) : 0U};
 }
 
-uint32_t apart_some_axis(const apart_t *self, sim_random_t *random)
+uint32_t coupled_limit_jogs_some_axis(const coupled_limit_jogs_t *self, sim_random_t *random)
 {
     const uint32_t others = count_of(self) - 1U;
     uint32_t part = 0U;
@@ -54,7 +56,7 @@ uint32_t apart_some_axis(const apart_t *self, sim_random_t *random)
 }
 
 /* Two that count alike, of which the second has no switch: they can go out one behind the other. */
-static bool is_of_carriages(const apart_t *self)
+static bool is_of_carriages(const coupled_limit_jogs_t *self)
 {
     if (count_of(self) != 2U) {
         return false;
@@ -67,14 +69,14 @@ static bool is_of_carriages(const apart_t *self)
 }
 
 /* A part of the range in ticks of the first axis, in whole hundreds. */
-static int32_t range_ticks(const apart_t *self, double part)
+static int32_t range_ticks(const coupled_limit_jogs_t *self, double part)
 {
     const axis_config_t *const first = &self->robot->axes[axis_of(self, 0U)];
     const double range = truth_coupled_range(self->robot, self->limit);
     return 100 * (int32_t)lround(part * range / truth_measure(first, 100.0));
 }
 
-bool apart_is_out(const apart_t *self, const rig_t *rig)
+bool coupled_limit_jogs_is_out(const coupled_limit_jogs_t *self, const rig_t *rig)
 {
     return !is_of_carriages(self) || (rig->box.axes[axis_of(self, 1U)].motor.position_ticks <=
                                       -(double)range_ticks(self, OUT_PART));
@@ -93,7 +95,8 @@ static int32_t clamped(const axis_config_t *axis, int32_t ticks)
 }
 
 /* The first goes ahead, as far from the second as it may, then the second close behind. */
-static command_t carriage_jog(const apart_t *self, const rig_t *rig, sim_random_t *random)
+static command_t carriage_jog(const coupled_limit_jogs_t *self, const rig_t *rig,
+                              sim_random_t *random)
 {
     const uint32_t first = axis_of(self, 0U);
     const uint32_t second = axis_of(self, 1U);
@@ -117,7 +120,7 @@ static double least_room(const robot_t *robot, const double ticks[ROBOT_AXIS_MAX
     return room;
 }
 
-static command_t some_jog(const apart_t *self, sim_random_t *random)
+static command_t some_jog(const coupled_limit_jogs_t *self, sim_random_t *random)
 {
     const uint32_t index = axis_of(self, sim_random_below(random, count_of(self)));
     const axis_config_t *const axis = &self->robot->axes[index];
@@ -126,7 +129,7 @@ static command_t some_jog(const apart_t *self, sim_random_t *random)
 }
 
 /* Of some jogs the one that ends nearest to the end of a limit. */
-static command_t edge_jog(const apart_t *self, const rig_t *rig, sim_random_t *random)
+static command_t edge_jog(const coupled_limit_jogs_t *self, const rig_t *rig, sim_random_t *random)
 {
     double places[ROBOT_AXIS_MAX] = {0.0};
     double least = 1.0;
@@ -148,7 +151,8 @@ static command_t edge_jog(const apart_t *self, const rig_t *rig, sim_random_t *r
     return best;
 }
 
-command_t apart_jog(const apart_t *self, const rig_t *rig, sim_random_t *random)
+command_t coupled_limit_jogs_jog(const coupled_limit_jogs_t *self, const rig_t *rig,
+                                 sim_random_t *random)
 {
     return is_of_carriages(self) ? carriage_jog(self, rig, random) : edge_jog(self, rig, random);
 }

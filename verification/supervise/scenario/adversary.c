@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervise/stage/foe.h"
+#include "supervise/scenario/adversary.h"
 
 #include "charts/arming_chart.h"
 #include "charts/axis_chart.h"
-#include "supervise/stage/targets.h"
+#include "supervise/scenario/targets.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -26,17 +26,17 @@ static const char *const wish_words[] = {"targets", "near targets", "jogs", "sho
                                          "coupled axes jogged out"};
 static const char *const when_words[] = {"always", "once homed", "while moving", "at rest"};
 
-static uint32_t below(foe_t *self, uint32_t bound)
+static uint32_t below(adversary_t *self, uint32_t bound)
 {
     return sim_random_below(&self->random, bound);
 }
 
-static uint32_t between(foe_t *self, uint32_t least, uint32_t most)
+static uint32_t between(adversary_t *self, uint32_t least, uint32_t most)
 {
     return least + below(self, most - least + 1U);
 }
 
-static const char *fault_word(const foe_t *self)
+static const char *fault_word(const adversary_t *self)
 {
     const char *word = "";
     word = (self->part == (uint32_t)PART_ENCODER) ? encoder_faults[self->fault] : word;
@@ -51,22 +51,22 @@ static void order(rig_t *rig, const char *part, uint32_t axis, const char *fault
     rig_box(rig, line);
 }
 
-static void tap(foe_t *self)
+static void tap(adversary_t *self)
 {
     self->on_ms = between(self, 20U, 200U);
     self->off_ms = between(self, 20U, 200U);
 }
 
-static void break_encoder(foe_t *self, uint32_t faults)
+static void break_encoder(adversary_t *self, uint32_t faults)
 {
     self->part = (uint32_t)PART_ENCODER;
     self->fault = below(self, faults);
     self->broken_ms = 1U;
 }
 
-static void plan_taps(foe_t *self)
+static void plan_taps(adversary_t *self)
 {
-    static const foe_wish_t wishes[] = {FOE_ASKS_TARGETS, FOE_ASKS_TARGETS, FOE_ASKS_JOGS};
+    static const adversary_wish_t wishes[] = {FOE_ASKS_TARGETS, FOE_ASKS_TARGETS, FOE_ASKS_JOGS};
     tap(self);
     break_encoder(self, 3U);
     self->wish = wishes[below(self, 3U)];
@@ -76,15 +76,15 @@ static void plan_taps(foe_t *self)
     }
 }
 
-static void plan_flicker(foe_t *self)
+static void plan_flicker(adversary_t *self)
 {
-    static const foe_wish_t wishes[] = {FOE_ASKS_TARGETS, FOE_ASKS_TARGETS, FOE_ASKS_JOGS};
+    static const adversary_wish_t wishes[] = {FOE_ASKS_TARGETS, FOE_ASKS_TARGETS, FOE_ASKS_JOGS};
     const bool is_fast = below(self, 2U) == 0U;
     const uint32_t period_ms = is_fast ? between(self, 2U, 20U) : between(self, 10U, 200U);
     break_encoder(self, 2U);
     self->wish = wishes[below(self, 3U)];
     /* The fast ones from the first move on, before a motor has shown much of itself. */
-    self->when = is_fast ? FOE_HOMED : (foe_when_t)below(self, 3U);
+    self->when = is_fast ? FOE_HOMED : (adversary_when_t)below(self, 3U);
     self->broken_ms = between(self, 1U, (period_ms < 60U) ? period_ms - 1U : 60U);
     self->whole_ms = period_ms - self->broken_ms;
     if (below(self, 4U) == 0U) {
@@ -93,7 +93,7 @@ static void plan_flicker(foe_t *self)
 }
 
 /* The needle twice as often as another axis. */
-static uint32_t some_switched(foe_t *self)
+static uint32_t some_switched(adversary_t *self)
 {
     uint32_t axes[ROBOT_AXIS_MAX + 1U] = {self->robot->needle_axis, self->robot->needle_axis};
     uint32_t count = 2U;
@@ -107,7 +107,7 @@ static uint32_t some_switched(foe_t *self)
     return axes[below(self, count)];
 }
 
-static void plan_impostor(foe_t *self)
+static void plan_impostor(adversary_t *self)
 {
     self->axis = some_switched(self);
     self->part = (uint32_t)PART_SWITCH;
@@ -121,13 +121,13 @@ static void plan_impostor(foe_t *self)
     self->lost_axis = self->axis;
 }
 
-static void plan_motor(foe_t *self)
+static void plan_motor(adversary_t *self)
 {
     self->part = (below(self, 5U) == 0U) ? (uint32_t)PART_LOAD : (uint32_t)PART_MOTOR;
     self->fault = below(self, 4U);
     self->load = (double)between(self, 20U, 95U) / 100.0;
     self->wish = (below(self, 3U) == 0U) ? FOE_ASKS_JOGS : FOE_ASKS_TARGETS;
-    self->when = (foe_when_t)between(self, (uint32_t)FOE_HOMED, (uint32_t)FOE_MOVING);
+    self->when = (adversary_when_t)between(self, (uint32_t)FOE_HOMED, (uint32_t)FOE_MOVING);
     self->broken_ms = between(self, 5U, 400U);
     self->whole_ms = between(self, 5U, 400U);
     if (below(self, 3U) == 0U) {
@@ -135,26 +135,26 @@ static void plan_motor(foe_t *self)
     }
 }
 
-static void plan_coupled(foe_t *self)
+static void plan_coupled(adversary_t *self)
 {
     self->start = 1U;
     self->wish = FOE_ASKS_APART;
-    apart_begin(&self->apart, self->robot, &self->random);
-    self->lost_axis = apart_some_axis(&self->apart, &self->random);
+    coupled_limit_jogs_begin(&self->apart, self->robot, &self->random);
+    self->lost_axis = coupled_limit_jogs_some_axis(&self->apart, &self->random);
     self->lose_cycle = between(self, 6000U, 18000U);
 }
 
-static void plan_rest(foe_t *self)
+static void plan_rest(adversary_t *self)
 {
     self->part = (below(self, 2U) == 0U) ? (uint32_t)PART_ENCODER : (uint32_t)PART_MOTOR;
     self->fault = (self->part == (uint32_t)PART_MOTOR) ? 3U : below(self, 3U);
-    self->wish = (foe_wish_t)below(self, 3U);
+    self->wish = (adversary_wish_t)below(self, 3U);
     self->when = FOE_IDLE;
     self->broken_ms = between(self, 1U, 100U);
     self->whole_ms = between(self, 20U, 1000U);
 }
 
-static void plan_short(foe_t *self)
+static void plan_short(adversary_t *self)
 {
     break_encoder(self, 2U);
     self->wish = (below(self, 3U) == 0U) ? FOE_ASKS_NEAR : FOE_ASKS_SHORT;
@@ -162,7 +162,7 @@ static void plan_short(foe_t *self)
     self->start = 2U;
 }
 
-static void start(foe_t *self, rig_t *rig)
+static void start(adversary_t *self, rig_t *rig)
 {
     if (self->start == 0U) {
         rig_start_robot(rig, self->robot);
@@ -180,12 +180,12 @@ static void start(foe_t *self, rig_t *rig)
     }
 }
 
-void foe_begin(foe_t *self, rig_t *rig, const robot_t *robot, uint32_t seed)
+void adversary_begin(adversary_t *self, rig_t *rig, const robot_t *robot, uint32_t seed)
 {
-    static void (*const plans[FOE_PLANS])(foe_t *) = {
+    static void (*const plans[FOE_PLANS])(adversary_t *) = {
         plan_taps, plan_flicker, plan_impostor, plan_motor, plan_coupled, plan_rest, plan_short};
-    *self = (foe_t){.robot = robot, .random = {seed}, .lose_cycle = UINT32_MAX};
-    self->plan = (foe_plan_t)below(self, FOE_PLANS);
+    *self = (adversary_t){.robot = robot, .random = {seed}, .lose_cycle = UINT32_MAX};
+    self->plan = (adversary_plan_t)below(self, FOE_PLANS);
     if ((self->plan == FOE_COUPLED) && (robot->coupled_limit_count == 0U)) {
         self->plan = FOE_REST;
     }
@@ -197,7 +197,7 @@ void foe_begin(foe_t *self, rig_t *rig, const robot_t *robot, uint32_t seed)
     start(self, rig);
 }
 
-static void set_part(const foe_t *self, rig_t *rig, bool is_broken)
+static void set_part(const adversary_t *self, rig_t *rig, bool is_broken)
 {
     if (self->part == (uint32_t)PART_LOAD) {
         rig->box.axes[self->axis].motor.load = is_broken ? self->load : 0.0;
@@ -206,7 +206,7 @@ static void set_part(const foe_t *self, rig_t *rig, bool is_broken)
     }
 }
 
-static bool is_time(const foe_t *self, const rig_t *rig)
+static bool is_time(const adversary_t *self, const rig_t *rig)
 {
     const uint32_t armed = rig->outputs.snapshot.order;
     bool is_now =
@@ -229,13 +229,13 @@ static bool is_time(const foe_t *self, const rig_t *rig)
 }
 
 /* A share more or less each time. */
-static uint32_t jittered(foe_t *self, uint32_t ms)
+static uint32_t jittered(adversary_t *self, uint32_t ms)
 {
     return ms + below(self, (ms / 4U) + 1U);
 }
 
 /* The part is broken and whole again, in its rhythm. */
-static void keep_rhythm(foe_t *self, rig_t *rig)
+static void keep_rhythm(adversary_t *self, rig_t *rig)
 {
     bool is_broken = self->is_broken;
     if (!is_time(self, rig)) {
@@ -253,7 +253,7 @@ static void keep_rhythm(foe_t *self, rig_t *rig)
     }
 }
 
-static void have_mercy(foe_t *self, const rig_t *rig)
+static void have_mercy(adversary_t *self, const rig_t *rig)
 {
     const bool is_found =
         rig->outputs.snapshot.axes[self->axis].power == (uint32_t)AXIS_POWER_FAULT;
@@ -263,7 +263,7 @@ static void have_mercy(foe_t *self, const rig_t *rig)
     }
 }
 
-static void work_pedal(foe_t *self, rig_t *rig)
+static void work_pedal(adversary_t *self, rig_t *rig)
 {
     const bool is_armed = rig->outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE;
     if (self->on_ms == 0U) {
@@ -279,10 +279,10 @@ static void work_pedal(foe_t *self, rig_t *rig)
     rig_box(rig, self->is_pressing ? "pedal b close" : "pedal b open");
 }
 
-static void lose(foe_t *self, rig_t *rig)
+static void lose(adversary_t *self, rig_t *rig)
 {
     if ((self->plan == FOE_COUPLED) && (self->lose_cycle == self->cycle) &&
-        !apart_is_out(&self->apart, rig)) {
+        !coupled_limit_jogs_is_out(&self->apart, rig)) {
         self->lose_cycle++;
     }
     if (self->lose_cycle == self->cycle) {
@@ -294,7 +294,7 @@ static void lose(foe_t *self, rig_t *rig)
 }
 
 /* The switch, by the legs of homing: pressed far from its place, free, and pressed there again. */
-static void pose_as_switch(foe_t *self, rig_t *rig)
+static void pose_as_switch(adversary_t *self, rig_t *rig)
 {
     const box_axis_t *const axis = &rig->box.axes[self->axis];
     const bool is_upper = axis->config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
@@ -319,7 +319,7 @@ static void pose_as_switch(foe_t *self, rig_t *rig)
     }
 }
 
-bool foe_play(foe_t *self, rig_t *rig)
+bool adversary_play(adversary_t *self, rig_t *rig)
 {
     self->cycle++;
     self->was_homed = self->was_homed || (rig->outputs.snapshot.is_homed != 0U);
@@ -341,10 +341,10 @@ static int32_t clamped(const axis_config_t *axis, int32_t ticks)
     return (ticks < least) ? least : (ticks > most) ? most : ticks;
 }
 
-command_t adversary_jog(foe_t *self, const rig_t *rig)
+command_t adversary_jog(adversary_t *self, const rig_t *rig)
 {
     if (self->wish == FOE_ASKS_APART) {
-        return apart_jog(&self->apart, rig, &self->random);
+        return coupled_limit_jogs_jog(&self->apart, rig, &self->random);
     }
     const axis_config_t *const axis = &self->robot->axes[self->axis];
     const uint32_t span = (uint32_t)(axis->target_maximum_ticks - axis->target_minimum_ticks);
@@ -372,7 +372,7 @@ static void add(char *text, size_t size, const char *format, ...)
     va_end(arguments);
 }
 
-static void add_rhythm(const foe_t *self, char *text, size_t size)
+static void add_rhythm(const adversary_t *self, char *text, size_t size)
 {
     add(text, size, ", %s %s", part_words[self->part], self->robot->axes[self->axis].name);
     if (self->part == (uint32_t)PART_LOAD) {
@@ -388,7 +388,7 @@ static void add_rhythm(const foe_t *self, char *text, size_t size)
         self->has_mercy ? ", whole for a while after a fault" : "");
 }
 
-void foe_describe(const foe_t *self, char *text, size_t size)
+void adversary_describe(const adversary_t *self, char *text, size_t size)
 {
     static const char *const starts[] = {"from power-on", "homed", "with a target"};
     text[0] = '\0';

@@ -11,7 +11,7 @@
 #include "limits/requirement_limits.h"
 #include "supervise/watch/order_watch.h"
 #include "supervise/watch/program_watch.h"
-#include "supervise/watch/reign.h"
+#include "supervise/watch/authority_oracle.h"
 #include "supervise/watch/sweep_watch.h"
 
 #include <stdbool.h>
@@ -46,7 +46,7 @@ typedef enum {
     SENTENCE_SWEEP = SENTENCE_ORDER + (int)ORDER_RULES,
     /** From here on: those of program_rule_t. */
     SENTENCE_PROGRAM = SENTENCE_SWEEP + (int)SWEEP_RULES,
-    /** From here on: those of reign_rule_t. */
+    /** From here on: those of authority_oracle_rule_t. */
     SENTENCE_REIGN = SENTENCE_PROGRAM + (int)PROGRAM_RULES
 } sentence_t;
 
@@ -104,7 +104,7 @@ typedef struct {
     order_watch_t order_watch;
     sweep_watch_t sweep_watch;
     program_watch_t program_watch;
-    reign_t reign;
+    authority_oracle_t authority_oracle;
     uint32_t armed[COMMAND_KIND_COUNT]; /**< Orders in all episodes before this one. */
     uint32_t done[COMMAND_KIND_COUNT];  /**< How many of them ended as asked. */
     uint32_t losses_in_motion;
@@ -112,23 +112,23 @@ typedef struct {
     bool is_retracting;                   /**< A retraction was accepted and has not ended. */
     uint32_t idle_cycles[ROBOT_AXIS_MAX]; /**< Driven in homing without a part in it. */
     double coupled_beyond[ROBOT_COUPLED_LIMITS]; /**< How far beyond each may be, mm or degrees. */
-} witness_t;
+} motion_oracle_t;
 
 /** Begins an episode; the verdicts stay. */
-void witness_begin(witness_t *self, uint32_t seed);
+void motion_oracle_begin(motion_oracle_t *self, uint32_t seed);
 
 /** Forgets what this episode has broken so far. */
-void witness_forgive(witness_t *self);
+void motion_oracle_forgive(motion_oracle_t *self);
 
 /** Looks at the cycle that `rig` has just run; `truth`: the positions when its frames were made;
  * `is_disturbed`: something in the scene is or was broken. */
-void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
-                  bool is_disturbed);
+void motion_oracle_look(motion_oracle_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
+                        bool is_disturbed);
 
 /** So many cycles after the end of its profile an `ending` came, in `percent` of all. */
-uint32_t witness_late(const witness_t *self, ending_t ending, uint32_t percent);
+uint32_t motion_oracle_late(const motion_oracle_t *self, ending_t ending, uint32_t percent);
 
 /** The sentence in words, and the unit of `worst`. */
-const char *witness_sentence(sentence_t sentence);
+const char *motion_oracle_sentence(sentence_t sentence);
 
 #endif

@@ -1,117 +1,117 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervise/stage/stage_deeds.h"
+#include "supervise/scenario/scenario_deeds.h"
 
 #include "charts/arming_chart.h"
 #include "limits/requirement_limits.h"
-#include "supervise/stage/acts.h"
-#include "supervise/stage/stage_sends.h"
+#include "supervise/scenario/acts.h"
+#include "supervise/scenario/scenario_sends.h"
 
 #define OTHER_PARTS 6U     /* One of so many orders is not of the theme of the play. */
 #define NEEDLE_PARTS 12    /* Of its way, the needle goes in before a sweep. */
 #define SWEEP_PATIENCE 32U /* A sweep is given so much longer than any other order. */
 
-void stage_do_anything(stage_t *self, rig_t *rig)
+void scenario_do_anything(scenario_t *self, rig_t *rig)
 {
-    switch (stage_random_below(self, 6U)) {
+    switch (scenario_random_below(self, 6U)) {
     case 0:
-        stage_send_phase(self, rig, (workphase_t)(1U + stage_random_below(self, 8U)));
+        scenario_send_phase(self, rig, (workphase_t)(1U + scenario_random_below(self, 8U)));
         break;
     case 1:
-        stage_send_jog(self, rig);
+        scenario_send_jog(self, rig);
         break;
     case 2:
-        stage_send(self, rig,
-                   (command_t){.kind = (uint32_t)COMMAND_TARGET,
-                               .as.pose = {.pose = stage_some_target(self)}});
+        scenario_send(self, rig,
+                      (command_t){.kind = (uint32_t)COMMAND_TARGET,
+                                  .as.pose = {.pose = scenario_some_target(self)}});
         break;
     case 3:
         rig_box(rig, "pedal press");
         break;
     case 4:
-        rig_box(rig, (stage_random_below(self, 2U) == 0U) ? "pedal release" : "estop reset");
+        rig_box(rig, (scenario_random_below(self, 2U) == 0U) ? "pedal release" : "estop reset");
         break;
     default:
-        stage_send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
+        scenario_send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
         break;
     }
-    if (stage_has_whim(self, 8U)) {
-        stage_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
-    } else if (stage_has_whim(self, 8U)) {
-        stage_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_ACCEPT_ENTRY});
-    } else if (stage_has_whim(self, 8U)) {
-        stage_send_saved(self, rig);
-    } else if (stage_has_whim(self, 8U)) {
-        stage_send_act(self, rig);
-    } else if (stage_has_whim(self, 16U)) {
-        stage_send_probe(self, rig);
-    } else if (stage_has_whim(self, 4U)) {
-        stage_send_order(self, rig, WORKPHASE_COUNT);
+    if (scenario_has_whim(self, 8U)) {
+        scenario_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
+    } else if (scenario_has_whim(self, 8U)) {
+        scenario_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_ACCEPT_ENTRY});
+    } else if (scenario_has_whim(self, 8U)) {
+        scenario_send_saved(self, rig);
+    } else if (scenario_has_whim(self, 8U)) {
+        scenario_send_act(self, rig);
+    } else if (scenario_has_whim(self, 16U)) {
+        scenario_send_probe(self, rig);
+    } else if (scenario_has_whim(self, 4U)) {
+        scenario_send_order(self, rig, WORKPHASE_COUNT);
     } else {
         /* None of these. */
     }
 }
 
-static void send_jog_or_act(stage_t *self, rig_t *rig)
+static void send_jog_or_act(scenario_t *self, rig_t *rig)
 {
-    if (stage_has_whim(self, 6U)) {
-        stage_send_act(self, rig);
-    } else if (stage_has_whim(self, 6U)) {
-        stage_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
-    } else if (stage_has_whim(self, 4U)) {
-        stage_send_order(self, rig, WORKPHASE_MANUAL);
+    if (scenario_has_whim(self, 6U)) {
+        scenario_send_act(self, rig);
+    } else if (scenario_has_whim(self, 6U)) {
+        scenario_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
+    } else if (scenario_has_whim(self, 4U)) {
+        scenario_send_order(self, rig, WORKPHASE_MANUAL);
     } else {
-        stage_send_jog(self, rig);
+        scenario_send_jog(self, rig);
     }
 }
 
 /* One jog after the other, each under a pedal that is pressed anew and sometimes released. */
-void stage_do_jog(stage_t *self, rig_t *rig)
+void scenario_do_jog(scenario_t *self, rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
     if ((shown->workphase == (uint32_t)WORKPHASE_UNDEFINED) ||
         (shown->workphase == (uint32_t)WORKPHASE_EMERGENCY)) {
-        stage_send_phase(self, rig, WORKPHASE_START_UP);
+        scenario_send_phase(self, rig, WORKPHASE_START_UP);
     } else if (shown->workphase != (uint32_t)WORKPHASE_MANUAL) {
-        stage_send_phase(self, rig, WORKPHASE_MANUAL);
+        scenario_send_phase(self, rig, WORKPHASE_MANUAL);
     } else if (shown->order == (uint32_t)ARMING_STATE_NONE) {
         rig_box(rig, "pedal release");
         send_jog_or_act(self, rig);
     } else if (shown->order == (uint32_t)ARMING_STATE_WAITING) {
         rig_box(rig, "pedal press");
-    } else if (stage_random_below(self, 4U) == 0U) {
+    } else if (scenario_random_below(self, 4U) == 0U) {
         rig_box(rig, "pedal release");
     } else {
         /* It goes on. */
     }
 }
 
-static void send_target_or_phase(stage_t *self, rig_t *rig)
+static void send_target_or_phase(scenario_t *self, rig_t *rig)
 {
     if (rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_TARGETING) {
         self->wants_target = 0U;
-        stage_send_target(self, rig);
+        scenario_send_target(self, rig);
     } else {
-        stage_send_phase(self, rig, WORKPHASE_TARGETING);
+        scenario_send_phase(self, rig, WORKPHASE_TARGETING);
     }
 }
 
 /* An operator who sees another place than is shown lets go, and homes again if that is allowed. */
-static void confirm(stage_t *self, rig_t *rig)
+static void confirm(scenario_t *self, rig_t *rig)
 {
     if (acts_is_shown_true(rig)) {
         rig_box(rig, "button press");
         self->wait_cycles += (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US);
     } else {
-        stage_send_phase(self, rig, WORKPHASE_START_UP);
+        scenario_send_phase(self, rig, WORKPHASE_START_UP);
     }
 }
 
 /* What the console asks for. */
-void stage_do_next_step(stage_t *self, rig_t *rig)
+void scenario_do_next_step(scenario_t *self, rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
-    if (stage_wants_out(self, shown)) {
-        stage_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
+    if (scenario_wants_out(self, shown)) {
+        scenario_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
         return;
     }
     switch (shown->next_step) {
@@ -128,46 +128,46 @@ void stage_do_next_step(stage_t *self, rig_t *rig)
         rig_box(rig, "scanner off");
         break;
     case NEXT_STEP_PLANNING:
-        stage_send_phase(self, rig, WORKPHASE_PLANNING);
+        scenario_send_phase(self, rig, WORKPHASE_PLANNING);
         break;
     case NEXT_STEP_CALIBRATION:
     case NEXT_STEP_REGISTER:
-        stage_send_phase(self, rig, WORKPHASE_CALIBRATION);
+        scenario_send_phase(self, rig, WORKPHASE_CALIBRATION);
         if (shown->workphase == (uint32_t)WORKPHASE_CALIBRATION) {
             command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION};
             rigid_set_identity(&command.as.registration.pose);
-            stage_send(self, rig, command);
+            scenario_send(self, rig, command);
         }
         break;
     case NEXT_STEP_NOTHING:
     case NEXT_STEP_PROGRAM_DONE:
         self->wants_target = 1U;
-        stage_send_phase(self, rig, WORKPHASE_TARGETING);
+        scenario_send_phase(self, rig, WORKPHASE_TARGETING);
         break;
     case NEXT_STEP_TARGETING:
-        stage_send_phase(self, rig, WORKPHASE_TARGETING);
+        scenario_send_phase(self, rig, WORKPHASE_TARGETING);
         break;
     case NEXT_STEP_MANUAL:
-        stage_send_phase(self, rig, WORKPHASE_MANUAL);
+        scenario_send_phase(self, rig, WORKPHASE_MANUAL);
         break;
     case NEXT_STEP_RETRACT:
-        stage_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
+        scenario_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
         break;
     case NEXT_STEP_DRAPING:
-        stage_send(self, rig,
-                   (command_t){.kind = (uint32_t)COMMAND_POSE,
-                               .as.pose_name = {.pose = (uint32_t)POSE_DRAPING}});
+        scenario_send(self, rig,
+                      (command_t){.kind = (uint32_t)COMMAND_POSE,
+                                  .as.pose_name = {.pose = (uint32_t)POSE_DRAPING}});
         break;
     case NEXT_STEP_PROBE:
-        if (stage_has_whim(self, 3U)) {
-            stage_send_phase(self, rig, WORKPHASE_START_UP);
+        if (scenario_has_whim(self, 3U)) {
+            scenario_send_phase(self, rig, WORKPHASE_START_UP);
         } else {
-            stage_send_probe(self, rig);
+            scenario_send_probe(self, rig);
         }
         break;
     case NEXT_STEP_TARGET:
-        if (stage_has_whim(self, 12U)) {
-            stage_send_probe(self, rig);
+        if (scenario_has_whim(self, 12U)) {
+            scenario_send_probe(self, rig);
         } else {
             send_target_or_phase(self, rig);
         }
@@ -176,7 +176,7 @@ void stage_do_next_step(stage_t *self, rig_t *rig)
         if (self->wants_target != 0U) {
             send_target_or_phase(self, rig);
         } else {
-            stage_send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
+            scenario_send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
         }
         break;
     case NEXT_STEP_CONFIRM:
@@ -185,22 +185,22 @@ void stage_do_next_step(stage_t *self, rig_t *rig)
         confirm(self, rig);
         break;
     case NEXT_STEP_STOP:
-        stage_send_phase(self, rig, WORKPHASE_STOP);
+        scenario_send_phase(self, rig, WORKPHASE_STOP);
         break;
     case NEXT_STEP_WAIT:
         break;
     case NEXT_STEP_AUTHORITY:
     case NEXT_STEP_GRANT:
         rig_box(rig, "pedal release");
-        stage_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_TAKE});
+        scenario_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_TAKE});
         break;
     case NEXT_STEP_HOLD_PEDAL:
-        if (stage_random_below(self, (self->play == PLAY_INTERRUPTED) ? 2U : 8U) == 0U) {
+        if (scenario_random_below(self, (self->play == PLAY_INTERRUPTED) ? 2U : 8U) == 0U) {
             rig_box(rig, "pedal release");
         }
         break;
     default:
-        stage_send_phase(self, rig, WORKPHASE_START_UP);
+        scenario_send_phase(self, rig, WORKPHASE_START_UP);
         break;
     }
 }
@@ -217,34 +217,34 @@ static bool is_free(const snapshot_t *shown)
 }
 
 /* What the console asks for, or jogs where it asks for none. */
-void stage_do_wish(stage_t *self, rig_t *rig)
+void scenario_do_wish(scenario_t *self, rig_t *rig)
 {
-    self->wait_cycles = 20U + stage_random_below(self, 120U);
-    if ((self->foe.wish < FOE_ASKS_JOGS) || !is_free(&rig->outputs.snapshot)) {
-        stage_do_next_step(self, rig);
+    self->wait_cycles = 20U + scenario_random_below(self, 120U);
+    if ((self->adversary.wish < FOE_ASKS_JOGS) || !is_free(&rig->outputs.snapshot)) {
+        scenario_do_next_step(self, rig);
     } else if (rig->outputs.snapshot.workphase != (uint32_t)WORKPHASE_MANUAL) {
-        stage_send_phase(self, rig, WORKPHASE_MANUAL);
+        scenario_send_phase(self, rig, WORKPHASE_MANUAL);
     } else {
         rig_box(rig, "pedal release");
-        stage_send(self, rig, adversary_jog(&self->foe, rig));
+        scenario_send(self, rig, adversary_jog(&self->adversary, rig));
     }
 }
 
 /* In some cases the needle goes in before a sweep, which must then be refused, and out again. */
-static bool moves_needle(stage_t *self, rig_t *rig)
+static bool moves_needle(scenario_t *self, rig_t *rig)
 {
     const uint32_t needle = self->robot->needle_axis;
     const axis_config_t *const axis = &self->robot->axes[needle];
     const int32_t far_ticks = (axis->maximum_ticks - axis->minimum_ticks) / NEEDLE_PARTS;
     const bool is_in = rig->outputs.snapshot.axes[needle].position_ticks > (far_ticks / 2);
     const bool is_due =
-        (self->play == PLAY_SWEEPS) && stage_has_whim(self, is_in ? 2U : OTHER_PARTS);
+        (self->play == PLAY_SWEEPS) && scenario_has_whim(self, is_in ? 2U : OTHER_PARTS);
     if (is_due && is_in) {
-        stage_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
+        scenario_send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
     } else if (is_due) {
-        stage_send(self, rig,
-                   (command_t){.kind = (uint32_t)COMMAND_JOG_BY,
-                               .as.jog_by = {.axis = needle, .by_ticks = far_ticks}});
+        scenario_send(self, rig,
+                      (command_t){.kind = (uint32_t)COMMAND_JOG_BY,
+                                  .as.jog_by = {.axis = needle, .by_ticks = far_ticks}});
     } else {
         /* It stays. */
     }
@@ -252,32 +252,32 @@ static bool moves_needle(stage_t *self, rig_t *rig)
 }
 
 /* The next order of a play without a theme: mostly in `phase`, or where targets are. */
-static void wish_for(stage_t *self, workphase_t phase, uint32_t parts)
+static void wish_for(scenario_t *self, workphase_t phase, uint32_t parts)
 {
     if (play_theme(self->play) == COMMAND_NONE) {
-        self->wish = stage_has_whim(self, parts) ? 0U : (uint32_t)phase;
+        self->wish = scenario_has_whim(self, parts) ? 0U : (uint32_t)phase;
     }
 }
 
 /* In TARGETING, or once a move has ended: an order there, or another target and its entry point. */
-static void do_aiming_order(stage_t *self, rig_t *rig)
+static void do_aiming_order(scenario_t *self, rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
     const bool is_targeting = shown->workphase == (uint32_t)WORKPHASE_TARGETING;
-    if (is_targeting && ((shown->has_entry == 0U) || stage_has_whim(self, 4U))) {
-        stage_send_target(self, rig);
-    } else if (is_targeting && stage_has_whim(self, 4U)) {
-        stage_send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
-    } else if ((self->play == PLAY_PROGRAMS) && stage_has_whim(self, OTHER_PARTS)) {
-        stage_send_phase(self, rig, WORKPHASE_TARGETING);
+    if (is_targeting && ((shown->has_entry == 0U) || scenario_has_whim(self, 4U))) {
+        scenario_send_target(self, rig);
+    } else if (is_targeting && scenario_has_whim(self, 4U)) {
+        scenario_send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
+    } else if ((self->play == PLAY_PROGRAMS) && scenario_has_whim(self, OTHER_PARTS)) {
+        scenario_send_phase(self, rig, WORKPHASE_TARGETING);
     } else {
-        stage_send_order(self, rig, (workphase_t)shown->workphase);
+        scenario_send_order(self, rig, (workphase_t)shown->workphase);
         wish_for(self, WORKPHASE_MANUAL, 3U);
     }
 }
 
 /* Towards the workphase of the next order, and that. */
-static void do_order(stage_t *self, rig_t *rig)
+static void do_order(scenario_t *self, rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
     const bool is_manual = self->wish == (uint32_t)WORKPHASE_MANUAL;
@@ -286,20 +286,20 @@ static void do_order(stage_t *self, rig_t *rig)
     rig_box(rig, "pedal release");
     if (is_manual && (shown->workphase == (uint32_t)WORKPHASE_MANUAL)) {
         if (!moves_needle(self, rig)) {
-            stage_send_order(self, rig, WORKPHASE_MANUAL);
+            scenario_send_order(self, rig, WORKPHASE_MANUAL);
         }
         wish_for(self, WORKPHASE_MANUAL, 6U);
     } else if (is_manual && (shown->is_homed != 0U)) {
-        stage_send_phase(self, rig, WORKPHASE_MANUAL);
+        scenario_send_phase(self, rig, WORKPHASE_MANUAL);
     } else if (!is_manual && is_aiming && (shown->is_homed != 0U)) {
         do_aiming_order(self, rig);
     } else {
-        stage_do_next_step(self, rig);
+        scenario_do_next_step(self, rig);
     }
 }
 
 /* One order of any mode after the other; some give way to another one, and some to a stop. */
-void stage_do_mode(stage_t *self, rig_t *rig)
+void scenario_do_mode(scenario_t *self, rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
     const uint32_t patience = (self->play == PLAY_SWEEPS) ? SWEEP_PATIENCE : 1U;
@@ -309,25 +309,25 @@ void stage_do_mode(stage_t *self, rig_t *rig)
     if (shown->order == (uint32_t)ARMING_STATE_NONE) {
         do_order(self, rig);
     } else if ((shown->workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
-               stage_has_whim(self, 40U)) {
-        stage_send_order(self, rig, WORKPHASE_MOVE_TO_TARGET);
+               scenario_has_whim(self, 40U)) {
+        scenario_send_order(self, rig, WORKPHASE_MOVE_TO_TARGET);
     } else if (shown->order == (uint32_t)ARMING_STATE_WAITING) {
-        rig_box(rig, stage_has_whim(self, 8U) ? "pedal release" : "pedal press");
-    } else if (stage_has_whim(self, 24U * patience)) {
+        rig_box(rig, scenario_has_whim(self, 8U) ? "pedal release" : "pedal press");
+    } else if (scenario_has_whim(self, 24U * patience)) {
         rig_box(rig, "pedal release");
-    } else if (stage_has_whim(self, 80U * patience)) {
-        stage_send_order(self, rig, WORKPHASE_COUNT);
-    } else if (stage_has_whim(self, 160U * patience)) {
-        stage_send_phase(self, rig, WORKPHASE_STOP);
+    } else if (scenario_has_whim(self, 80U * patience)) {
+        scenario_send_order(self, rig, WORKPHASE_COUNT);
+    } else if (scenario_has_whim(self, 160U * patience)) {
+        scenario_send_phase(self, rig, WORKPHASE_STOP);
     } else {
         /* It goes on. */
     }
 }
 
 /* Now and then what the console asks for; in a play with a theme once nothing is armed. */
-bool stage_does_next_step(stage_t *self, const snapshot_t *shown)
+bool scenario_does_next_step(scenario_t *self, const snapshot_t *shown)
 {
     return ((play_theme(self->play) == COMMAND_NONE) ||
             (shown->order == (uint32_t)ARMING_STATE_NONE)) &&
-           (stage_random_below(self, 12U) == 0U);
+           (scenario_random_below(self, 12U) == 0U);
 }

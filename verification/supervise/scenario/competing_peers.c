@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervise/stage/rivals.h"
+#include "supervise/scenario/competing_peers.h"
 
 #include "charts/authority_chart.h"
 #include "limits/requirement_limits.h"
-#include "supervise/stage/chance.h"
+#include "supervise/scenario/prng.h"
 
 #define WAIT_CYCLES 1500U
 #define RENEW_CYCLES 1000U
@@ -23,9 +23,9 @@ static void sign(const authority_party_t *party, command_t *command)
     command->peer = party->peer;
 }
 
-static const authority_party_t *anyone(rivals_t *self)
+static const authority_party_t *anyone(competing_peers_t *self)
 {
-    return &parties[chance_below(&self->random, (uint32_t)PARTIES)];
+    return &parties[prng_below(&self->random, (uint32_t)PARTIES)];
 }
 
 static bool is_held(const rig_t *rig)
@@ -40,14 +40,14 @@ static authority_party_t holder_of(const rig_t *rig)
     return holder;
 }
 
-void rivals_begin(rivals_t *self, rig_t *rig, uint32_t seed)
+void competing_peers_begin(competing_peers_t *self, rig_t *rig, uint32_t seed)
 {
-    *self = (rivals_t){.random = (seed * 2246822507U) | 1U};
+    *self = (competing_peers_t){.random = (seed * 2246822507U) | 1U};
     rig->is_page_away = true;
 }
 
 /* What anyone may try. Of a connection that has gone its process releases what it had. */
-static command_t some_command(rivals_t *self)
+static command_t some_command(competing_peers_t *self)
 {
     static const command_t tries[] = {
         {.kind = COMMAND_TAKE},
@@ -63,25 +63,25 @@ static command_t some_command(rivals_t *self)
         {.kind = COMMAND_RETRACT},
         {.kind = COMMAND_JOG}};
     command_t command =
-        tries[chance_below(&self->random, (uint32_t)(sizeof tries / sizeof tries[0]))];
+        tries[prng_below(&self->random, (uint32_t)(sizeof tries / sizeof tries[0]))];
     sign(anyone(self), &command);
-    if ((command.kind == (uint32_t)COMMAND_RELEASE) && (chance_below(&self->random, 4U) == 0U)) {
+    if ((command.kind == (uint32_t)COMMAND_RELEASE) && (prng_below(&self->random, 4U) == 0U)) {
         command.peer = 0U;
     }
     return command;
 }
 
 /* Somebody who stands at the robot, and lets go of the pedal or not. */
-static void press_button(rivals_t *self, rig_t *rig)
+static void press_button(competing_peers_t *self, rig_t *rig)
 {
-    if (chance_below(&self->random, 4U) != 0U) {
+    if (prng_below(&self->random, 4U) != 0U) {
         rig_box(rig, "pedal release");
     }
     rig_box(rig, "button press");
-    self->press_cycles = (PRESS_CYCLES / 2U) + chance_below(&self->random, PRESS_CYCLES);
+    self->press_cycles = (PRESS_CYCLES / 2U) + prng_below(&self->random, PRESS_CYCLES);
 }
 
-static void count_down(rivals_t *self, rig_t *rig)
+static void count_down(competing_peers_t *self, rig_t *rig)
 {
     self->asleep_cycles -= (self->asleep_cycles > 0U) ? 1U : 0U;
     if ((self->press_cycles > 0U) && (--self->press_cycles == 0U)) {
@@ -92,7 +92,7 @@ static void count_down(rivals_t *self, rig_t *rig)
     }
 }
 
-bool rivals_play(rivals_t *self, rig_t *rig, command_t *command)
+bool competing_peers_play(competing_peers_t *self, rig_t *rig, command_t *command)
 {
     count_down(self, rig);
     if (is_held(rig) && (rig->outputs.snapshot.holder == (uint32_t)COMMAND_SOURCE_HTTP) &&
@@ -106,16 +106,16 @@ bool rivals_play(rivals_t *self, rig_t *rig, command_t *command)
         self->wait_cycles--;
         return false;
     }
-    self->wait_cycles = chance_below(&self->random, WAIT_CYCLES);
-    switch (chance_below(&self->random, 24U)) {
+    self->wait_cycles = prng_below(&self->random, WAIT_CYCLES);
+    switch (prng_below(&self->random, 24U)) {
     case 0:
     case 1:
     case 2:
-        self->asleep_cycles = chance_below(&self->random, LONGEST_SLEEP_CYCLES);
+        self->asleep_cycles = prng_below(&self->random, LONGEST_SLEEP_CYCLES);
         return false;
     case 3:
-        rig->silent_sources = 1U + chance_below(&self->random, 3U);
-        self->hung_cycles = 1U + chance_below(&self->random, LONGEST_HANG_CYCLES);
+        rig->silent_sources = 1U + prng_below(&self->random, 3U);
+        self->hung_cycles = 1U + prng_below(&self->random, LONGEST_HANG_CYCLES);
         return false;
     case 4:
     case 5:
@@ -128,9 +128,9 @@ bool rivals_play(rivals_t *self, rig_t *rig, command_t *command)
     }
 }
 
-void rivals_sign(rivals_t *self, const rig_t *rig, command_t *command)
+void competing_peers_sign(competing_peers_t *self, const rig_t *rig, command_t *command)
 {
     const authority_party_t holder = holder_of(rig);
-    const bool is_by_holder = is_held(rig) && (chance_below(&self->random, 8U) != 0U);
+    const bool is_by_holder = is_held(rig) && (prng_below(&self->random, 8U) != 0U);
     sign(is_by_holder ? &holder : anyone(self), command);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervise/stage/play.h"
+#include "supervise/scenario/play.h"
 
 #include <stdint.h>
 #include <string.h>
