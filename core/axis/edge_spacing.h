@@ -25,7 +25,7 @@ typedef struct {
     uint32_t ticks;     /**< What was counted of the last way between two counts; 0: none yet. */
     uint32_t due_q16;   /**< What the model made of that way. */
     uint32_t ended_q16; /**< The same, in the cycle in which that way ended; 0 in others. */
-    uint32_t uneven;    /**< The sum of changes, for which even ways give back. */
+    uint32_t uneven;    /**< Accumulated unevenness; even intervals reduce it. */
 } edge_spacing_t;
 
 void edge_spacing_init(edge_spacing_t *self);

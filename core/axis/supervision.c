@@ -25,7 +25,7 @@ static uint32_t error_ticks(const supervision_view_t *view)
                : ((uint32_t)view->setpoint_ticks - (uint32_t)view->position_ticks);
 }
 
-/* The motor is asked for more than a trembling. */
+/* The motor is commanded beyond its dither. */
 static bool is_pushing(const axis_config_t *config, const supervision_view_t *view)
 {
     const uint32_t error = error_ticks(view);
@@ -96,7 +96,8 @@ static int64_t due_ticks(const supervision_t *self)
     return ((self->due_q16 < 0) ? -self->due_q16 : self->due_q16) / 65536;
 }
 
-/* The motor was driven, and nothing was counted in its direction. A pause makes nothing good. */
+/* The motor was driven, and nothing was counted in its direction. A pause does not
+ * clear the deficit. */
 static bool is_silent(supervision_t *self, const axis_config_t *config, const count_cycle_t *cycle)
 {
     if ((cycle->counted_ticks != 0) &&
@@ -123,8 +124,8 @@ void supervision_settle(supervision_t *self)
     edge_spacing_settle(&self->pace);
 }
 
-/* What is missing is called by its name if nothing at all is counted any more. Once told, it is
- * settled: the axis is lost. */
+/* Without any count the fault is NO_COUNTS, not WRONG_SPEED. The sum starts anew once the fault is
+ * reported: the reference is lost then. */
 static uint32_t watch_counts(supervision_t *self, const axis_config_t *config,
                              const count_cycle_t *cycle)
 {

@@ -84,7 +84,7 @@ typedef struct {
 } mode_share_t;
 
 /**
- * To be asked while `kind` moves; it costs a division.
+ * Call only while `kind` moves: performs a division.
  *
  * @satisfies SWR-MODE-006
  * @satisfies SWR-PROG-011

@@ -6,8 +6,8 @@
  *
  * Wherever they would stop: each axis somewhere between the end of its way down and that of its way
  * up, and the axes in the worst of all these places together. A way is what LIMIT_COUPLED_STOP_US
- * allow, as fast as the axis is measured or, if driven that way, as its motor can be. That another
- * axis comes towards the range counts for nothing.
+ * allow, as fast as the axis is measured or, if driven that way, as its motor can be. Another
+ * axis that moves inwards gives no credit.
  *
  * No derivative is asked for and no shape is assumed: the limit's value is looked at with each axis
  * in turn at both ends of its way. Of a curved limit these changes are added up, and the corner

@@ -112,8 +112,8 @@ void command_client_init(command_client_t *self, exchange_t *exchange)
     publish(self);
 }
 
-/* With the lock. Whose place is needed has nothing any more: its number may come again from another
- * session. */
+/* With the lock. The evicted page loses its authority first: another session may reuse its number.
+ */
 static bool make_room(command_client_t *self, uint32_t number, const session_t *session,
                       uint32_t kept)
 {

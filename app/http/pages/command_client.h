@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Where pages act: typed commands go to control by the lane of HTTP, one sender at a time, and
- * their answers come back to who asked. Whoever waits takes all answers that have come. Any number
- * of threads may be here.
+ * The client of control for pages: it sends typed commands through the lane of HTTP, one sender at
+ * a time, and returns their answers to the pages that asked. Any waiting thread takes all answers
+ * that have arrived. Safe for any number of threads.
  */
 #ifndef BORESIGHT_COMMAND_CLIENT_H
 #define BORESIGHT_COMMAND_CLIENT_H

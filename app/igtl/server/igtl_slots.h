@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Who of a port's connections has a place. Who finds all taken waits, and is told nothing. With its
- * first message that is more than a greeting it gets the place of the one that has been silent for
- * longest; who never says anything gets one that has become free. So a silent one takes nobody's
- * place, and one that speaks finds one.
+ * Assigns the limited slots of a port to connections. A connection that finds no free slot is
+ * queued without a reply. Its first message beyond a greeting gives it the slot of the connection
+ * that has been silent for longest; a connection that sends nothing only gets a slot that has
+ * become free.
  */
 #ifndef BORESIGHT_IGTL_SLOTS_H
 #define BORESIGHT_IGTL_SLOTS_H

@@ -107,8 +107,8 @@ static inline uint32_t seal_of_bytes(const axis_bytes_t bytes)
     return seal_of_sixteen(seal, &bytes[384]);
 }
 
-/* Charts without timers carry all of themselves twice; when and how one came to its state decides
- * nothing. */
+/* Charts without timers hold their state twice. The time and the path of an entry do not affect
+ * later behaviour and are not sealed. */
 static inline uint32_t seal_of_axis(const axis_t *axis)
 {
     const uint8_t *const bytes = (const uint8_t *)axis;

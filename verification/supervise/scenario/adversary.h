@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * An enemy who owns the fault keyboard of the simulated box and the foot on the pedal. In a scene
- * it has one plan: what is broken, in what rhythm, and how the pedal is tapped. One part of one
+ * Adversarial fault injector of the simulated box; it also works the pedal. In a scene it has one
+ * plan: the broken part, the rhythm, and how the pedal is tapped. One part of one
  * axis at a time: two faults that hide each other are no plan. The scenario owns one.
  */
 #ifndef BORESIGHT_ADVERSARY_H

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Who commands, for somebody who sees who sends what, button, pedal and frames, and no chart. Holds
- * five rules against every cycle.
+ * Independent oracle of command authority: derives the holder from inputs and frames, not from the
+ * chart, and checks five rules in every cycle.
  */
 #ifndef BORESIGHT_AUTHORITY_ORACLE_H
 #define BORESIGHT_AUTHORITY_ORACLE_H
