@@ -219,7 +219,8 @@ void exchange_request_checkpoint(exchange_t *self);
 /** For control: says once whether a checkpoint was asked for since the last call. */
 bool exchange_take_checkpoint_request(exchange_t *self);
 
-/** For whoever replaces what runs: control shall end in its next cycle if it is at rest then. */
+/** For a replacement of the running programs: control shall end in its next cycle if it is at rest
+ * then. */
 void exchange_request_end(exchange_t *self);
 
 /** For control: says once whether that was asked for since the last call. */

@@ -35,7 +35,7 @@ void saved_write_hmac(const uint8_t *seal, char text[SAVED_HMAC_SIZE])
     }
 }
 
-/* Whoever writes it otherwise than we do has made it by hand. */
+/* A file in another form was made by hand. */
 static bool read_utc(const char *text, uint64_t *utc_us)
 {
     char again[SAVED_UTC_SIZE];

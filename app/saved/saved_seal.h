@@ -2,7 +2,7 @@
 /**
  * @file
  * The seal of saved positions: an HMAC-SHA-256 over their record with a key that only this box has.
- * Whoever changes a position, or its time, cannot make the seal of it.
+ * A changed position or time does not match the seal.
  */
 #ifndef BORESIGHT_SAVED_SEAL_H
 #define BORESIGHT_SAVED_SEAL_H

@@ -89,7 +89,7 @@ static bool init_companions(family_t *self, const options_t *options, char *erro
     return true;
 }
 
-/* What is kept belongs to the axes of that box, whoever used it last. */
+/* The kept positions belong to the axes of that box, whichever robot used it last. */
 static bool name_box(family_t *self, const options_t *options, char *error, uint32_t error_size)
 {
     char name[FAMILY_NAME_SIZE];

@@ -183,7 +183,7 @@ bool bitfile_number(const bitfile_t *self, const char *name, const char *label, 
     return false;
 }
 
-/* Whoever opens a pipe to read waits for its other end. */
+/* Opening a pipe for reading waits for its other end. */
 static FILE *open_regular(const char *path)
 {
     const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);

@@ -105,7 +105,7 @@ static void *run(void *bus)
     }
 }
 
-/* Signals are for whoever controls. */
+/* The thread of control handles signals. */
 static int begin(spi_bus_t *self, const pthread_attr_t *attributes)
 {
     sigset_t all;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * One SPI bus: its devices take turns, and as the kernel makes whoever transfers wait, a thread of
- * the bus does it. Whoever starts an exchange never waits. Start and await may be called by a
- * signal handler, whatever it has interrupted: they take no lock.
+ * One SPI bus: its devices take turns, and as the kernel blocks the caller of a transfer, a thread
+ * of the bus does it. Starting an exchange never waits. Start and await may be called by a signal
+ * handler, whatever it has interrupted: they take no lock.
  */
 #ifndef BORESIGHT_SPI_BUS_H
 #define BORESIGHT_SPI_BUS_H

@@ -73,7 +73,7 @@ static ssize_t read_file(int file, char text[WIRING_TEXT_SIZE])
 
 bool wiring_load(const char *path, char text[WIRING_TEXT_SIZE], char *error, uint32_t error_size)
 {
-    /* Whoever opens a pipe to read waits for its other end. */
+    /* Opening a pipe for reading waits for its other end. */
     const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
 
     if (file < 0) {

@@ -80,8 +80,8 @@ typedef struct {
 
 /**
  * Makes the wire `name` and takes the box's end. A wire left by a killed box is taken over together
- * with whoever is still attached; then its time goes on, and must pass as before. Each call is a
- * power-on of its own. On false `error` holds a sentence.
+ * with the processes that are still attached; then its time goes on, and must pass as before. Each
+ * call is a power-on of its own. On false `error` holds a sentence.
  */
 bool wire_serve(wire_port_t *port, const char *name, box_time_t time, char *error,
                 uint32_t error_size);

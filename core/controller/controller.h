@@ -177,7 +177,7 @@ typedef struct {
 /** Starts in workphase UNDEFINED with nothing enabled. */
 void controller_init(controller_t *self, const robot_t *robot);
 
-/** Seals the state; whoever writes into it from outside does so after it. */
+/** Seals the state; a writer from outside calls this afterwards. */
 void controller_seal(controller_t *self);
 
 /**

@@ -54,7 +54,7 @@ typedef struct {
     uint32_t is_proposal_reachable;
     uint32_t is_entry_of_target; /**< `entry` lies on the needle's line to the accepted target,
                                     before it, and stood when that was accepted. */
-    uint32_t seal; /**< Of all before it. It changes seldom: whoever changes it seals it. */
+    uint32_t seal;               /**< Of all before it. It changes seldom: each change seals it. */
 } plan_t;
 
 /** Seals it; what is declared here does so itself. */

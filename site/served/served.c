@@ -145,7 +145,7 @@ uint32_t served_cycles(void)
     return (uint32_t)(served_robot_time_us() / LIMIT_CYCLE_US);
 }
 
-/* Whoever waits for control waits for cycles. */
+/* Waiting for control counts cycles. */
 int nanosleep(const struct timespec *pause, struct timespec *left)
 {
     const uint64_t us =

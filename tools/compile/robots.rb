@@ -28,7 +28,7 @@ class Robots
     #{NOTE}
     /**
      * @file
-     * All robots of this build. Whoever calls robots_find() links every table, so only control, the simulated box, the
+     * All robots of this build. A caller of robots_find() links every table, so only control, the simulated box, the
      * replay and the module for a page do.
      */
     #ifndef BORESIGHT_ROBOTS_H

@@ -60,7 +60,7 @@ module Interface
             const char *allowed;            /**< All methods of the path. */
             bool is_for_anyone;             /**< It needs no session, and no token of one. */
             role_t role;                    /**< The least that it needs. */
-            bool is_of_page;                /**< Whoever asks says which page it is. */
+            bool is_of_page;                /**< The request names its page. */
             bool needs_authority;           /**< That page has authority. */
             uint32_t command;               /**< command_kind_t that is asked of control; 0: none, or several. */
             bool is_lenient;                /**< Media type and query are not looked at. */

@@ -89,7 +89,7 @@ module Interface
       answer&.name == 'act'
     end
 
-    # Whoever asks says which page it is.
+    # The request names its page.
     def page?
       flag('page') || act? || authority?
     end

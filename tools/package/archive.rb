@@ -5,7 +5,7 @@ require 'digest'
 require 'fileutils'
 require 'open3'
 
-# A package of Debian or of opkg, which are alike: three archives in one. The same bytes from the same files, whoever makes
+# A package of Debian or of opkg, which are alike: three archives in one. The same bytes from the same files, for any user who makes
 # it, when and where.
 class PackageArchive
   class Refused < StandardError; end
@@ -71,7 +71,7 @@ class PackageArchive
     Dir.glob('**/*', base: base).select { |path| File.file?("#{base}/#{path}") && !File.symlink?("#{base}/#{path}") }.sort
   end
 
-  # Whoever packs has a umask of his own.
+  # Each user has a umask of his own.
   def pack(part)
     base = "#{@folder}/#{part}"
     Dir.glob("#{base}/**/").each { |folder| File.chmod(@own_modes.to_h.fetch(folder.chomp('/'), PROGRAM), folder) }

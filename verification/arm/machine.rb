@@ -148,7 +148,7 @@ class Machine
     shell('sh', '-c', "cd #{tree} && find . | cpio --quiet -o -H newc -R 0:0 >#{@folder}/disk")
   end
 
-  # The timer of a core has 100 MHz in QEMU, and the kernel is told 396: whoever sleeps would sleep four times as long.
+  # The timer of a core has 100 MHz in QEMU, and the kernel is told 396: a process would sleep four times as long.
   # With one core it is named as none, so that the kernel takes the timer beside the core; several need their own.
   def describe
     devices = File.binread(find('usr/lib/linux-image-*/imx6q-sabrelite.dtb'))

@@ -26,7 +26,7 @@ class Player
 
   private
 
-  # Whoever was killed meanwhile comes again.
+  # A killed program comes again.
   def pause(least, most)
     yield
   rescue *GONE

@@ -2,7 +2,7 @@
 /**
  * @file
  * The file of samples: single cycles of a recording, each with all that controller_step() needs and
- * what it must say. Same layout on both machines of the benchmark; whoever reads compares the sizes
+ * what it must say. Same layout on both machines of the benchmark; the reader compares the sizes
  * in the header with its own.
  */
 #ifndef BORESIGHT_SAMPLE_H

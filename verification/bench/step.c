@@ -30,7 +30,7 @@ void contract_broken(const char *module, uint32_t id)
     _Exit(EXIT_FAILURE);
 }
 
-/* Whoever counts begins at the entry of controller_step() and ends at the return to here; something
+/* The counter begins at the entry of controller_step() and ends at the return to here; something
  * must be left to do after it, or the compiler makes the call a jump that returns elsewhere. */
 __attribute__((noinline)) static void measure(void)
 {

@@ -145,7 +145,7 @@ class Demo
     @robot.log(from).reject { |event| event['severity'] == 'information' }.map { |event| event['name'] }
   end
 
-  # The axis is coupled again: whoever pushes it is told.
+  # The axis is coupled again: pushing it is reported.
   def push_axis
     from = @robot.log.last['number'] + 1
     @robot.simctl('push', WRONG_PUSH_MM.to_s)
@@ -212,7 +212,7 @@ class Demo
     runs.map { |pair| pair.map { |event| event['cycle'] } }
   end
 
-  # The entry point goes the way TheraVision sends it, as a transform on the other port; whoever commands accepts it.
+  # The entry point goes the way TheraVision sends it, as a transform on the other port; the commanding client accepts it.
   def propose(entry)
     matrix = Geometry.rows(Geometry::IDENTITY, entry)
     _, status = Open3.capture2e(Boresight.program('boresight-client'), '--port', @robot.igtl_port.to_s,

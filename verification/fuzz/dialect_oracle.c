@@ -442,7 +442,7 @@ static void judge_requests(const world_t *world)
                      (was->command.kind == (uint32_t)COMMAND_NEEDLE) ||
                      workphase_array_has(&world->workphase.array, was) ||
                      (is_urgent(was) && has_newer(world, was)) || goes_on_draping(world, was),
-                 "whoever waits for an answer is told");
+                 "a client that waits for an answer is told");
     }
 }
 

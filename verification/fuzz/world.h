@@ -58,7 +58,7 @@ void world_begin(world_t *self, uint32_t beginning);
 void world_connect(world_t *self, uint32_t place, igtl_language_t language, uint32_t version);
 void world_disconnect(world_t *self, uint32_t place);
 
-/** Bytes of a peer arrive; whoever breaks the framing is disconnected. */
+/** Bytes of a peer arrive; a peer that breaks the framing is disconnected. */
 void world_receive(world_t *self, uint32_t place, const uint8_t *bytes, uint32_t length);
 
 /** Control runs so many cycles; the dialects' time passes with them. */

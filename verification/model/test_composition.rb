@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # Rule under test: the charts of one card and two axes, connected as the controller connects them, do the same on every
-# reachable pair whoever runs them, and every property of the whole holds. A pair is made of steps of charts: each step
+# reachable pair in any order, and every property of the whole holds. A pair is made of steps of charts: each step
 # is taken by code of gcc and of clang, here and on ARM, and compared with the interpreter's. Every pair is made of them by
 # an explorer of gcc's; with one axis (a twelfth of the configurations) by explorers of all four, and with two axes and
 # fewer stimuli by one of clang's. Of two configurations in which the axes have changed places one is explored for both:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rule under test: whoever fights for authority, with whatever is killed meanwhile, one commands at a time and nobody else
+# Rule under test: with any clients that compete for authority and any process killed meanwhile, one commands at a time and nobody else
 # moves anything. The recording of one fight is replayed under a witness, and kept in build/fight if a rule was broken;
 # `make fight MINUTES=5` is a longer one.
 

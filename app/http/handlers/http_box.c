@@ -127,7 +127,7 @@ int http_box_order(http_server_t *server, const http_call_t *call)
     if (verdict != BOX_ORDER_WRITTEN) {
         return http_act_refuse_choice(call, verdict == BOX_ORDER_EXCESS, order.place);
     }
-    /* Whoever orders faster than it can be logged would push other notes out. */
+    /* Orders faster than the log would push other notes out. */
     if (!order.is_safe && http_notes_are_behind(&server->notes)) {
         return http_reply_refuse(call->connection, PROBLEM_BUSY);
     }

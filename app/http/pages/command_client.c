@@ -92,7 +92,7 @@ static void publish(command_client_t *self)
     exchange_publish_peers(self->exchange, COMMAND_SOURCE_HTTP, &peers);
 }
 
-/* With the lock. Whoever of an earlier server has authority is gone. */
+/* With the lock. A page of an earlier server keeps no authority. */
 static void begin(command_client_t *self)
 {
     self->has_to_begin = self->has_to_begin && !release(self, 0U);

@@ -25,7 +25,7 @@
 #define IGTL_STREAM_US UINT64_C(100000)      /**< Between two poses of a stream. */
 
 #if IGTL_REQUESTS_URGENT != (IGTL_SLOTS * IGTL_REQUESTS_PER_PEER)
-#error "STOP finds a place whoever else waits for one."
+#error "STOP finds a slot before every other message."
 #endif
 
 /** What is spoken on a port. */

@@ -214,7 +214,7 @@ static void show(void)
     }
 }
 
-/* Whoever sees what a newcomer has sent finds it in the table. */
+/* A new connection is in the table before its first message is read. */
 static void show_newcomers(void)
 {
     uint32_t numbers = 0U;

@@ -39,8 +39,8 @@ uint32_t igtl_server_polls(const igtl_server_t *self, struct pollfd *polls);
 bool igtl_server_has_peers(const igtl_server_t *self);
 
 /**
- * Accepts or calls, reads, and drops whoever stays in the middle of a message. At most a few
- * messages per connection and at most IGTL_BYTES_PER_TURN, so that nobody is kept waiting by
+ * Accepts or calls, reads, and drops connections that stay in the middle of a message. At most a
+ * few messages per connection and at most IGTL_BYTES_PER_TURN, so that nobody is kept waiting by
  * another. Who has a place: igtl_slots.h.
  *
  * @satisfies SWR-IGTL-011

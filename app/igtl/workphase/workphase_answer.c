@@ -217,7 +217,7 @@ static void answer_tip(const workphase_dialect_t *self, workphase_peer_t *peer,
     }
 }
 
-/* Whoever accepts what a watcher proposed learns what it was: it may have changed a moment ago. */
+/* The client that accepts a proposal is sent its value: it may just have changed. */
 static void answer_entry(const workphase_dialect_t *self, workphase_peer_t *peer,
                          const igtl_request_t *request, const answer_t *answer,
                          const igtl_moment_t *moment)

@@ -76,7 +76,7 @@ static void recover(black_box_t *self)
 }
 
 /*
- * Also while nothing can be written: whoever makes room may remove them.
+ * Also while nothing can be written: they may be removed to make room.
  *
  * @satisfies SWR-REC-033
  */

@@ -305,7 +305,7 @@ void event_log_drain(event_log_t *self)
     note_place(self);
 }
 
-/* Removed, or not in its folder any more, where whoever looks for it looks. */
+/* Removed, or not in its folder any more, where readers look for it. */
 static bool is_gone(const event_log_t *self)
 {
     struct stat ours;

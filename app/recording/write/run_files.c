@@ -48,7 +48,7 @@ static void leave(run_files_t *self)
     errno = reason;
 }
 
-/* Goes on after the newest there is, whoever wrote it. */
+/* Continues after the newest file, of any writer. */
 static bool open_next(run_files_t *self)
 {
     bool is_open;

@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* The plan of whoever moves to it does not change. */
+/* The plan of a running move does not change. */
 static status_t judge_targeting(const controller_t *self, const command_t *command)
 {
     status_t status = STATUS_OK;

@@ -163,13 +163,13 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
 {
     next_step_t first = step;
     if (!is_one_of(step, NEXT_STEPS_CALM)) {
-        /* An act at the box, or a wait: whoever commands. */
+        /* An act at the box, or a wait: for every client. */
     } else if (controller_awaits_grant(self)) {
         first = NEXT_STEP_GRANT;
     } else if (!authority_is_held(&self->authority) && is_one_of(step, NEXT_STEPS_COMMANDED)) {
         first = is_anybodys(&self->authority) ? NEXT_STEP_AUTHORITY : NEXT_STEP_WAIT;
     } else {
-        /* Whoever commands goes on. */
+        /* The commanding client continues. */
     }
     return first;
 }

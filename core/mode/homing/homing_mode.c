@@ -223,7 +223,7 @@ static card_drive_t home_axis(const mode_frame_t *frame, const escort_t *escort,
     return axis_home(axis, config, frame->elapsed_us);
 }
 
-/* Whoever leads has its set-point of this cycle before those that follow. */
+/* A leader has its set-point of this cycle before its followers. */
 static void drive(const mode_frame_t *frame, const escort_t *escort, mode_result_t *result)
 {
     uint32_t leaders[ROBOT_AXIS_MAX];

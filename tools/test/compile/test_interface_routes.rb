@@ -233,7 +233,7 @@ class TestInterfaceRoutes < Minitest::Test
     assert_equal 'query', document.dig('paths', '/tin', 'get', 'parameters', 0, 'in')
   end
 
-  # Whoever reads the schema and whoever reads the table come to the same verdict.
+  # The schema and the table give the same verdict.
   def test_SWR_TOOL_019_schema_and_table_agree
     schema = { '$ref' => '#/components/schemas/PaintRequest' }.merge(document_of(ROUTES).slice('components'))
     texts = [GOOD, GOOD.sub('"note":"abc",', ''), GOOD.sub('9', '0'), GOOD.sub('true', '1'), GOOD.sub('water', 'oil'),

@@ -34,7 +34,7 @@ class TestCardTables < Minitest::Test
     assert_equal [['31..16', 'one', 'what it is, in two', '0 to 70'], ['15..0', 'two', 'the rest', '0']], found
   end
 
-  # A word that is written down twice, overlaps another field, or is left out would mislead whoever builds by the page.
+  # A word that is written down twice, overlaps another field, or is left out would mislead a manufacturer.
   def test_SWR_CARD_008_no_two_fields_of_a_word_overlap
     %w[card_command_words card_report_words].each do |name|
       rows(name).group_by(&:first).each do |word, fields|

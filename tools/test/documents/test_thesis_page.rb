@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# The rule under test: whoever reads docs/thesis.md beside the thesis finds each listing, figure, table, mode and test, and all
+# The rule under test: a reader of docs/thesis.md beside the thesis finds each listing, figure, table, mode and test, and all
 # that its rows name is there.
 
 require 'minitest/autorun'

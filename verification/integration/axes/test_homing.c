@@ -132,7 +132,7 @@ void test_SWR_COUPLE_003_a_barred_axis_in_doubt_may_be_confirmed(void)
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
 }
 
-/* Whoever asks: the permit allows no drive across a needle that is in. */
+/* For every caller the permit allows no drive across a needle that is in. */
 void test_SWR_JOG_016_the_permit_drives_nothing_across_a_needle_that_is_in(void)
 {
     const cycle_t cycle = {.robot = &rig.robot, .inputs = &rig.inputs, .outputs = &rig.outputs};

@@ -421,7 +421,7 @@ void rig_expect_nothing_known(const rig_t *self, uint32_t axis)
     TEST_ASSERT_EQUAL_UINT32(0U, self->outputs.snapshot.has_target);
 }
 
-/* Whoever looks at the same frame again has it decoded once. */
+/* The same frame is decoded once. */
 static card_command_t decoded(const uint8_t frame[CARD_FRAME_BYTES], uint32_t slot)
 {
     static struct {

@@ -33,7 +33,7 @@ class CompositionProgram
     File.write(File.join(folder, 'composition.h'), mutate.call('composition', header))
   end
 
-  # For whoever has charts and wants to know which configurations they are in.
+  # For a reader of charts who wants to know their configurations.
   def numbers
     [HEAD, '#define NEVER 0xFFFFU', '#define ANOTHER_CARD_LOST 0x80000000U', includes,
      tables.map(&:numbers)].flatten.join("\n")

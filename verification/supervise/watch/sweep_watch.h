@@ -15,7 +15,7 @@
 
 /** Each a bit of sweep_watch_look(). */
 typedef enum {
-    SWEEP_WAVES = 0, /**< Waves are of 45 to 55 kHz, whoever drives. */
+    SWEEP_WAVES = 0, /**< Waves are of 45 to 55 kHz in every drive. */
     SWEEP_PLACE = 1, /**< It drives in MANUAL, with the needle truly out. */
     SWEEP_RUN = 2,   /**< What is told is the true way of a whole run. */
     SWEEP_END = 3    /**< It is done with points both ways, and its end told. */

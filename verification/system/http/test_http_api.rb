@@ -254,7 +254,7 @@ class TestHttpApi < Minitest::Test
     end
   end
 
-  # A program that uses a connection again if the answer lets it. Meanwhile half requests drive out whoever asks for nothing.
+  # A program that uses a connection again if the answer lets it. Meanwhile half requests drive out clients that ask for nothing.
   def test_SWR_HTTP_018_a_stop_behind_another_request_is_not_lost_in_a_crowd
     socket = TCPSocket.new('127.0.0.1', port)
     socket.write("GET /api/v1/status HTTP/1.1\r\nHost: #{host}\r\n\r\n")

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Rule under test: who knows the password gets a session that nobody else can guess or keep, and
- * whoever guesses gets slower. */
+ * guessing gets slower. */
 #include "unity.h"
 
 #include "http/login/account.h"

@@ -76,7 +76,7 @@ void test_SWR_REF_002_axes_without_a_switch_are_taken_in_the_second_stage(void)
     TEST_ASSERT_EQUAL_UINT32(0U, result.note_count);
 }
 
-/* Whoever is homed stays where it is. */
+/* A homed axis stays where it is. */
 void test_SWR_AXIS_006_a_homed_axis_rests_while_another_homes(void)
 {
     world_lose(NEURO_AXIS_LATERAL);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Frames for whoever makes a card, and what they are; tools/documents/card_tables.rb writes them
+ * Frames for manufacturers of cards, and their meaning; tools/documents/card_tables.rb writes them
  * into docs/card-protocol.md. Written by the encoder, except where they say what was changed.
  */
 #ifndef BORESIGHT_CARD_VECTORS_H

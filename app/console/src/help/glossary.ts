@@ -13,7 +13,7 @@ export const glossary: readonly Word[] = [
   },
   {
     term: "box, button at the box",
-    says: "The control box between the computer and the robot, with the cards, the inputs for pedal and e-stop, and a button. Pressing the button gives command to whoever asks for it, or confirms positions.",
+    says: "The control box between the computer and the robot, with the cards, the inputs for pedal and e-stop, and a button. Pressing the button gives command to the page that requests it, or confirms positions.",
   },
   {
     term: "calibration",

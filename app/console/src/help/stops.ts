@@ -27,7 +27,7 @@ export const stops: readonly TourStop[] = [
   {
     selector: '.toolbar [aria-label="Login"]',
     title: "Log in",
-    says: "Whoever only looks needs no login. To command, log in with the code that Boresight printed, or with your name, and take command. One page commands at a time.",
+    says: "Watching needs no login. To command, log in with the code that Boresight printed, or with your name, and take command. One page commands at a time.",
   },
   {
     selector: '[aria-label="System"]',

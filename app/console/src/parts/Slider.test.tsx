@@ -104,7 +104,7 @@ test.each([
   },
 );
 
-test("SWR-CON-025 whoever leaves or stops discards what was not sent", () => {
+test("SWR-CON-025 leaving or stopping discards what was not sent", () => {
   render(slider());
   fireEvent.keyDown(frame(), { key: "ArrowRight" });
   fireEvent.blur(frame());

@@ -9,7 +9,7 @@ import { WhatIf } from "./WhatIf";
 import "./Simulation.css";
 
 const MS_PER_S = 1000;
-/** Whoever holds the pedal says so each 0.5 s of the world, and the box lets go after 1.5 s of its own: not above 2. */
+/** The page that holds the pedal repeats it each 0.5 s of the world, and the box lets go after 1.5 s of its own: not above 2. */
 const paces: readonly (readonly [number, string])[] = [
   [0, "Pause"],
   [0.1, "A tenth"],

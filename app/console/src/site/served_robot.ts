@@ -116,7 +116,7 @@ export class ServedRobot {
     this.token = (JSON.parse(body) as Session).token ?? "";
   }
 
-  /** Whoever has opened the page stays before the robot. */
+  /** The user of the page stays at the robot. */
   stay(): void {
     const headers = { [TOKEN_HEADER]: this.token };
     this.ask({ method: "PUT", address: SESSION_PATH, headers, body: null });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: what became of the last act of this page is told, whoever tells it first, and never what became of others.
+// Rule under test: what became of the last act of this page is shown, from the first source that reports it, and never the result of other acts.
 import { afterEach, expect, test, vi } from "vitest";
 import type { Act } from "@interface";
 import { RecentActs } from "./acts";

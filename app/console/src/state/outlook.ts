@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may be commanded now, as the server says it. Whoever is refused would be so by the same name.
+// What may be commanded now, as the server says it. A refusal has the same name.
 import { Modes, Robot } from "@interface";
 import type { Mode, Path, PoseName, Status } from "@interface";
 import { useAnswer } from "./answer";

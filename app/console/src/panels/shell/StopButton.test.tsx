@@ -103,7 +103,7 @@ test("SWR-CON-007 an old press that fails does not speak for the last one", asyn
   expect(screen.queryByRole("alert")).toBeNull();
 });
 
-test("SWR-CON-008 stopped is said while it is seen, whoever stopped it", () => {
+test("SWR-CON-008 stopped is said while it is seen, for a stop of any client", () => {
   const { rerender } = render(<StopButton view={seen} />);
   expect(says()).toBe("Control has stopped all motion.");
   rerender(<StopButton view={moving} />);
