@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * fight-witness: replays the recordings of a fight for authority and has the witness look at them.
+ * authority-stress-oracle: replays the recordings of a fight for authority and has the oracle look
+ * at them.
  *
- *     fight-witness FILE ...        in their order
+ *     authority-stress-oracle FILE ...        in their order
  *
- * Prints what the witness counted as one line of JSON, and a line for each sentence that was
+ * Prints what the oracle counted as one line of JSON, and a line for each sentence that was
  * broken. Exit code 0: none was; 1: one was, or the recording does not replay; 2: it cannot be read
  * or is cut short.
  */
@@ -27,7 +28,7 @@ static recording_reader_t reader;
 static replay_t replay;
 static cycle_record_t record;
 static cycle_known_t known;
-static witness_t witness;
+static message_oracle_t oracle;
 
 void contract_broken(const char *module, uint32_t id)
 {
@@ -59,7 +60,7 @@ static bool replay_all(const robot_t *robot)
             return false;
         }
         if ((record.kind == (uint32_t)CYCLE_RECORD_CYCLE) && replay.is_running) {
-            witness_look(&witness, record.cycle, &record.body.cycle.inputs, &replay.outputs);
+            message_oracle_look(&oracle, record.cycle, &record.body.cycle.inputs, &replay.outputs);
         }
     }
     return (replay.unreplayed == 0U) && (replay.gaps == 0U);
@@ -71,21 +72,21 @@ static void print_counts(void)
                  "\"released\": %u, \"unrenewed\": %u, \"silent\": %u, \"taken\": %u, "
                  "\"orders_igtl\": %u, \"orders_http\": %u, \"cut\": %u, \"refused\": %u, "
                  "\"stops\": %u}\n",
-                 witness.cycles, witness.driven, witness.takes[COMMAND_SOURCE_IGTL],
-                 witness.takes[COMMAND_SOURCE_HTTP], witness.losses[AUTHORITY_LOSS_RELEASED],
-                 witness.losses[AUTHORITY_LOSS_UNRENEWED], witness.losses[AUTHORITY_LOSS_SILENT],
-                 witness.losses[AUTHORITY_LOSS_TAKEN], witness.orders[COMMAND_SOURCE_IGTL],
-                 witness.orders[COMMAND_SOURCE_HTTP], witness.cut, witness.refused, witness.stops);
+                 oracle.cycles, oracle.driven, oracle.takes[COMMAND_SOURCE_IGTL],
+                 oracle.takes[COMMAND_SOURCE_HTTP], oracle.losses[AUTHORITY_LOSS_RELEASED],
+                 oracle.losses[AUTHORITY_LOSS_UNRENEWED], oracle.losses[AUTHORITY_LOSS_SILENT],
+                 oracle.losses[AUTHORITY_LOSS_TAKEN], oracle.orders[COMMAND_SOURCE_IGTL],
+                 oracle.orders[COMMAND_SOURCE_HTTP], oracle.cut, oracle.refused, oracle.stops);
 }
 
 static bool judge(void)
 {
     bool is_good = true;
     for (uint32_t i = 0U; i < SENTENCE_COUNT; i++) {
-        if (witness.broken[i] > 0U) {
+        if (oracle.broken[i] > 0U) {
             (void)printf("broken: %s; in %u cycles, first in cycle %u\n",
-                         witness_sentence((sentence_t)i), witness.broken[i],
-                         witness.first_cycle[i]);
+                         message_oracle_sentence((sentence_t)i), oracle.broken[i],
+                         oracle.first_cycle[i]);
             is_good = false;
         }
     }
@@ -105,7 +106,7 @@ int main(int count, char **arguments)
         recording_reader_close(&reader);
     }
     print_counts();
-    if (!is_whole || (witness.cycles == 0U)) {
+    if (!is_whole || (oracle.cycles == 0U)) {
         (void)printf("broken: every cycle is there, and replays; last seen cycle %u\n",
                      (unsigned)record.cycle);
         is_whole = false;

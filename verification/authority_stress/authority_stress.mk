@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # A fight for authority among pages and connections of a running system; included by the Makefile.
 
-.PHONY: fight
+.PHONY: authority-stress
 
-build/gcc/bin/fight-witness: $(call object,$(wildcard verification/authority_stress/*.c verification/witness/*.c app/recording/format/*.c app/recording/read/*.c app/recording/write/recording_writer.c) \
+build/gcc/bin/authority-stress-oracle: $(call object,$(wildcard verification/authority_stress/*.c verification/oracle/*.c app/recording/format/*.c app/recording/read/*.c app/recording/write/recording_writer.c) \
     app/replay/verify/replay.c app/replay/verify/field_name.c $(GEN)/interface/app/fields.c $(NAMES) $(FIND_ROBOT)) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $^ $(LIBS_boresight-replay) -lm -o $@
 	@echo "built $@"
 
-fight: build build/gcc/bin/fight-witness ## Pages and connections fight for authority, MINUTES=5 long; the recording of a broken rule is kept
+authority-stress: build build/gcc/bin/authority-stress-oracle ## Pages and connections fight for authority, MINUTES=5 long; the recording of a broken rule is kept
 	@ruby verification/authority_stress/authority_stress.rb $(or $(MINUTES),5)

@@ -3,7 +3,7 @@
 # frozen_string_literal: true
 
 # Two pages of the console and two connections of OpenIGTLink fight for authority over the bench, while a hand presses
-# pedal and button and the processes between them are killed. A witness (witness.h) then replays the recording.
+# pedal and button and the processes between them are killed. An oracle (message_oracle.h) then replays the recording.
 #
 #   ruby verification/authority_stress/authority_stress.rb MINUTES [SEED]      exits 1 if a rule was broken; its recording is kept
 #
@@ -15,14 +15,14 @@ require_relative 'players'
 require_relative '../bench/crowd'
 
 # One fight.
-class Fight
-  WITNESS = File.expand_path('../../build/gcc/bin/fight-witness', __dir__)
+class AuthorityStress
+  ORACLE = File.expand_path('../../build/gcc/bin/authority-stress-oracle', __dir__)
   LOSSES = 3
   Verdict = Struct.new(:counts, :broken, :is_good)
 
-  # Returns what the witness says of a fight of at least so many seconds. The recording of a broken rule is kept.
+  # Returns what the oracle says of a fight of at least so many seconds. The recording of a broken rule is kept.
   def self.judge(seconds, seed, accounts)
-    kept = File.expand_path("../../build/fight//#{seed}", __dir__)
+    kept = File.expand_path("../../build/authority_stress/#{seed}", __dir__)
     FileUtils.rm_rf(kept)
     robot = Boresight.start(arguments: ['--robot', Errand::ROBOT, '--accounts', accounts], recordings: kept)
     verdict = record(robot, seconds, Random.new(seed))
@@ -37,10 +37,10 @@ class Fight
     errand.prepare
     errand.move
     robot.client.close
-    new(robot, random).fight(seconds)
+    new(robot, random).run(seconds)
     Process.kill('TERM', robot.pid)
     robot.wait_for_end
-    text, status = Open3.capture2e(WITNESS, *robot.recording_files)
+    text, status = Open3.capture2e(ORACLE, *robot.recording_files)
     raise text unless text.start_with?('{')
 
     Verdict.new(JSON.parse(text.lines.first), text.lines.drop(1).join, status.success?)
@@ -54,7 +54,7 @@ class Fight
     end
   end
 
-  def fight(seconds)
+  def run(seconds)
     ends = Boresight.now + seconds
     threads = @players.map { |player| Thread.new { player.play } }
     @robot.wait_until('there was a fight') { Boresight.now >= ends && fought? }
@@ -74,10 +74,10 @@ class Fight
 end
 
 # Returns whether all rules were kept.
-def fight(minutes, seed)
-  verdict = Dir.mktmpdir('fight') { |folder| Fight.judge(minutes * 60, seed, Accounts.make(File.join(folder, 'accounts'))) }
+def stress(minutes, seed)
+  verdict = Dir.mktmpdir("authority_stress") { |folder| AuthorityStress.judge(minutes * 60, seed, Accounts.make(File.join(folder, 'accounts'))) }
   puts "Seed #{seed}: #{verdict.counts}", verdict.broken
   verdict.is_good
 end
 
-exit(fight(Float(ARGV.fetch(0)), Integer(ARGV.fetch(1, Random.new_seed % 1_000_000)))) if $PROGRAM_NAME == __FILE__
+exit(stress(Float(ARGV.fetch(0)), Integer(ARGV.fetch(1, Random.new_seed % 1_000_000)))) if $PROGRAM_NAME == __FILE__

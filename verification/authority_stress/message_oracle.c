@@ -4,8 +4,8 @@
 #include "charts/arming_chart.h"
 #include "charts/authority_chart.h"
 #include "interface/authority_list.h"
-#include "witness/commanding.h"
-#include "witness/replies.h"
+#include "oracle/commanding.h"
+#include "oracle/replies.h"
 #include "procedure/command_kinds.h"
 
 #include <stddef.h>
@@ -20,12 +20,12 @@ static const char *const sentences[SENTENCE_COUNT] = {
     [SENTENCE_STOP] = "a stop is refused to nobody for want of authority",
     [SENTENCE_ANSWERED] = "each command is answered, and each refusal has a name"};
 
-const char *witness_sentence(sentence_t sentence)
+const char *message_oracle_sentence(sentence_t sentence)
 {
     return sentences[sentence];
 }
 
-static void hold(witness_t *self, sentence_t sentence, bool is_true, uint32_t cycle)
+static void hold(message_oracle_t *self, sentence_t sentence, bool is_true, uint32_t cycle)
 {
     if (is_true) {
         return;
@@ -69,8 +69,9 @@ static bool takes_now(const controller_outputs_t *outputs, party_t party)
     return false;
 }
 
-static void look_at_command(witness_t *self, uint32_t cycle, const controller_inputs_t *inputs,
-                            uint32_t number, const controller_outputs_t *outputs)
+static void look_at_command(message_oracle_t *self, uint32_t cycle,
+                            const controller_inputs_t *inputs, uint32_t number,
+                            const controller_outputs_t *outputs)
 {
     const command_t *command = &inputs->commands[number];
     const answer_t *answer = replies_to(outputs, number);
@@ -95,14 +96,14 @@ static void look_at_command(witness_t *self, uint32_t cycle, const controller_in
 }
 
 /* Who asks again for the same waits no longer. */
-static bool is_asked_already(const witness_t *self, const command_t *command)
+static bool is_asked_already(const message_oracle_t *self, const command_t *command)
 {
     return (command->as.request.request == (uint32_t)AUTHORITY_REQUEST_TAKE) &&
            is_same(self->asker, sender(command));
 }
 
 /* The request that stands for the button, and whether that was pressed for it. */
-static void look_at_button(witness_t *self, const controller_inputs_t *inputs,
+static void look_at_button(message_oracle_t *self, const controller_inputs_t *inputs,
                            const controller_outputs_t *outputs)
 {
     const bool is_down = inputs->confirm_pressed != 0U;
@@ -141,12 +142,12 @@ static bool has_commanded(const controller_inputs_t *inputs, const controller_ou
     return false;
 }
 
-static bool has_pressed(const witness_t *self, party_t party)
+static bool has_pressed(const message_oracle_t *self, party_t party)
 {
     return self->is_pressed && is_same(self->asker, party);
 }
 
-static void note_taken(witness_t *self, uint32_t cycle, const event_t *event,
+static void note_taken(message_oracle_t *self, uint32_t cycle, const event_t *event,
                        const controller_inputs_t *inputs, const controller_outputs_t *outputs)
 {
     const party_t taker = {.source = (uint32_t)event->value, .peer = event->subject};
@@ -160,7 +161,7 @@ static void note_taken(witness_t *self, uint32_t cycle, const event_t *event,
     self->asker.peer = is_same(self->asker, taker) ? 0U : self->asker.peer;
 }
 
-static void note_lost(witness_t *self, uint32_t cycle, const event_t *event)
+static void note_lost(message_oracle_t *self, uint32_t cycle, const event_t *event)
 {
     hold(self, SENTENCE_ONE, (self->holder.peer != 0U) && (event->subject == self->holder.peer),
          cycle);
@@ -175,7 +176,7 @@ static void note_lost(witness_t *self, uint32_t cycle, const event_t *event)
     self->is_over = true;
 }
 
-static void note_armed(witness_t *self, const event_t *event)
+static void note_armed(message_oracle_t *self, const event_t *event)
 {
     self->owner.source = (event->cause == (uint32_t)EVENT_CAUSE_CONSOLE)
                              ? (uint32_t)COMMAND_SOURCE_HTTP
@@ -185,8 +186,8 @@ static void note_armed(witness_t *self, const event_t *event)
     self->is_over = false;
 }
 
-static void look_at_events(witness_t *self, uint32_t cycle, const controller_inputs_t *inputs,
-                           const controller_outputs_t *outputs)
+static void look_at_events(message_oracle_t *self, uint32_t cycle,
+                           const controller_inputs_t *inputs, const controller_outputs_t *outputs)
 {
     for (uint32_t i = 0U; i < outputs->event_count; i++) {
         const event_t *event = &outputs->events[i];
@@ -206,7 +207,7 @@ static void look_at_events(witness_t *self, uint32_t cycle, const controller_inp
     }
 }
 
-static void look_at_holder(witness_t *self, uint32_t cycle, const snapshot_t *snapshot)
+static void look_at_holder(message_oracle_t *self, uint32_t cycle, const snapshot_t *snapshot)
 {
     const party_t shown = {.source = snapshot->holder, .peer = snapshot->holder_peer};
     const bool is_held = snapshot->authority == (uint32_t)AUTHORITY_STATE_HELD;
@@ -221,7 +222,7 @@ static void look_at_holder(witness_t *self, uint32_t cycle, const snapshot_t *sn
 }
 
 /* What ends with the axes' rest, or with the time for it. */
-static void look_at_rest(witness_t *self, const snapshot_t *snapshot)
+static void look_at_rest(message_oracle_t *self, const snapshot_t *snapshot)
 {
     bool is_at_rest = true;
     for (uint32_t i = 0U; i < snapshot->axis_count; i++) {
@@ -231,7 +232,7 @@ static void look_at_rest(witness_t *self, const snapshot_t *snapshot)
                       ((self->time_us - self->lost_us) < LIMIT_AUTHORITY_END_US);
 }
 
-static void look_at_drives(witness_t *self, uint32_t cycle, const snapshot_t *snapshot)
+static void look_at_drives(message_oracle_t *self, uint32_t cycle, const snapshot_t *snapshot)
 {
     bool is_driven = false;
     for (uint32_t i = 0U; i < snapshot->axis_count; i++) {
@@ -242,8 +243,8 @@ static void look_at_drives(witness_t *self, uint32_t cycle, const snapshot_t *sn
     self->was_driven = is_driven;
 }
 
-void witness_look(witness_t *self, uint32_t cycle, const controller_inputs_t *inputs,
-                  const controller_outputs_t *outputs)
+void message_oracle_look(message_oracle_t *self, uint32_t cycle, const controller_inputs_t *inputs,
+                         const controller_outputs_t *outputs)
 {
     self->cycles++;
     self->time_us += inputs->elapsed_us;

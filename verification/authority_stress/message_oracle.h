@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Somebody who saw every cycle of a fight for authority: keeps a book of its own of who has it, by
+ * An oracle of every cycle of a contest for authority: it keeps a book of its own of who has it, by
  * what was said and answered, and holds it against what the controller shows and drives.
  */
-#ifndef BORESIGHT_FIGHT_WITNESS_H
-#define BORESIGHT_FIGHT_WITNESS_H
+#ifndef BORESIGHT_MESSAGE_ORACLE_H
+#define BORESIGHT_MESSAGE_ORACLE_H
 
 #include "controller/controller.h"
 
@@ -56,13 +56,13 @@ typedef struct {
     bool is_pressed;   /**< Then, with the pedal released. */
     bool is_over;      /**< Since it was lost no order was armed. */
     bool was_driven;
-} witness_t;
+} message_oracle_t;
 
 /** Looks at a cycle. */
-void witness_look(witness_t *self, uint32_t cycle, const controller_inputs_t *inputs,
-                  const controller_outputs_t *outputs);
+void message_oracle_look(message_oracle_t *self, uint32_t cycle, const controller_inputs_t *inputs,
+                         const controller_outputs_t *outputs);
 
 /** The sentence in words. */
-const char *witness_sentence(sentence_t sentence);
+const char *message_oracle_sentence(sentence_t sentence);
 
 #endif

@@ -51,20 +51,20 @@ static struct {
     const igtl_message_t *said;
     bool is_stop_owed;
     bool is_emergency_owed;
-} witness;
+} oracle;
 
-void witness_begin(world_t *world)
+void dialect_oracle_begin(world_t *world)
 {
-    (void)memset(&witness, 0, sizeof witness);
-    witness.commander = NOWHERE;
-    witness.speaker = NOWHERE;
-    witness.before = world->workphase.requests;
+    (void)memset(&oracle, 0, sizeof oracle);
+    oracle.commander = NOWHERE;
+    oracle.speaker = NOWHERE;
+    oracle.before = world->workphase.requests;
 }
 
-void witness_connected(const world_t *world, uint32_t place)
+void dialect_oracle_connected(const world_t *world, uint32_t place)
 {
     (void)world;
-    witness.peers[place] = (peer_t){.statuses = 0U};
+    oracle.peers[place] = (peer_t){.statuses = 0U};
 }
 
 static uint32_t commander_of(const world_t *world)
@@ -80,13 +80,13 @@ static uint32_t commander_of(const world_t *world)
     return found;
 }
 
-void witness_leaves(const world_t *world, uint32_t place)
+void dialect_oracle_leaves(const world_t *world, uint32_t place)
 {
     if (world->peers[place].language == IGTL_LANGUAGE_CRTK) {
         return;
     }
-    if (witness.commander == place) {
-        witness.commander = NOWHERE;
+    if (oracle.commander == place) {
+        oracle.commander = NOWHERE;
     }
 }
 
@@ -100,14 +100,14 @@ static bool is_homed(const world_t *world)
     return (world->moment.snapshot != NULL) && (world->moment.snapshot->is_homed != 0U);
 }
 
-void witness_before(const world_t *world)
+void dialect_oracle_before(const world_t *world)
 {
-    witness.speaker = NOWHERE;
-    witness.said = NULL;
-    witness.before = world->workphase.requests;
-    witness.next_proposal = world->transform.requests.next_id;
+    oracle.speaker = NOWHERE;
+    oracle.said = NULL;
+    oracle.before = world->workphase.requests;
+    oracle.next_proposal = world->transform.requests.next_id;
     for (uint32_t i = 0U; i < WORLD_PEERS; i++) {
-        peer_t *peer = &witness.peers[i];
+        peer_t *peer = &oracle.peers[i];
 
         peer->statuses = 0U;
         peer->answers = 0U;
@@ -118,14 +118,14 @@ void witness_before(const world_t *world)
     }
 }
 
-void witness_hears(const world_t *world, uint32_t place, const igtl_message_t *message)
+void dialect_oracle_hears(const world_t *world, uint32_t place, const igtl_message_t *message)
 {
-    witness_before(world);
-    witness.speaker = place;
-    witness.said = message;
+    dialect_oracle_before(world);
+    oracle.speaker = place;
+    oracle.said = message;
     if ((message->kind != IGTL_KIND_STRING) && (message->kind != IGTL_KIND_TRANSFORM) &&
         (message->kind != IGTL_KIND_STATUS)) {
-        witness.peers[place].has_asked = true;
+        oracle.peers[place].has_asked = true;
     }
 }
 
@@ -186,7 +186,7 @@ static void judge_tracking(const world_t *world, uint32_t place, const igtl_mess
 {
     uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
 
-    if ((message->content_bytes == 0U) || witness.peers[place].has_hung) {
+    if ((message->content_bytes == 0U) || oracle.peers[place].has_hung) {
         return;
     }
     SENTENCE(message->content_bytes == TRACKED_BYTES, "one instrument is tracked");
@@ -202,7 +202,7 @@ static void judge_tracking(const world_t *world, uint32_t place, const igtl_mess
 /* The needle's pose, or what is computed with it. */
 static void judge_transform(const world_t *world, uint32_t place, const igtl_message_t *message)
 {
-    const peer_t *peer = &witness.peers[place];
+    const peer_t *peer = &oracle.peers[place];
     const bool is_measured =
         is_named(message, "CURRENT_POSITION") || is_named(message, "measured_cp");
     uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
@@ -226,18 +226,18 @@ static void judge_transform(const world_t *world, uint32_t place, const igtl_mes
 static void judge_string(uint32_t place, const igtl_message_t *message)
 {
     if (is_named(message, "measured_jp") || is_named(message, "measured_jv")) {
-        SENTENCE(witness.peers[place].was_homed, "no joint is told that is not known");
+        SENTENCE(oracle.peers[place].was_homed, "no joint is told that is not known");
     }
     if (is_named(message, "IS_IN_TARGETING_POS") || is_named(message, "HAS_REACHED_TARGET")) {
         SENTENCE((message->text_bytes == 1U), "a question of yes or no is answered so");
-        SENTENCE((message->text[0] == '0') || witness.peers[place].was_pose_known,
+        SENTENCE((message->text[0] == '0') || oracle.peers[place].was_pose_known,
                  "no needle stands anywhere that is not known");
     }
 }
 
 static void judge(const world_t *world, uint32_t place, const uint8_t *bytes, uint32_t length)
 {
-    peer_t *peer = &witness.peers[place];
+    peer_t *peer = &oracle.peers[place];
     igtl_header_t header;
     igtl_message_t message;
 
@@ -262,7 +262,7 @@ static void judge(const world_t *world, uint32_t place, const uint8_t *bytes, ui
     } else {
         peer->statuses += (message.kind == IGTL_KIND_STATUS) ? 1U : 0U;
     }
-    if ((place == witness.speaker) && acknowledges(&message, witness.said)) {
+    if ((place == oracle.speaker) && acknowledges(&message, oracle.said)) {
         peer->is_acknowledged = true;
     } else {
         peer->answers++;
@@ -274,16 +274,16 @@ static void take_messages(world_t *world, uint32_t place)
     igtl_outbox_t *outbox = &world->peers[place].outbox;
     uint32_t length;
 
-    SENTENCE(!outbox->has_overflowed || witness.peers[place].has_hung,
+    SENTENCE(!outbox->has_overflowed || oracle.peers[place].has_hung,
              "nobody who reads is dropped for it");
     for (const uint8_t *bytes = igtl_outbox_next(outbox, &length); bytes != NULL;
          bytes = igtl_outbox_next(outbox, &length)) {
         judge(world, place, bytes, length);
         igtl_outbox_advance(outbox, length);
     }
-    witness.peers[place].has_hung = false;
-    witness.peers[place].was_pose_known = false;
-    witness.peers[place].was_homed = false;
+    oracle.peers[place].has_hung = false;
+    oracle.peers[place].was_pose_known = false;
+    oracle.peers[place].was_homed = false;
 }
 
 static bool reads(const world_t *world, uint32_t place)
@@ -345,19 +345,19 @@ static void judge_stops(const world_t *world, const igtl_message_t *said)
 {
     if (is_command(said) && says(said, "STOP")) {
         SENTENCE(is_queued(world, WORKPHASE_STOP), "STOP is passed on");
-        witness.is_stop_owed = true;
+        oracle.is_stop_owed = true;
     }
     if (is_command(said) && says(said, "EMERGENCY")) {
         SENTENCE(is_queued(world, WORKPHASE_EMERGENCY), "EMERGENCY is passed on");
-        witness.is_emergency_owed = true;
+        oracle.is_emergency_owed = true;
     }
 }
 
 static void judge_speech(world_t *world)
 {
-    const uint32_t place = witness.speaker;
-    const igtl_message_t *said = witness.said;
-    peer_t *peer = &witness.peers[place];
+    const uint32_t place = oracle.speaker;
+    const igtl_message_t *said = oracle.said;
+    peer_t *peer = &oracle.peers[place];
 
     if (world->peers[place].language == IGTL_LANGUAGE_CRTK) {
         return;
@@ -429,7 +429,7 @@ static bool goes_on_draping(const world_t *world, const igtl_request_t *was)
 static void judge_requests(const world_t *world)
 {
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
-        const igtl_request_t *was = &witness.before.requests[i];
+        const igtl_request_t *was = &oracle.before.requests[i];
         const bool waited = (was->id != 0U) && !was->is_accepted && !was->is_overdue;
 
         if (!waited || !reads(world, was->peer)) {
@@ -438,7 +438,7 @@ static void judge_requests(const world_t *world)
         const igtl_request_t *is = request_of(&world->workphase.requests, was->id);
         const bool waits = (is != NULL) && !is->is_accepted && !is->is_overdue;
 
-        SENTENCE(waits || (witness.peers[was->peer].statuses > 0U) ||
+        SENTENCE(waits || (oracle.peers[was->peer].statuses > 0U) ||
                      (was->command.kind == (uint32_t)COMMAND_NEEDLE) ||
                      workphase_array_has(&world->workphase.array, was) ||
                      (is_urgent(was) && has_newer(world, was)) || goes_on_draping(world, was),
@@ -505,7 +505,7 @@ static bool may_pass(const world_t *world, uint32_t place, const command_t *comm
 static bool is_said_now(const command_t *command)
 {
     return !is_of_planner(command) ||
-           (strcmp(transform_proposals_name(command), witness.said->name) == 0);
+           (strcmp(transform_proposals_name(command), oracle.said->name) == 0);
 }
 
 /* A row of an array goes on when the one before was taken. */
@@ -526,7 +526,7 @@ static void judge_command(const world_t *world, const command_t *command)
     }
 
     SENTENCE((place != NOWHERE) &&
-                 ((place == witness.speaker) || (command->kind == (uint32_t)COMMAND_NEEDLE) ||
+                 ((place == oracle.speaker) || (command->kind == (uint32_t)COMMAND_NEEDLE) ||
                   is_of_array(world, place, command) ||
                   is_draping(world, request_of(&world->workphase.requests, command->id))),
              "a command is its speaker's");
@@ -535,8 +535,8 @@ static void judge_command(const world_t *world, const command_t *command)
              "what is for a single axis does not come by the network of navigation");
     SENTENCE(is_of_planner(command) || may_pass(world, place, command),
              "while another one commands a stop passes at most");
-    if ((place == witness.speaker) && is_said_now(command)) {
-        judge_pose(witness.said, commands_pose(command));
+    if ((place == oracle.speaker) && is_said_now(command)) {
+        judge_pose(oracle.said, commands_pose(command));
     }
 }
 
@@ -553,14 +553,14 @@ static void judge_commander(const world_t *world)
 {
     const uint32_t now = commander_of(world);
 
-    if (now != witness.commander) {
-        SENTENCE((now == NOWHERE) || (witness.commander == NOWHERE),
+    if (now != oracle.commander) {
+        SENTENCE((now == NOWHERE) || (oracle.commander == NOWHERE),
                  "command is not taken from who has it");
-        witness.commander = now;
+        oracle.commander = now;
     }
 }
 
-void witness_after(world_t *world)
+void dialect_oracle_after(world_t *world)
 {
     for (uint32_t i = 0U; i < WORLD_PEERS; i++) {
         if (reads(world, i)) {
@@ -570,16 +570,16 @@ void witness_after(world_t *world)
                  "nothing is said to who has gone");
     }
     judge_commander(world);
-    judge_queue(world, &world->workphase.requests, witness.before.next_id);
-    if (witness.speaker != NOWHERE) {
-        judge_queue(world, &world->transform.requests, witness.next_proposal);
+    judge_queue(world, &world->workphase.requests, oracle.before.next_id);
+    if (oracle.speaker != NOWHERE) {
+        judge_queue(world, &world->transform.requests, oracle.next_proposal);
     }
     judge_requests(world);
-    if (witness.speaker != NOWHERE) {
+    if (oracle.speaker != NOWHERE) {
         judge_speech(world);
     }
-    SENTENCE(!witness.is_stop_owed || is_queued(world, WORKPHASE_STOP), "STOP is not lost");
-    SENTENCE(!witness.is_emergency_owed || is_queued(world, WORKPHASE_EMERGENCY),
+    SENTENCE(!oracle.is_stop_owed || is_queued(world, WORKPHASE_STOP), "STOP is not lost");
+    SENTENCE(!oracle.is_emergency_owed || is_queued(world, WORKPHASE_EMERGENCY),
              "EMERGENCY is not lost");
 }
 
@@ -609,7 +609,7 @@ static bool is_proposal(uint32_t kind)
 static void judge_rate(const world_t *world, const command_t *command)
 {
     for (uint32_t i = 0U; i < WORLD_PEERS; i++) {
-        peer_t *peer = &witness.peers[i];
+        peer_t *peer = &oracle.peers[i];
 
         if (!world->peers[i].is_connected || (world->peers[i].number != command->peer)) {
             continue;
@@ -624,7 +624,7 @@ static void judge_rate(const world_t *world, const command_t *command)
     }
 }
 
-void witness_passed(const world_t *world, const command_t *command)
+void dialect_oracle_passed(const world_t *world, const command_t *command)
 {
     SENTENCE(is_in_range(commands_pose(command)), "a number out of its range is not passed on");
     SENTENCE(command->source == (uint32_t)COMMAND_SOURCE_IGTL, "a command says where it is from");
@@ -635,8 +635,8 @@ void witness_passed(const world_t *world, const command_t *command)
         judge_rate(world, command);
     }
     const workphase_t asked = command_kinds_workphase(command);
-    witness.is_stop_owed = witness.is_stop_owed && (asked != WORKPHASE_STOP);
-    witness.is_emergency_owed = witness.is_emergency_owed && (asked != WORKPHASE_EMERGENCY);
+    oracle.is_stop_owed = oracle.is_stop_owed && (asked != WORKPHASE_STOP);
+    oracle.is_emergency_owed = oracle.is_emergency_owed && (asked != WORKPHASE_EMERGENCY);
 }
 
 /* A connection has authority that is not there any more. */
@@ -665,7 +665,7 @@ static bool is_releasing(const world_t *world)
     return false;
 }
 
-void witness_stepped(world_t *world)
+void dialect_oracle_stepped(world_t *world)
 {
     SENTENCE(!is_held_by_lost(world) || is_releasing(world),
              "what a connection had that was lost is released");

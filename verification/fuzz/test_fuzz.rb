@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rule under test: whatever bytes come and whatever peers say, the sentences of codec_fuzz.c, request_fuzz.c and witness.c hold. So many
+# Rule under test: whatever bytes come and whatever peers say, the sentences of codec_fuzz.c, request_fuzz.c and oracle.c hold. So many
 # inputs, whatever time they take; `make fuzz` looks further.
 
 require 'minitest/autorun'

@@ -62,7 +62,7 @@ void world_begin(world_t *self, uint32_t beginning)
     self->moment.snapshot = (place == FUZZ_BEGINNING_DARK) ? NULL : &self->rig.outputs.snapshot;
     workphase_dialect_init(&self->workphase, &robot_neuro, FIRST_ID);
     transform_dialect_init(&self->transform, &robot_neuro, FIRST_ID + 1U);
-    witness_begin(self);
+    dialect_oracle_begin(self);
 }
 
 static bool is_planner(const world_peer_t *peer)
@@ -84,14 +84,14 @@ void world_connect(world_t *self, uint32_t place, igtl_language_t language, uint
     igtl_outbox_init(&peer->outbox);
     const igtl_introduction_t introduction = {peer->number, language, "ENTRY_", &peer->outbox};
 
-    witness_before(self);
+    dialect_oracle_before(self);
     if (is_planner(peer)) {
         transform_dialect_connected(&self->transform, place, &introduction);
     } else {
         workphase_dialect_connected(&self->workphase, place, &introduction);
     }
-    witness_connected(self, place);
-    witness_after(self);
+    dialect_oracle_connected(self, place);
+    dialect_oracle_after(self);
 }
 
 void world_disconnect(world_t *self, uint32_t place)
@@ -101,7 +101,7 @@ void world_disconnect(world_t *self, uint32_t place)
     if (!peer->is_connected) {
         return;
     }
-    witness_leaves(self, place);
+    dialect_oracle_leaves(self, place);
     peer->is_connected = false;
     if (is_planner(peer)) {
         transform_dialect_disconnected(&self->transform, place);
@@ -116,13 +116,13 @@ static void hand_over(world_t *self, uint32_t place)
     world_peer_t *peer = &self->peers[place];
     const igtl_message_t *message = &peer->inbox.message;
 
-    witness_hears(self, place, message);
+    dialect_oracle_hears(self, place, message);
     if (is_planner(peer)) {
         transform_dialect_receive(&self->transform, place, message, &self->moment);
     } else {
         workphase_dialect_receive(&self->workphase, place, message, &self->moment);
     }
-    witness_after(self);
+    dialect_oracle_after(self);
 }
 
 /* As igtl_connection.c does it: also of what is refused or skipped. */
@@ -168,11 +168,11 @@ void world_receive(world_t *self, uint32_t place, const uint8_t *bytes, uint32_t
 
 static void answer(world_t *self, const answer_t *said)
 {
-    witness_before(self);
+    dialect_oracle_before(self);
     if (!workphase_dialect_answer(&self->workphase, said, &self->moment)) {
         (void)transform_dialect_answer(&self->transform, said, &self->moment);
     }
-    witness_after(self);
+    dialect_oracle_after(self);
 }
 
 static void refuse(world_t *self, const command_t *command)
@@ -199,7 +199,7 @@ static bool is_taken(world_t *self, const command_t *command)
     }
     self->lane[self->waiting] = *command;
     self->waiting++;
-    witness_passed(self, command);
+    dialect_oracle_passed(self, command);
     return true;
 }
 
@@ -234,11 +234,11 @@ static void step(world_t *self)
 {
     pass(self, &self->workphase.requests);
     pass(self, &self->transform.requests);
-    witness_before(self);
+    dialect_oracle_before(self);
     workphase_dialect_step(&self->workphase, &self->moment);
     transform_dialect_step(&self->transform, &self->moment);
-    witness_after(self);
-    witness_stepped(self);
+    dialect_oracle_after(self);
+    dialect_oracle_stepped(self);
     for (uint32_t i = 0U; i < WORLD_PEERS; i++) {
         world_peer_t *peer = &self->peers[i];
 
@@ -294,9 +294,9 @@ void world_wait_in_silence(world_t *self, uint32_t cycles)
         self->silent_us += CYCLE_US;
         if (self->silent_us >= WORLD_LOST_US) {
             self->silent_us = 0U;
-            witness_before(self);
+            dialect_oracle_before(self);
             workphase_dialect_control_lost(&self->workphase, &self->moment);
-            witness_after(self);
+            dialect_oracle_after(self);
         }
         advance(self);
         if (is_turn(self)) {

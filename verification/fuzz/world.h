@@ -3,7 +3,7 @@
  * @file
  * Peers, both dialects, the lane to control, and the real controller with the simulated box, in
  * simulated time: what boresight-igtl does between its sockets and the exchange, without either.
- * The witness (witness.h) hears everything.
+ * The oracle (oracle.h) hears everything.
  */
 #ifndef BORESIGHT_FUZZ_WORLD_H
 #define BORESIGHT_FUZZ_WORLD_H

@@ -72,7 +72,7 @@ static void go_on(scene_t *scene, const flip_t *flip)
                                         SENTENCE_REACHED};
     int end = (int)FLIP_HARMLESS;
     bool is_seen = false;
-    motion_oracle_forgive(&scene->witness);
+    motion_oracle_forgive(&scene->oracle);
     do_flip(&scene->rig, flip);
     for (uint32_t i = 0U; i < CYCLES_AFTER; i++) {
         rig_forget(&scene->rig);
@@ -81,7 +81,7 @@ static void go_on(scene_t *scene, const flip_t *flip)
     }
     end = is_seen ? (int)FLIP_NOTICED : (int)FLIP_HARMLESS;
     for (uint32_t i = 0U; i < (sizeof judged / sizeof judged[0]); i++) {
-        end = scene->witness.is_broken[judged[i]] ? ((int)FLIP_WRONG + (int)judged[i]) : end;
+        end = scene->oracle.is_broken[judged[i]] ? ((int)FLIP_WRONG + (int)judged[i]) : end;
     }
     _exit(end);
 }
@@ -89,7 +89,7 @@ static void go_on(scene_t *scene, const flip_t *flip)
 static void tell(const scene_t *scene, const flip_t *flip, const char *what)
 {
     printf("scene %u, cycle %u, %s, byte %u of the %s, bits %08X: %s\n",
-           (unsigned)scene->witness.seed, (unsigned)scene->stage.cycle,
+           (unsigned)scene->oracle.seed, (unsigned)scene->scenario.cycle,
            flip->is_moving ? "moving" : "at rest", (unsigned)flip->byte,
            flip->is_table ? "table" : "state", (unsigned)flip->mask, what);
 }
@@ -154,7 +154,7 @@ bool flips_play(scene_t *scene, const robot_t *robot, uint32_t count, uint32_t s
     for (uint32_t done = 0U; done < count; done++) {
         if ((done % FLIPS_PER_SCENE) == 0U) {
             scene_begin(scene, robot, PLAY_RANDOM, seed + (done / FLIPS_PER_SCENE));
-            scene->stage.fault_cycle = UINT32_MAX; /* Nothing but the memory is at fault. */
+            scene->scenario.fault_cycle = UINT32_MAX; /* Nothing but the memory is at fault. */
         }
         approach(scene, (done % 2U) != 0U);
         branch(counts, scene, &random);

@@ -18,13 +18,13 @@
 #define NEXT_STEPS_MOST 64U
 #define TRIES 100000U /* One of a thousand pairs is refused. */
 
-/* A cycle without the players; the witness looks on. */
+/* A cycle without the players; the oracle looks on. */
 static void pass(scene_t *scene)
 {
     double truth[ROBOT_AXIS_MAX];
     box_true_positions(&scene->rig.box, truth);
     rig_cycle(&scene->rig);
-    motion_oracle_look(&scene->witness, &scene->rig, truth, true);
+    motion_oracle_look(&scene->oracle, &scene->rig, truth, true);
 }
 
 static uint32_t homed_axes(const rig_t *rig)
@@ -54,14 +54,14 @@ static bool be_late(scene_t *scene, uint32_t seed)
            (scene->rig.outputs.snapshot.loop == (uint32_t)LOOP_GUARD_STATE_STOPPED);
 }
 
-/* The other players have left; the witness stays. */
+/* The other players have left; the oracle stays. */
 static void let_operator_act(scene_t *scene, operator_t *player)
 {
     pass(scene);
     (void)operator_play(player, &scene->rig);
     if (player->has_started_anew) {
         player->has_started_anew = false;
-        motion_oracle_begin(&scene->witness, scene->witness.seed);
+        motion_oracle_begin(&scene->oracle, scene->oracle.seed);
     }
 }
 
@@ -76,7 +76,7 @@ static bool stand_astray(scene_t *scene, const robot_t *robot, uint32_t seed)
         return false;
     }
     refused_way_start(&pair, robot, &standing, &scene->rig);
-    motion_oracle_begin(&scene->witness, seed);
+    motion_oracle_begin(&scene->oracle, seed);
     if ((seed % BROKEN) >= ASTRAY) {
         operator_break(&scene->rig, seed);
     }

@@ -5,7 +5,7 @@
 
 void scene_begin(scene_t *self, const robot_t *robot, play_t play, uint32_t seed)
 {
-    motion_oracle_begin(&self->witness, seed);
+    motion_oracle_begin(&self->oracle, seed);
     scenario_begin(&self->stage, &self->rig, robot, play, seed);
     if (self->digest != NULL) {
         digest_begin(self->digest);
@@ -21,6 +21,6 @@ void scene_cycle(scene_t *self)
     if (self->digest != NULL) {
         digest_add(self->digest, &self->rig.outputs);
     }
-    self->witness.is_sound = scenario_is_sound(&self->stage);
-    motion_oracle_look(&self->witness, &self->rig, truth, scenario_is_disturbed(&self->stage));
+    self->oracle.is_sound = scenario_is_sound(&self->stage);
+    motion_oracle_look(&self->oracle, &self->rig, truth, scenario_is_disturbed(&self->stage));
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file One scene: the rig, the players on its scenario, and the witness. */
+/** @file One scene: the rig, the players on its scenario, and the oracle. */
 #ifndef BORESIGHT_SCENE_H
 #define BORESIGHT_SCENE_H
 
@@ -11,15 +11,15 @@
 typedef struct {
     rig_t rig;
     scenario_t scenario;
-    motion_oracle_t witness;
+    motion_oracle_t oracle;
     digest_t *digest; /**< Gets all that the controller says; NULL: it is not asked for. */
 } scene_t;
 
-/** Sets the scene `seed` of `robot`, which must outlive it; what the witness has seen before stays.
+/** Sets the scene `seed` of `robot`, which must outlive it; what the oracle has seen before stays.
  */
 void scene_begin(scene_t *self, const robot_t *robot, play_t play, uint32_t seed);
 
-/** One cycle under the eyes of the witness. */
+/** One cycle under the eyes of the oracle. */
 void scene_cycle(scene_t *self);
 
 #endif

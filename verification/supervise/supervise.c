@@ -2,7 +2,7 @@
 /**
  * @file
  * The real controller on the simulated control box, in simulated time, with an operator, a world
- * and faults by chance, and a witness who knows where the axes truly stand.
+ * and faults by chance, and an oracle that knows where the axes truly stand.
  *
  *     supervise [--robot NAME] COUNT [SEED [PLAY [DIGESTS]]], PLAY one of PLAY_NAMES
  *
@@ -51,7 +51,7 @@ void tearDown(void)
 void contract_broken(const char *module, uint32_t id)
 {
     printf("contract %s/%u is broken in scene %u, cycle %u\n", module, (unsigned)id,
-           (unsigned)scene.witness.seed, (unsigned)scene.stage.cycle);
+           (unsigned)scene.oracle.seed, (unsigned)scene.stage.cycle);
     exit(2);
 }
 
@@ -98,11 +98,11 @@ static void tell_plan(uint32_t seed)
 
 static void report_endings(ending_t ending, const char *words)
 {
-    const motion_oracle_t *const witness = &scene.witness;
-    const uint32_t latest = motion_oracle_late(witness, ending, 99U);
+    const motion_oracle_t *const oracle = &scene.oracle;
+    const uint32_t latest = motion_oracle_late(oracle, ending, 99U);
     printf("%u %s, done after their profiles: half of them by %u ms, 99 %% by %u ms, %s\n",
-           (unsigned)witness->endings[ending].count, words,
-           (unsigned)motion_oracle_late(witness, ending, 50U), (unsigned)latest,
+           (unsigned)oracle->endings[ending].count, words,
+           (unsigned)motion_oracle_late(oracle, ending, 50U), (unsigned)latest,
            (latest <= (LIMIT_DONE_TIME_US / LIMIT_CYCLE_US)) ? "in time" : "late");
 }
 
@@ -110,24 +110,24 @@ static void report_losses(void)
 {
     uint32_t losses[REIGN_LOSSES];
     for (uint32_t i = 0U; i < REIGN_LOSSES; i++) {
-        losses[i] = scene.witness.losses[i] + scene.witness.authority_oracle.losses[i];
+        losses[i] = scene.oracle.losses[i] + scene.oracle.authority_oracle.losses[i];
     }
-    printf("authority was lost: %u times released, %u not renewed, %u in silence, %u taken; %u in "
-           "motion\n",
-           (unsigned)losses[AUTHORITY_LOSS_RELEASED], (unsigned)losses[AUTHORITY_LOSS_UNRENEWED],
-           (unsigned)losses[AUTHORITY_LOSS_SILENT], (unsigned)losses[AUTHORITY_LOSS_TAKEN],
-           (unsigned)(scene.witness.losses_in_motion +
-                      scene.witness.authority_oracle.losses_in_motion));
+    printf(
+        "authority was lost: %u times released, %u not renewed, %u in silence, %u taken; %u in "
+        "motion\n",
+        (unsigned)losses[AUTHORITY_LOSS_RELEASED], (unsigned)losses[AUTHORITY_LOSS_UNRENEWED],
+        (unsigned)losses[AUTHORITY_LOSS_SILENT], (unsigned)losses[AUTHORITY_LOSS_TAKEN],
+        (unsigned)(scene.oracle.losses_in_motion + scene.oracle.authority_oracle.losses_in_motion));
 }
 
 static void report_orders(void)
 {
     const char *separator = "orders that were done:";
     for (uint32_t i = 0U; i < COMMAND_KIND_COUNT; i++) {
-        const uint32_t armed = scene.witness.armed[i] + scene.witness.order_watch.armed[i];
+        const uint32_t armed = scene.oracle.armed[i] + scene.oracle.order_watch.armed[i];
         if (armed != 0U) {
             printf("%s %u of %u %s", separator,
-                   (unsigned)(scene.witness.done[i] + scene.witness.order_watch.done[i]),
+                   (unsigned)(scene.oracle.done[i] + scene.oracle.order_watch.done[i]),
                    (unsigned)armed, command_kind_name((int32_t)i));
             separator = ",";
         }
@@ -143,7 +143,7 @@ static void report_found(void)
                                      EVENT_AXIS_NO_COUNTS,   EVENT_AXIS_WRONG_WAY,
                                      EVENT_AXIS_WRONG_SPEED, EVENT_AXIS_UNEVEN_COUNTS};
     for (uint32_t i = 0U; i < (sizeof ids / sizeof ids[0]); i++) {
-        printf("%s %u %s", (i == 0U) ? "events:" : ",", (unsigned)scene.witness.found[ids[i]],
+        printf("%s %u %s", (i == 0U) ? "events:" : ",", (unsigned)scene.oracle.found[ids[i]],
                event_id_name((int32_t)ids[i]));
     }
     printf("\n");
@@ -183,7 +183,7 @@ static bool report(play_t play, uint32_t count)
         report_endings(ENDING_NON_PWM, "legs with axes without pwm");
     }
     for (uint32_t i = 0U; i < SENTENCE_COUNT; i++) {
-        const verdict_t *const verdict = &scene.witness.verdicts[i];
+        const verdict_t *const verdict = &scene.oracle.verdicts[i];
         printf("%-70s ", motion_oracle_sentence((sentence_t)i));
         if (verdict->episodes == 0U) {
             printf("holds\n");
@@ -215,7 +215,7 @@ static int play_all(int play, uint32_t wanted, uint32_t first)
     }
     /* A scene of moves has more than one. */
     while ((scenes < wanted) && (play_is_of_scenes((play_t)play) ||
-                                 (scene.witness.endings[ENDING_MOVE].count < wanted))) {
+                                 (scene.oracle.endings[ENDING_MOVE].count < wanted))) {
         play_scene((play_t)play, first + scenes);
         scenes++;
     }
@@ -230,7 +230,7 @@ static int play_asserted(int play, uint32_t wanted, uint32_t first)
     if (TEST_PROTECT()) {
         result = play_all(play, wanted, first);
     } else {
-        printf("scene %u of the robot %s cannot be set\n", (unsigned)scene.witness.seed,
+        printf("scene %u of the robot %s cannot be set\n", (unsigned)scene.oracle.seed,
                robot->name);
     }
     return result;

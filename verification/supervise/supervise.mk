@@ -8,7 +8,7 @@ PLAY ?= random
 
 # Unity comes with Ceedling: the rig of the integration tests asserts with it.
 UNITY := .tools/gems/gems/ceedling-1.2.1/vendor/unity/src
-SUPERVISE_SOURCES := $(wildcard verification/supervise/*.c verification/supervise/*/*.c verification/witness/*.c core/robot/*/test/*_truth.c) \
+SUPERVISE_SOURCES := $(wildcard verification/supervise/*.c verification/supervise/*/*.c verification/oracle/*.c core/robot/*/test/*_truth.c) \
     verification/integration/support/rig.c verification/integration/support/refused_way.c \
     verification/unit/support/refused_pair.c $(BOX_SOURCES) $(FIND_ROBOT) $(NAMES)
 build/gcc/bin/supervise: $(call object,$(SUPERVISE_SOURCES)) $(OUT)/libcore.a

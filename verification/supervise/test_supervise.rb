@@ -7,7 +7,7 @@
 # with run and stop or magnitudes for cards without pwm; pages and connections that all want to command; one order of any
 # mode after the other; treatment programs with their gate; sweeps; an operator who follows the next step alone; cycles that come late,
 # exchanges apart from them, a box that stands and wires that damage frames) does the controller of any robot break one of the
-# sentences of the witness, who knows where the simulated axes truly stand.
+# sentences of the oracle, who knows where the simulated axes truly stand.
 # `make supervise COUNT=n SEED=n PLAY=name ROBOT=name` plays more.
 
 require 'minitest/autorun'

@@ -2,17 +2,17 @@
 # frozen_string_literal: true
 
 # Rule under test: with any clients that compete for authority and any process killed meanwhile, one commands at a time and nobody else
-# moves anything. The recording of one fight is replayed under a witness, and kept in build/fight if a rule was broken;
-# `make fight MINUTES=5` is a longer one.
+# moves anything. The recording of one fight is replayed under an oracle, and kept in build/authority_stress/ if a rule was broken;
+# `make authority-stress MINUTES=5` is a longer one.
 
 require_relative 'support/system_test'
-require_relative '../fight/fight'
+require_relative '../authority_stress/authority_stress'
 
 class TestAuthorityFight < SystemTest
   SECONDS = 20
 
   def self.verdict
-    @verdict ||= Fight.judge(SECONDS, Random.new_seed % 1_000_000, Accounts.make_for_a_while)
+    @verdict ||= AuthorityStress.judge(SECONDS, Random.new_seed % 1_000_000, Accounts.make_for_a_while)
   end
 
   def assert_held(*sentences)

@@ -152,7 +152,7 @@ static uint32_t random_state = 1U;
 
 static uint32_t below(uint32_t bound)
 {
-    return chance_below(&random_state, bound);
+    return prng_below(&random_state, bound);
 }
 
 void test_SWR_COUPLE_001_a_pedal_pressed_and_released_at_random_keeps_them_inside(void)

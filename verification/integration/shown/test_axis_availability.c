@@ -42,7 +42,7 @@ void tearDown(void)
 
 static uint32_t below(uint32_t bound)
 {
-    return chance_below(&random_state, bound);
+    return prng_below(&random_state, bound);
 }
 
 static command_t of_axis(command_kind_t kind)

@@ -48,7 +48,7 @@ void tearDown(void)
 
 static uint32_t below(uint32_t bound)
 {
-    return chance_below(&random_state, bound);
+    return prng_below(&random_state, bound);
 }
 
 /* One whose numbers are as they should be. */

@@ -51,7 +51,7 @@ void tearDown(void)
 
 static uint32_t below(uint32_t bound)
 {
-    return chance_below(&random_state, bound);
+    return prng_below(&random_state, bound);
 }
 
 /* Without the rows of a trajectory, which no trial changes. */

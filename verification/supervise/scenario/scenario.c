@@ -154,7 +154,7 @@ static bool ends_with(const char *line, const char *word)
     return (length >= strlen(word)) && begins_with(&line[length - strlen(word)], word);
 }
 
-/* To be drawn by lot: what disturbs. By where the axes are the witness would take a hand for a
+/* To be drawn by lot: what disturbs. By where the axes are the oracle would take a hand for a
  * drive. Who holds from afar is waited for in the world's time, of which a scene has none. */
 static bool is_disturbance(const char *line)
 {

@@ -4,8 +4,8 @@
 #include "charts/arming_chart.h"
 #include "charts/authority_chart.h"
 #include "limits/requirement_limits.h"
-#include "witness/commanding.h"
-#include "witness/replies.h"
+#include "oracle/commanding.h"
+#include "oracle/replies.h"
 
 #include <stddef.h>
 

@@ -187,20 +187,20 @@ static double most_off(motion_oracle_t *self, const rig_t *rig, uint32_t axis)
     const double running = config_of(rig, axis)->full_speed_ticks_per_s;
     const bool is_half = rig->box.axes[axis].encoder.fault == SIM_ENCODER_HALF;
     const uint32_t left = self->half_cycles[axis];
-    self->half_cycles[axis] = is_half ? WITNESS_SECOND : ((left > 0U) ? (left - 1U) : 0U);
+    self->half_cycles[axis] = is_half ? MOTION_ORACLE_SECOND : ((left > 0U) ? (left - 1U) : 0U);
     return (allowed * ((self->half_cycles[axis] > 0U) ? 2.0 : 1.0)) +
            measure(rig, axis, running * LIMIT_REST_NOTICE_US / 1e6);
 }
 
 static void judge_rest(motion_oracle_t *self, const rig_t *rig, uint32_t axis, double truth)
 {
-    const uint32_t place = self->off_cycles[axis] % WITNESS_SECOND;
+    const uint32_t place = self->off_cycles[axis] % MOTION_ORACLE_SECOND;
     const double most = most_off(self, rig, axis);
     if (is_driven(rig, axis)) {
         self->off_cycles[axis] = 0U;
         return;
     }
-    const bool is_full = self->off_cycles[axis] >= WITNESS_SECOND;
+    const bool is_full = self->off_cycles[axis] >= MOTION_ORACLE_SECOND;
     const double before = is_full ? self->rest[axis][place] : self->rest[axis][0];
     const double way = fabs(measure(rig, axis, truth - before));
     self->rest[axis][place] = truth;
@@ -511,10 +511,10 @@ static void judge_beyond(motion_oracle_t *self, const rig_t *rig)
 
 static void judge_speed(motion_oracle_t *self, const rig_t *rig, uint32_t axis, double truth)
 {
-    const uint32_t place = self->looks % WITNESS_MEAN;
+    const uint32_t place = self->looks % MOTION_ORACLE_MEAN;
     const double way = fabs(truth - self->places[axis][place]);
     const double most = config_of(rig, axis)->speed_ticks_per_s * (LIMIT_MEAN_SPEED_TIME_US / 1e6);
-    if ((self->looks >= WITNESS_MEAN) && (way > most)) {
+    if ((self->looks >= MOTION_ORACLE_MEAN) && (way > most)) {
         complain(self, rig, SENTENCE_SPEED, axis, 100.0 * way / most);
     }
     self->places[axis][place] = truth;
@@ -524,7 +524,7 @@ static void count_ending(motion_oracle_t *self, ending_t ending)
 {
     endings_t *const endings = &self->endings[ending];
     const uint32_t late =
-        (self->over_cycles < WITNESS_LATE) ? self->over_cycles : WITNESS_LATE - 1U;
+        (self->over_cycles < MOTION_ORACLE_LATE) ? self->over_cycles : MOTION_ORACLE_LATE - 1U;
     endings->count++;
     endings->late[late]++;
 }
@@ -602,7 +602,7 @@ uint32_t motion_oracle_late(const motion_oracle_t *self, ending_t ending, uint32
     const endings_t *const endings = &self->endings[ending];
     uint32_t cycles = 0U;
     uint32_t count = endings->late[0];
-    while ((cycles < (WITNESS_LATE - 1U)) && ((count * 100U) < (endings->count * percent))) {
+    while ((cycles < (MOTION_ORACLE_LATE - 1U)) && ((count * 100U) < (endings->count * percent))) {
         cycles++;
         count += endings->late[cycles];
     }

@@ -4,8 +4,8 @@
  * Somebody who sees what the controller cannot: where the simulated axes truly stand. Holds a list
  * of sentences against every cycle, and remembers which were broken, where first and by how much.
  */
-#ifndef BORESIGHT_WITNESS_H
-#define BORESIGHT_WITNESS_H
+#ifndef BORESIGHT_MOTION_ORACLE_H
+#define BORESIGHT_MOTION_ORACLE_H
 
 #include "integration/support/rig.h"
 #include "limits/requirement_limits.h"
@@ -17,9 +17,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define WITNESS_SECOND 1000U                                     /**< Cycles. */
-#define WITNESS_MEAN (LIMIT_MEAN_SPEED_TIME_US / LIMIT_CYCLE_US) /**< Cycles of a mean speed. */
-#define WITNESS_LATE 10000U /**< Cycles after the end of a profile that are told apart. */
+#define MOTION_ORACLE_SECOND 1000U /**< Cycles. */
+#define MOTION_ORACLE_MEAN                                                                         \
+    (LIMIT_MEAN_SPEED_TIME_US / LIMIT_CYCLE_US) /**< Cycles of a mean speed. */
+#define MOTION_ORACLE_LATE 10000U /**< Cycles after the end of a profile that are told apart. */
 
 /** What must hold in every cycle. */
 typedef enum {
@@ -72,24 +73,24 @@ typedef enum {
 /** How many ended so many cycles after their profile, in all episodes. */
 typedef struct {
     uint32_t count;
-    uint32_t late[WITNESS_LATE];
+    uint32_t late[MOTION_ORACLE_LATE];
 } endings_t;
 
-/** State of the witness; one episode at a time. */
+/** State of the oracle; one episode at a time. */
 typedef struct {
     uint32_t seed;
     bool is_sound; /**< Nothing of an axis was broken, whatever the time and the wires do. */
     uint32_t found[EVENT_ID_COUNT]; /**< Events in all episodes. */
     endings_t endings[ENDING_COUNT];
     verdict_t verdicts[SENTENCE_COUNT];
-    bool is_broken[SENTENCE_COUNT];              /**< In this episode. */
-    double rest[ROBOT_AXIS_MAX][WITNESS_SECOND]; /**< True positions of the last second. */
+    bool is_broken[SENTENCE_COUNT];                    /**< In this episode. */
+    double rest[ROBOT_AXIS_MAX][MOTION_ORACLE_SECOND]; /**< True positions of the last second. */
     uint32_t off_cycles[ROBOT_AXIS_MAX];
     uint32_t half_cycles[ROBOT_AXIS_MAX]; /**< Left of a second after half counts. */
     uint32_t astray_cycles[ROBOT_AXIS_MAX];
     double swept_off[ROBOT_AXIS_MAX]; /**< Ticks that its encoder has missed in a sweep. */
     uint32_t untrue_cycles;           /**< An arrival is shown that is none. */
-    double places[ROBOT_AXIS_MAX][WITNESS_MEAN]; /**< True positions of the last cycles. */
+    double places[ROBOT_AXIS_MAX][MOTION_ORACLE_MEAN]; /**< True positions of the last cycles. */
     uint32_t looks;
     uint32_t moving_cycles;
     uint32_t lost_carriages;              /**< When that motion began. */

@@ -3,7 +3,7 @@
 
 #include "charts/arming_chart.h"
 #include "supervise/watch/truth.h"
-#include "witness/replies.h"
+#include "oracle/replies.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "witness/commanding.h"
+#include "oracle/commanding.h"
 
 #include "interface/authority_list.h"
 #include "interface/workphase_list.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "witness/replies.h"
+#include "oracle/replies.h"
 
 #include <stddef.h>
 
