@@ -274,7 +274,7 @@ void world_wait(world_t *self, uint32_t cycles)
     for (uint32_t i = 0U; i < cycles; i++) {
         take_commands(self);
         rig_cycle(&self->rig);
-        SENTENCE(reign_look(&self->reign, &self->rig) == 0U,
+        SENTENCE(authority_oracle_look(&self->authority_oracle, &self->rig) == 0U,
                  "one commands, loses it rightly, and nothing moves after that");
         self->moment.snapshot = &self->rig.outputs.snapshot;
         self->silent_us = 0U;

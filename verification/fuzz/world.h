@@ -40,7 +40,7 @@ typedef struct {
 
 typedef struct {
     rig_t rig;
-    reign_t reign; /**< Who commands, as seen from outside. */
+    authority_oracle_t authority_oracle; /**< Who commands, as seen from outside. */
     workphase_dialect_t workphase;
     transform_dialect_t transform;
     world_peer_t peers[WORLD_PEERS];

@@ -95,12 +95,12 @@ static bool play_history(scene_t *scene, const robot_t *robot, uint32_t seed)
     for (uint32_t i = 0U; i < cycles; i++) {
         if ((i == (cycles / BREAKS_LATER)) && !is_foes && !is_late) {
             operator_break(&scene->rig, seed);
-            scene->stage.has_fault = 1U;
+            scene->scenario.has_fault = 1U;
         }
         scene_cycle(scene);
     }
     if (is_late) {
-        is_kept = be_late(scene, seed) || scenario_is_disturbed(&scene->stage);
+        is_kept = be_late(scene, seed) || scenario_is_disturbed(&scene->scenario);
     }
     return is_kept;
 }

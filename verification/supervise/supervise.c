@@ -51,7 +51,7 @@ void tearDown(void)
 void contract_broken(const char *module, uint32_t id)
 {
     printf("contract %s/%u is broken in scene %u, cycle %u\n", module, (unsigned)id,
-           (unsigned)scene.oracle.seed, (unsigned)scene.stage.cycle);
+           (unsigned)scene.oracle.seed, (unsigned)scene.scenario.cycle);
     exit(2);
 }
 
@@ -92,7 +92,7 @@ static void tell_plan(uint32_t seed)
 {
     char text[PLAN_SIZE];
     scene_begin(&scene, robot, PLAY_TAPS, seed);
-    adversary_describe(&scene.stage.adversary, text, sizeof text);
+    adversary_describe(&scene.scenario.adversary, text, sizeof text);
     printf("    scene %u: %s\n", (unsigned)seed, text);
 }
 
