@@ -336,3 +336,4 @@ include verification/bench/bench.mk
 include verification/detection/detection.mk
 include verification/fuzz/fuzz.mk
 include verification/authority_stress/authority_stress.mk
+include verification/eva/eva.mk

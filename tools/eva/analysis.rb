@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require 'fileutils'
+require 'open3'
+
+module Eva
+  # What Eva could not rule out. The same text at several places of a function is one alarm; `times` counts the places.
+  Alarm = Struct.new(:file, :function, :text, :times, keyword_init: true) do
+    def place
+      "#{file}: #{function}: #{text}"
+    end
+  end
+
+  # Frama-C itself ended badly, or without a report.
+  class Failed < StandardError; end
+
+  # One run of Eva over some sources, from one function on.
+  #
+  # @satisfies SWR-TOOL-231
+  class Analysis
+    HERE = 'verification/eva'
+    # Preprocessed by the compiler of the product; Frama-C's own headers stand in for those of a C library.
+    MACHINE = ['-load-script', "#{HERE}/cortex_a9.ml", '-machdep', 'cortex_a9', '-cpp-frama-c-compliant',
+               '-cpp-command', 'arm-linux-gnueabihf-gcc -E -C -I.'].freeze
+    INCLUDES = "-D__FC_MACHDEP_GCC_X86_32 -include #{HERE}/compiler.h -Icore -Ibuild/gen"
+    CONTROLLER = %w[core/*/*.c core/*/*/*.c build/gen/charts/*_chart.c build/gen/robot/*.c
+                    build/gen/interface/*.c].freeze
+    PRECISION = %w[-eva-precision 0].freeze
+    # Frama-C numbers what has the same name in several files.
+    NUMBER = /(?<=\w)_\d+\b/
+    FIGURES = /(\d+) functions analyzed \(out of (\d+)\).*?(\d+) statements reached \(out of (\d+)\)/m
+
+    def self.of_controller(robot)
+      new("run_#{robot}", Dir.glob(CONTROLLER).sort + ["#{HERE}/driver.c"], "build/eva/#{robot}")
+    end
+
+    attr_reader :alarms
+
+    def initialize(entry, sources, folder, root: '.')
+      @entry = entry
+      @sources = sources
+      @folder = folder
+      @root = root
+    end
+
+    def run
+      FileUtils.mkdir_p(@folder)
+      before = processor_seconds
+      # Frama-C finds its files by what the shell says of where it is.
+      @log, status = Open3.capture2e({ 'PWD' => File.realpath(@root) }, *command, chdir: @root)
+      @seconds = (processor_seconds - before).round
+      File.write("#{@folder}/log.txt", @log)
+      raise Failed, "Eva ended badly: #{@log.lines.last(5).join}" unless status.success? && File.exist?(report)
+
+      @alarms = read(File.readlines(report, chomp: true).drop(1))
+      self
+    end
+
+    # Statements and functions, of those of the program; copies of functions of headers count in each file.
+    def reached
+      analysed, functions, reached, statements = FIGURES.match(@log).to_a.drop(1).map(&:to_i)
+      { functions: [analysed, functions], statements: [reached, statements] }
+    end
+
+    def figures
+      reached.map { |what, (part, whole)| "#{part} of #{whole} #{what} reached" }.join(', ') +
+        ", #{alarms.size} alarms, #{@seconds} s of a processor"
+    end
+
+    private
+
+    def processor_seconds
+      times = Process.times
+      times.cutime + times.cstime
+    end
+
+    def report
+      File.expand_path("#{@folder}/alarms.csv")
+    end
+
+    def command
+      FileUtils.rm_f(report)
+      ['frama-c', *MACHINE, "-cpp-extra-args=#{INCLUDES}", *@sources, '-main', @entry, '-eva',
+       '-eva-msg-key=-initial-state,-final-states', *PRECISION, '-then', '-report-no-proven', '-report-csv', report]
+    end
+
+    def read(lines)
+      rows = lines.map { |line| row(*line.split("\t")) }.uniq
+      rows.group_by { |row| row.take(3) }.map do |(file, function, text), same|
+        Alarm.new(file: file, function: function, text: text, times: same.size)
+      end.sort_by(&:place)
+    end
+
+    def row(folder, file, line, function, kind, _status, property)
+      path = File.join(folder, file).delete_prefix("#{File.expand_path(@root)}/").delete_prefix('./')
+      [path, function.gsub(NUMBER, ''), "#{kind}: #{property}".gsub(NUMBER, ''), line]
+    end
+  end
+end

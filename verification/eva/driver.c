@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* What Frama-C's Eva follows: the controller from its start on for ever, with any kept positions,
+ * any list of rows and, in each cycle, any inputs. The seals of the state and of the robot's table
+ * hold any value, so that each section may be found damaged in any cycle. One entry for each robot.
+ */
+#include "contracts.h"
+
+#include "controller/controller.h"
+#include "robot/robot_bench2.h"
+#include "robot/robot_neuro.h"
+#include "robot/robot_prostate.h"
+
+#include <__fc_builtin.h>
+
+static robot_t robot;
+static controller_t controller;
+static controller_inputs_t inputs;
+static controller_outputs_t outputs;
+static kept_positions_t kept;
+static trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
+
+/* A broken contract is an alarm where the contract stands. */
+/*@ requires contract: \false;
+    assigns \nothing;
+    ensures \false; */
+void contract_broken(const char *module, uint32_t id);
+
+static void damage_seals(void)
+{
+    Frama_C_make_unknown((char *)controller.seals, sizeof controller.seals);
+    Frama_C_make_unknown((char *)&robot.seal, sizeof robot.seal);
+    /*@ loop unroll ROBOT_AXIS_MAX; */
+    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
+        Frama_C_make_unknown((char *)&robot.axes[i].seal, sizeof robot.axes[i].seal);
+    }
+    /*@ loop unroll POSE_NAME_COUNT; */
+    for (uint32_t i = 0U; i < (uint32_t)POSE_NAME_COUNT; i++) {
+        Frama_C_make_unknown((char *)&robot.poses[i].seal, sizeof robot.poses[i].seal);
+    }
+}
+
+static void start(const robot_t *table)
+{
+    uint32_t row = 0U;
+    robot = *table;
+    controller_init(&controller, &robot);
+    if (Frama_C_nondet(0, 1) != 0) {
+        Frama_C_make_unknown((char *)&kept, sizeof kept);
+        controller_restore(&controller, &kept);
+    }
+    if (Frama_C_nondet(0, 1) != 0) {
+        Frama_C_make_unknown((char *)rows, sizeof rows);
+        (void)controller_hold(&controller, &robot, rows,
+                              Frama_C_unsigned_int_interval(0U, LIMIT_TRAJECTORY_ROWS), &row);
+    }
+}
+
+static void run(const robot_t *table)
+{
+    start(table);
+    /*@ loop unroll 0; */
+    for (;;) {
+        damage_seals();
+        Frama_C_make_unknown((char *)&inputs, sizeof inputs);
+        inputs.command_count = Frama_C_unsigned_int_interval(0U, CONTROLLER_COMMANDS);
+        controller_step(&controller, &robot, &inputs, &outputs);
+    }
+}
+
+void run_bench2(void)
+{
+    run(&robot_bench2);
+}
+
+void run_neuro(void)
+{
+    run(&robot_neuro);
+}
+
+void run_prostate(void)
+{
+    run(&robot_prostate);
+}
