@@ -32,16 +32,18 @@ module Eva
     FIGURES = /(\d+) functions analyzed \(out of (\d+)\).*?(\d+) statements reached \(out of (\d+)\)/m
 
     def self.of_controller(robot)
-      new("run_#{robot}", Dir.glob(CONTROLLER).sort + ["#{HERE}/driver.c"], "build/eva/#{robot}")
+      new('run_controller', Dir.glob(CONTROLLER).sort + ["#{HERE}/driver.c"], "build/eva/#{robot}",
+          defines: " -include robot/robot_#{robot}.h -DEVA_ROBOT=robot_#{robot}")
     end
 
     attr_reader :alarms
 
-    def initialize(entry, sources, folder, root: '.')
+    def initialize(entry, sources, folder, root: '.', defines: '')
       @entry = entry
       @sources = sources
       @folder = folder
       @root = root
+      @defines = defines
     end
 
     def run
@@ -81,7 +83,7 @@ module Eva
 
     def command
       FileUtils.rm_f(report)
-      ['frama-c', *MACHINE, "-cpp-extra-args=#{INCLUDES}", *@sources, '-main', @entry, '-eva',
+      ['frama-c', *MACHINE, "-cpp-extra-args=#{INCLUDES}#{@defines}", *@sources, '-main', @entry, '-eva',
        '-eva-msg-key=-initial-state,-final-states', *PRECISION, '-then', '-report-no-proven', '-report-csv', report]
     end
 

@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* What Frama-C's Eva follows: the controller from its start on for ever, with any kept positions,
  * any list of rows and, in each cycle, any inputs. The seals of the state and of the robot's table
- * hold any value, so that each section may be found damaged in any cycle. One entry for each robot.
- */
+ * hold any value, so that each section may be found damaged in any cycle. EVA_ROBOT is the table of
+ * the robot. */
 #include "contracts.h"
 
 #include "controller/controller.h"
-#include "robot/robot_bench2.h"
-#include "robot/robot_neuro.h"
-#include "robot/robot_prostate.h"
 
 #include <__fc_builtin.h>
 
@@ -39,10 +36,10 @@ static void damage_seals(void)
     }
 }
 
-static void start(const robot_t *table)
+static void start(void)
 {
     uint32_t row = 0U;
-    robot = *table;
+    robot = EVA_ROBOT;
     controller_init(&controller, &robot);
     if (Frama_C_nondet(0, 1) != 0) {
         Frama_C_make_unknown((char *)&kept, sizeof kept);
@@ -55,9 +52,9 @@ static void start(const robot_t *table)
     }
 }
 
-static void run(const robot_t *table)
+void run_controller(void)
 {
-    start(table);
+    start();
     /*@ loop unroll 0; */
     for (;;) {
         damage_seals();
@@ -65,19 +62,4 @@ static void run(const robot_t *table)
         inputs.command_count = Frama_C_unsigned_int_interval(0U, CONTROLLER_COMMANDS);
         controller_step(&controller, &robot, &inputs, &outputs);
     }
-}
-
-void run_bench2(void)
-{
-    run(&robot_bench2);
-}
-
-void run_neuro(void)
-{
-    run(&robot_neuro);
-}
-
-void run_prostate(void)
-{
-    run(&robot_prostate);
 }
