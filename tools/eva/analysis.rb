@@ -29,6 +29,8 @@ module Eva
     PRECISION = %w[-eva-precision 0].freeze
     # Frama-C numbers what has the same name in several files.
     NUMBER = /(?<=\w)_\d+\b/
+    # Of a contract as a whole; each call at which it is not seen to hold is an alarm of its own.
+    OF_CALLS = 'precondition: '
     FIGURES = /(\d+) functions analyzed \(out of (\d+)\).*?(\d+) statements reached \(out of (\d+)\)/m
 
     def self.of_controller(robot)
@@ -88,7 +90,7 @@ module Eva
     end
 
     def read(lines)
-      rows = lines.map { |line| row(*line.split("\t")) }.uniq
+      rows = lines.map { |line| row(*line.split("\t")) }.reject { |row| row[2].start_with?(OF_CALLS) }.uniq
       rows.group_by { |row| row.take(3) }.map do |(file, function, text), same|
         Alarm.new(file: file, function: function, text: text, times: same.size)
       end.sort_by(&:place)
