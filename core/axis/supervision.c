@@ -342,6 +342,16 @@ static bool is_history_unknown(const supervision_t *self, const axis_config_t *c
     return (self->drives != 0U) && (self->drives != drive_of(config, &view->drive));
 }
 
+/* A cycle that makes good for a late one ends at once: whether a motor stops or turns meanwhile,
+ * nobody knows, nor did the clock of a card that counts longer parts of time go on. */
+static bool is_change_too_brief(const supervision_t *self, const axis_config_t *config,
+                                const supervision_view_t *view)
+{
+    const uint32_t before = drive_before(&self->model);
+    return (view->elapsed_us < LIMIT_BRIEF_DRIVE_US) && (before != DRIVE_OFF) &&
+           (before != drive_of(config, &view->drive));
+}
+
 /* The motor runs on from here, whatever it did meanwhile. */
 static void pass_over(supervision_t *self, const axis_config_t *config,
                       const supervision_view_t *view)
@@ -368,7 +378,7 @@ uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
         return notes;
     }
     notes |= note(is_astray(view), AXIS_NOTE_FOLLOWING_ERROR);
-    if (is_history_unknown(self, config, view)) {
+    if (is_history_unknown(self, config, view) || is_change_too_brief(self, config, view)) {
         pass_over(self, config, view);
         return notes;
     }

@@ -100,8 +100,9 @@ void supervision_settle(supervision_t *self);
 void supervision_shift(supervision_t *self, int32_t ticks);
 
 /**
- * One cycle. Where reports were missed and the drive changed meanwhile, nobody knows when: the way
- * of that time is left out.
+ * One cycle. Where reports were missed and the drive changed meanwhile, nobody knows when, and what
+ * a drive does that lasts no longer than LIMIT_BRIEF_DRIVE_US, nobody knows either: the way of that
+ * time is left out.
  *
  * @return AXIS_NOTE_ bits of the checks that failed
  *
@@ -115,6 +116,7 @@ void supervision_shift(supervision_t *self, int32_t ticks);
  * @satisfies SWR-FLOW-002
  * @satisfies SWR-FLOW-003
  * @satisfies SWR-AXIS-047
+ * @satisfies SWR-AXIS-160
  */
 uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
                           const supervision_view_t *view);

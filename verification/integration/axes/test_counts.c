@@ -272,6 +272,31 @@ void test_SWR_CTRL_014_cycles_that_come_late_make_no_sound_encoder_uneven(void)
     TEST_ASSERT_GREATER_THAN_UINT32(10U, rig.outputs.snapshot.overruns);
 }
 
+/* The cycle after a late one ends at once, and is one of those in which the servo is off. */
+static void jog_with_brief_pauses(uint32_t axis, int32_t ticks)
+{
+    uint32_t pauses = 0U;
+    begin_jog(axis, ticks);
+    rig_press(&rig);
+    rig_forget(&rig);
+    for (uint32_t i = 0U; (i < MOST_CYCLES) && (rig.answer_count == 0U); i++) {
+        const bool is_off = rig_sent(&rig, axis).drive.mode == (uint32_t)CARD_DRIVE_OFF;
+        rig.early_us = (is_off && (rig.early_us == 0U)) ? 967U : 0U;
+        pauses += (rig.early_us != 0U) ? 1U : 0U;
+        rig_cycle(&rig);
+    }
+    rig.early_us = 0U;
+    TEST_ASSERT_GREATER_THAN_UINT32(10U, pauses);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig.answers[0].kind);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_UNEVEN_COUNTS));
+}
+
+void test_SWR_AXIS_160_cycles_that_make_good_for_late_ones_make_no_sound_encoder_uneven(void)
+{
+    jog_with_brief_pauses(NEURO_AXIS_LATERAL, -2000);
+    jog_with_brief_pauses(NEURO_AXIS_YAW, -600);
+}
+
 /* START_UP under the pedal, each exchange so much later than the wake-up at most. */
 static void expect_even(const robot_t *robot, uint32_t jitter_us)
 {

@@ -147,12 +147,13 @@ static void gather(rig_t *self)
     self->inputs.dialect = self->dialect;
     self->inputs.is_dialect_accepted = self->is_dialect_accepted;
     exchange_held(self);
-    box_advance(&self->box, (uint32_t)((int32_t)(1000U + self->late_us) + next_shift(self)));
+    const uint32_t more_us = self->late_us - self->early_us;
+    box_advance(&self->box, (uint32_t)((int32_t)(1000U + more_us) + next_shift(self)));
     bsp_inputs_t sampled = box_sample(&self->box);
     sampled.valid &= ~self->unread;
-    self->inputs.elapsed_us = self->elapsed_us + self->late_us;
+    self->inputs.elapsed_us = self->elapsed_us + more_us;
     self->exchanged_us += 1000U + self->was_late_us;
-    self->was_late_us = self->late_us;
+    self->was_late_us = more_us;
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         self->inputs.samples.sampled_us[slot] = self->exchanged_us;
     }

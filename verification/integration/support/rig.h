@@ -30,6 +30,7 @@ typedef struct {
     uint32_t elapsed_us; /**< Of every cycle; 1000 unless a test changes it. */
     uint32_t
         late_us; /**< So much longer than 1000 us lasts the next cycle, in the world as well. */
+    uint32_t early_us; /**< So much shorter; with the jitter less than 1000. */
     uint32_t was_late_us;
     uint32_t exchanged_us; /**< When the last exchange was, by the wake-ups. */
     /** The exchange comes by a random part of this later than the wake-up of its cycle says. */

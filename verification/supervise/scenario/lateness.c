@@ -5,6 +5,8 @@
 #include <stdio.h>
 
 #define LEAST_LATE_US 500U /* 1.5 ms from one to the next. */
+#define CYCLE_US 1000U
+#define BRIEFEST_US 30U /* From one exchange to the next, as seen in real time. */
 
 static bool happens(lateness_t *self, uint32_t parts)
 {
@@ -49,11 +51,23 @@ void lateness_begin(lateness_t *self, rig_t *rig, uint32_t seed)
     }
 }
 
+/* A loop that was late makes good for it: the next cycle ends when it was meant to. */
+static uint32_t catch_up_us(lateness_t *self, const rig_t *rig)
+{
+    const uint32_t late_us = rig->late_us % CYCLE_US;
+    const uint32_t most_us = CYCLE_US - BRIEFEST_US - rig->jitter_us;
+    if (!happens(self, 2U)) {
+        return 0U;
+    }
+    return (late_us < most_us) ? late_us : most_us;
+}
+
 static void come_late(lateness_t *self, rig_t *rig)
 {
     if ((self->late_left == 0U) && happens(self, self->late_parts)) {
         self->late_left = 1U + sim_random_below(&self->random, self->late_burst);
     }
+    rig->early_us = (self->late_left == 0U) ? catch_up_us(self, rig) : 0U;
     rig->late_us = 0U;
     if (self->late_left > 0U) {
         self->late_left--;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * An enemy who owns time and the wires: cycles come late, exchanges come apart from them, the box
- * stands, commands and reports are damaged. Nothing of an axis is broken by it. The scenario owns
- * one.
+ * An enemy who owns time and the wires: cycles come late and the next ones at once, exchanges come
+ * apart from them, the box stands, commands and reports are damaged. Nothing of an axis is broken
+ * by it. The scenario owns one.
  */
 #ifndef BORESIGHT_LATENESS_H
 #define BORESIGHT_LATENESS_H

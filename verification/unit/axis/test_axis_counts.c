@@ -515,6 +515,60 @@ void test_SWR_AXIS_047_until_the_speed_is_known_no_count_is_uneven(void)
     expect_begun(false);
 }
 
+/* Steady, then another drive for `brief_us`, in which the motor runs on and its card stands still,
+ * and on with the first one. */
+static uint32_t run_on(card_drive_t brief, uint32_t brief_us, uint32_t times)
+{
+    uint32_t notes = run(drive(true), 100, 2U * SHORT_CYCLES);
+    for (uint32_t i = 0U; (i < times) && (notes == 0U); i++) {
+        notes = step(brief, 0, brief_us) | run(drive(true), 100, SHORT_CYCLES);
+    }
+    return notes;
+}
+
+void test_SWR_AXIS_160_a_drive_of_less_than_half_a_cycle_changes_nothing_for_its_counts(void)
+{
+    const card_drive_t changes[] = {off, drive(false)};
+    for (uint32_t i = 0U; i < 2U; i++) {
+        use(head);
+        TEST_ASSERT_EQUAL_HEX32(0U, run_on(changes[i], LIMIT_BRIEF_DRIVE_US - 1U, 10U));
+        TEST_ASSERT_EQUAL_HEX32(0U, run_on(changes[i], 33U, 10U));
+        TEST_ASSERT_EQUAL_INT64(0, supervision.account.short_e2_q16);
+        TEST_ASSERT_EQUAL_INT64(0, supervision.account.over_e2_q16);
+    }
+}
+
+void test_SWR_AXIS_160_a_longer_one_and_the_same_one_are_judged(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 2U * SHORT_CYCLES));
+    TEST_ASSERT_EQUAL_HEX32(0U, step(drive(true), 0, 33U));
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.account.unsure_us);
+    TEST_ASSERT_EQUAL_HEX32(0U, step(off, 0, LIMIT_BRIEF_DRIVE_US));
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.account.unsure_us);
+    use(head);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_UNEVEN_COUNTS, run_on(off, LIMIT_BRIEF_DRIVE_US, 10U));
+}
+
+/* At rest a short report is one of rest, and a motor that is off is known again. */
+void test_SWR_AXIS_160_a_short_report_at_rest_leaves_nothing_out(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 2U * SHORT_CYCLES));
+    TEST_ASSERT_EQUAL_HEX32(0U, step(off, 0, 33U));
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_RISING_TIME_US, supervision.account.unsure_us);
+    TEST_ASSERT_EQUAL_HEX32(0U, step(off, 0, 33U));
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.account.unsure_us);
+}
+
+/* Half of what is counted gets lost: it is found between such cycles as well. */
+void test_SWR_AXIS_160_lost_counts_are_found_between_brief_changes(void)
+{
+    uint32_t notes = run(drive(true), 100, 2U * SHORT_CYCLES);
+    for (uint32_t i = 0U; (i < 100U) && (notes == 0U); i++) {
+        notes = step(off, 0, 33U) | run(drive(true), 50, 4U * SHORT_CYCLES);
+    }
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, notes);
+}
+
 /* Gaining speed for 4 ms, with an edge after half of them: the mean of the rest is a quarter of the
  * gain below the end. */
 void test_SWR_AXIS_027_the_way_after_a_count_is_that_of_a_cycle_as_long_as_it_is(void)
