@@ -41,16 +41,22 @@ static bool is_start_up(const named_step_t *found)
     return found->step == NEXT_STEP_START_UP;
 }
 
-/* The first card that does not answer well. */
+/* The first card that does not answer well; if none does, it is the box.
+ *
+ * @satisfies SWR-NEXT-180
+ */
 static named_step_t find_card(const controller_t *self)
 {
     named_step_t found = controller_step_only(NEXT_STEP_START_UP);
-    for (uint32_t i = 0U; is_start_up(&found) && (i < self->axis_count); i++) {
-        if (is_card_missing(self, i)) {
-            found = of_card(self, NEXT_STEP_CHECK_CARDS, i, EVENT_CARD_LOST);
+    bool is_any_there = false;
+    for (uint32_t i = self->axis_count; i > 0U; i--) {
+        if (is_card_missing(self, i - 1U)) {
+            found = of_card(self, NEXT_STEP_CHECK_CARDS, i - 1U, EVENT_CARD_LOST);
+        } else {
+            is_any_there = true;
         }
     }
-    return found;
+    return is_any_there ? found : controller_step_only(NEXT_STEP_CHECK_BOX);
 }
 
 static named_step_t find_pedal(const controller_t *self, const controller_inputs_t *inputs)
