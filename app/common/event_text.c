@@ -5,6 +5,7 @@
 #include "interface/app/event_words.h"
 #include "interface/app/names.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -76,9 +77,10 @@ void event_text_subject(const robot_t *robot, const event_t *event, char *text, 
 static void ticks_text(const robot_t *robot, const event_t *event, char *text, size_t size)
 {
     const axis_config_t *const axis = &robot->axes[event->subject];
-    const double position = (double)event->value * axis_terms_unit(axis);
+    const double thousandths = round((double)event->value * axis_terms_unit(axis) * 1000.0);
+    const double way = (thousandths / 1000.0) + 0.0; /* No zero below 0. */
 
-    (void)snprintf(text, size, "%.3f %s (%d ticks)", position, axis_terms_unit_name(axis),
+    (void)snprintf(text, size, "%.3f %s (%d ticks)", way, axis_terms_unit_name(axis),
                    (int)event->value);
 }
 

@@ -112,10 +112,15 @@ static named_step_t find_vain_homing(const controller_t *self, const robot_t *ro
     return found;
 }
 
-/* One that has no switch: what is shown of it is known to be old, or in doubt. */
-static next_step_t step_in_place(const axis_t *axis)
+/* One that has no switch: what is shown of it is known to be old, or in doubt.
+ *
+ * @satisfies SWR-NEXT-181
+ */
+static named_step_t in_place(const axis_t *axis, uint32_t index)
 {
-    return (axis->chart.reference == AXIS_REFERENCE_LOST) ? NEXT_STEP_PLACE : NEXT_STEP_CONFIRM;
+    return (axis->chart.reference == AXIS_REFERENCE_LOST)
+               ? of_axis(NEXT_STEP_PLACE, index, EVENT_AXIS_REFERENCE_LOST)
+               : of_axis(NEXT_STEP_CONFIRM, index, EVENT_AXIS_UNVERIFIED);
 }
 
 /* Without the button START_UP would be refused, or not be enough; the former first. */
@@ -124,7 +129,7 @@ static named_step_t find_doubt(const controller_t *self, const robot_t *robot)
     named_step_t found = controller_step_only(NEXT_STEP_START_UP);
     for (uint32_t i = 0U; is_start_up(&found) && (i < self->axis_count); i++) {
         if (axis_needs_confirmation(&self->axes[i], &robot->axes[i])) {
-            found = of_axis(step_in_place(&self->axes[i]), i, EVENT_AXIS_REFERENCE_LOST);
+            found = in_place(&self->axes[i], i);
         }
     }
     for (uint32_t i = 0U; is_start_up(&found) && (i < self->axis_count); i++) {

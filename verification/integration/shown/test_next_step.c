@@ -272,6 +272,18 @@ void test_SWR_NEXT_180_without_any_card_the_box_is_looked_after(void)
     expect_named(NEXT_STEP_CHECK_CARDS, NEURO_AXIS_HEAD, slot_of(NEURO_AXIS_HEAD), EVENT_CARD_LOST);
 }
 
+void test_SWR_NEXT_181_a_position_to_be_confirmed_is_named_as_in_doubt(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "card feet silent");
+    rig_cycles(&rig, 200U);
+    rig_box(&rig, "card feet normal");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
+                             rig.outputs.snapshot.axes[NEURO_AXIS_FEET].reference);
+    expect_named(NEXT_STEP_CONFIRM, NEURO_AXIS_FEET, CARD_SLOT_COUNT, EVENT_AXIS_UNVERIFIED);
+}
+
 void test_SWR_NEXT_003_channels_that_disagree_are_told_until_they_are_open(void)
 {
     rig_start_homed(&rig);

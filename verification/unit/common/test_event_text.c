@@ -139,6 +139,8 @@ void test_SWR_EVENT_180_ticks_of_an_axis_are_told_in_its_unit_too(void)
            "Axis yaw homed, correction 0.000 deg (0 ticks).");
     expect((event_t){.id = EVENT_AXIS_STALLED, .subject = NEURO_AXIS_PITCH, .value = -139},
            "Axis pitch stalled at -10.008 deg (-139 ticks).");
+    expect((event_t){.id = EVENT_AXIS_UNVERIFIED, .subject = NEURO_AXIS_INSERTION, .value = -1},
+           "The position of axis insertion is in doubt, it is shown at 0.000 mm (-1 ticks).");
     /* An axis that the robot does not have. */
     expect((event_t){.id = EVENT_AXIS_STALLED, .subject = ROBOT_AXIS_MAX, .value = 5},
            "Axis ? stalled at 5 ticks.");
