@@ -23,6 +23,11 @@ double axis_terms_unit(const axis_config_t *axis)
     return ((double)axis->unit_per_tick_q16 / ONE_Q16) / unit;
 }
 
+const char *axis_terms_unit_name(const axis_config_t *axis)
+{
+    return (axis->unit == (uint8_t)AXIS_UNIT_MM) ? "mm" : "deg";
+}
+
 bool axis_terms_ticks(const axis_config_t *axis, double way, int32_t *ticks)
 {
     const double exact = round(way / axis_terms_unit(axis));

@@ -14,6 +14,9 @@ uint32_t axis_terms_find(const robot_t *robot, const char *name);
 /** What a tick of `axis` is in mm or degrees. */
 double axis_terms_unit(const axis_config_t *axis);
 
+/** "mm" or "deg". */
+const char *axis_terms_unit_name(const axis_config_t *axis);
+
 /** The whole number of ticks that is nearest to `way`, in mm or degrees; of a speed the same for
  * each second. False when no int32_t is so far away. */
 bool axis_terms_ticks(const axis_config_t *axis, double way, int32_t *ticks);

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "common/event_text.h"
 
+#include "common/axis_terms.h"
 #include "interface/app/event_words.h"
 #include "interface/app/names.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -71,14 +73,28 @@ void event_text_subject(const robot_t *robot, const event_t *event, char *text, 
     }
 }
 
-static void value_text(const event_t *event, char *text, size_t size)
+/* Ticks of the axis that the event is about. */
+static void ticks_text(const robot_t *robot, const event_t *event, char *text, size_t size)
 {
-    const char *name = event_value_name(event->id, event->value);
+    const axis_config_t *const axis = &robot->axes[event->subject];
+    const double thousandths = round((double)event->value * axis_terms_unit(axis) * 1000.0);
+    const double way = (thousandths / 1000.0) + 0.0; /* No zero below 0. */
+
+    (void)snprintf(text, size, "%.3f %s (%d ticks)", way, axis_terms_unit_name(axis),
+                   (int)event->value);
+}
+
+static void value_text(const robot_t *robot, const event_t *event, char *text, size_t size)
+{
+    const char *const name = event_value_name(event->id, event->value);
+    const char *const unit = event_value_unit(event->id);
 
     if (name != NULL) {
         (void)snprintf(text, size, "%s", name);
+    } else if ((strcmp(unit, " ticks") == 0) && (event->subject < robot->axis_count)) {
+        ticks_text(robot, event, text, size);
     } else {
-        (void)snprintf(text, size, "%d%s", (int)event->value, event_value_unit(event->id));
+        (void)snprintf(text, size, "%d%s", (int)event->value, unit);
     }
 }
 
@@ -100,7 +116,7 @@ static void fill_in(const robot_t *robot, const event_t *event, const char *patt
         if (begins_with(pattern, "{subject}")) {
             event_text_subject(robot, event, word, sizeof word);
         } else if (begins_with(pattern, "{value}")) {
-            value_text(event, word, sizeof word);
+            value_text(robot, event, word, sizeof word);
         } else if (begins_with(pattern, "{meaning}")) {
             (void)snprintf(word, sizeof word, "%s", event_value_text(event->id, event->value));
         } else if (begins_with(pattern, "{peer}")) {

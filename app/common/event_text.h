@@ -24,6 +24,7 @@ void event_text_cause(const robot_t *robot, const event_t *event, const char *pa
  * above.
  *
  * @satisfies SWR-EVENT-007
+ * @satisfies SWR-EVENT-180
  */
 void event_text_sentence(const robot_t *robot, const event_t *event, const char *page, char *text,
                          size_t size);

@@ -3,5 +3,5 @@
 
 SOURCES_boresight-recorder := $(wildcard app/recording/write/*.c app/recording/format/*.c app/recording/read/*.c \
     app/positions/*.c) app/sweep/sweep_curve.c $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) \
-    $(EXCHANGE) $(NAMES)
-LIBS_boresight-recorder := -lzstd -lcrypto
+    $(AXIS_TERMS) $(EXCHANGE) $(NAMES)
+LIBS_boresight-recorder := -lzstd -lcrypto -lm

@@ -19,7 +19,7 @@ static double rounded(double value)
 
 const char *telemetry_units_name(const axis_config_t *axis)
 {
-    return (axis->unit == (uint8_t)AXIS_UNIT_MM) ? "mm" : "deg";
+    return axis_terms_unit_name(axis);
 }
 
 double telemetry_units_position(const axis_config_t *axis, int32_t ticks)

@@ -41,16 +41,22 @@ static bool is_start_up(const named_step_t *found)
     return found->step == NEXT_STEP_START_UP;
 }
 
-/* The first card that does not answer well. */
+/* The first card that does not answer well; if none does, it is the box.
+ *
+ * @satisfies SWR-NEXT-180
+ */
 static named_step_t find_card(const controller_t *self)
 {
     named_step_t found = controller_step_only(NEXT_STEP_START_UP);
-    for (uint32_t i = 0U; is_start_up(&found) && (i < self->axis_count); i++) {
-        if (is_card_missing(self, i)) {
-            found = of_card(self, NEXT_STEP_CHECK_CARDS, i, EVENT_CARD_LOST);
+    bool is_any_there = false;
+    for (uint32_t i = self->axis_count; i > 0U; i--) {
+        if (is_card_missing(self, i - 1U)) {
+            found = of_card(self, NEXT_STEP_CHECK_CARDS, i - 1U, EVENT_CARD_LOST);
+        } else {
+            is_any_there = true;
         }
     }
-    return found;
+    return is_any_there ? found : controller_step_only(NEXT_STEP_CHECK_BOX);
 }
 
 static named_step_t find_pedal(const controller_t *self, const controller_inputs_t *inputs)
@@ -106,10 +112,15 @@ static named_step_t find_vain_homing(const controller_t *self, const robot_t *ro
     return found;
 }
 
-/* One that has no switch: what is shown of it is known to be old, or in doubt. */
-static next_step_t step_in_place(const axis_t *axis)
+/* One that has no switch: what is shown of it is known to be old, or in doubt.
+ *
+ * @satisfies SWR-NEXT-181
+ */
+static named_step_t in_place(const axis_t *axis, uint32_t index)
 {
-    return (axis->chart.reference == AXIS_REFERENCE_LOST) ? NEXT_STEP_PLACE : NEXT_STEP_CONFIRM;
+    return (axis->chart.reference == AXIS_REFERENCE_LOST)
+               ? of_axis(NEXT_STEP_PLACE, index, EVENT_AXIS_REFERENCE_LOST)
+               : of_axis(NEXT_STEP_CONFIRM, index, EVENT_AXIS_UNVERIFIED);
 }
 
 /* Without the button START_UP would be refused, or not be enough; the former first. */
@@ -118,7 +129,7 @@ static named_step_t find_doubt(const controller_t *self, const robot_t *robot)
     named_step_t found = controller_step_only(NEXT_STEP_START_UP);
     for (uint32_t i = 0U; is_start_up(&found) && (i < self->axis_count); i++) {
         if (axis_needs_confirmation(&self->axes[i], &robot->axes[i])) {
-            found = of_axis(step_in_place(&self->axes[i]), i, EVENT_AXIS_REFERENCE_LOST);
+            found = in_place(&self->axes[i], i);
         }
     }
     for (uint32_t i = 0U; is_start_up(&found) && (i < self->axis_count); i++) {

@@ -9,6 +9,7 @@
 #include "robot/robot_neuro.h"
 #include "unit/support/scenes.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static rig_t rig;
@@ -254,6 +255,33 @@ void test_SWR_NEXT_003_a_card_that_is_lost_is_named_until_it_answers(void)
     rig_cycles(&rig, 20U);
     expect_named(NEXT_STEP_START_UP, ROBOT_AXIS_MAX, CARD_SLOT_COUNT, EVENT_ID_COUNT);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_START_UP));
+}
+
+void test_SWR_NEXT_180_without_any_card_the_box_is_looked_after(void)
+{
+    rig_start_homed(&rig);
+    for (uint32_t i = 0U; i < rig.robot.axis_count; i++) {
+        char order[32];
+        (void)snprintf(order, sizeof order, "card %s silent", rig.robot.axes[i].name);
+        rig_box(&rig, order);
+    }
+    rig_cycles(&rig, 200U);
+    expect_named(NEXT_STEP_CHECK_BOX, ROBOT_AXIS_MAX, CARD_SLOT_COUNT, EVENT_ID_COUNT);
+    rig_box(&rig, "card feet normal");
+    rig_cycles(&rig, 20U);
+    expect_named(NEXT_STEP_CHECK_CARDS, NEURO_AXIS_HEAD, slot_of(NEURO_AXIS_HEAD), EVENT_CARD_LOST);
+}
+
+void test_SWR_NEXT_181_a_position_to_be_confirmed_is_named_as_in_doubt(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "card feet silent");
+    rig_cycles(&rig, 200U);
+    rig_box(&rig, "card feet normal");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
+                             rig.outputs.snapshot.axes[NEURO_AXIS_FEET].reference);
+    expect_named(NEXT_STEP_CONFIRM, NEURO_AXIS_FEET, CARD_SLOT_COUNT, EVENT_AXIS_UNVERIFIED);
 }
 
 void test_SWR_NEXT_003_channels_that_disagree_are_told_until_they_are_open(void)

@@ -257,14 +257,18 @@ static void settle_black_box(operator_t *self, rig_t *rig)
 }
 
 /* He looks again, if what is named is not broken any more. */
-static void check_card(operator_t *self, rig_t *rig)
+static void check_card(operator_t *self, const rig_t *rig)
 {
-    if (operator_is_unplugged(rig)) {
-        for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
-            rig->box.axes[i].card_fault = BOX_CARD_NORMAL;
-        }
-    } else {
-        self->end = is_named_broken(rig) ? OPERATOR_SERVICE : self->end;
+    self->end = is_named_broken(rig) ? OPERATOR_SERVICE : self->end;
+}
+
+/* He finds the plug of all cards pulled. */
+static void check_box(rig_t *rig)
+{
+    const bool is_pulled = operator_is_unplugged(rig);
+    rig->unread = 0U;
+    for (uint32_t i = 0U; is_pulled && (i < rig->box.robot->axis_count); i++) {
+        rig->box.axes[i].card_fault = BOX_CARD_NORMAL;
     }
 }
 
@@ -302,7 +306,7 @@ static void follow(operator_t *self, rig_t *rig, uint32_t step)
         check_card(self, rig);
         break;
     case NEXT_STEP_CHECK_BOX:
-        rig->unread = 0U;
+        check_box(rig);
         break;
     case NEXT_STEP_RECORDER:
         rig->is_recorder_failing = 0U;

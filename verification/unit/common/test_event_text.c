@@ -110,7 +110,7 @@ void test_SWR_EVENT_007_numbers_are_told_as_what_they_are(void)
     expect((event_t){.id = EVENT_SCANNER, .value = 1}, "The scanner started acquiring.");
     expect((event_t){.id = EVENT_SCANNER}, "The scanner ended acquiring.");
     expect((event_t){.id = EVENT_AXIS_MOVED_OFF, .subject = NEURO_AXIS_YAW, .value = -7},
-           "Axis yaw moved -7 ticks while its drive was off.");
+           "Axis yaw moved -0.504 deg (-7 ticks) while its drive was off.");
     expect((event_t){.id = EVENT_AXIS_WRONG_SPEED, .subject = NEURO_AXIS_YAW, .value = 31},
            "Axis yaw counted 31 percent of what its motor should make.");
     expect((event_t){.id = EVENT_OVERRUN, .subject = 2U, .value = 1700},
@@ -129,6 +129,21 @@ void test_SWR_EVENT_007_numbers_are_told_as_what_they_are(void)
            "Memory was damaged and forgotten: CARD yaw.");
     expect((event_t){.id = EVENT_ROBOT_TABLE_DAMAGED, .subject = UINT32_MAX},
            "The table of the robot is damaged in geometry: restart the programs.");
+}
+
+void test_SWR_EVENT_180_ticks_of_an_axis_are_told_in_its_unit_too(void)
+{
+    expect((event_t){.id = EVENT_AXIS_UNVERIFIED, .subject = NEURO_AXIS_HEAD, .value = 7874},
+           "The position of axis head is in doubt, it is shown at 100.000 mm (7874 ticks).");
+    expect((event_t){.id = EVENT_AXIS_HOMED, .subject = NEURO_AXIS_YAW, .value = 0},
+           "Axis yaw homed, correction 0.000 deg (0 ticks).");
+    expect((event_t){.id = EVENT_AXIS_STALLED, .subject = NEURO_AXIS_PITCH, .value = -139},
+           "Axis pitch stalled at -10.008 deg (-139 ticks).");
+    expect((event_t){.id = EVENT_AXIS_UNVERIFIED, .subject = NEURO_AXIS_INSERTION, .value = -1},
+           "The position of axis insertion is in doubt, it is shown at 0.000 mm (-1 ticks).");
+    /* An axis that the robot does not have. */
+    expect((event_t){.id = EVENT_AXIS_STALLED, .subject = ROBOT_AXIS_MAX, .value = 5},
+           "Axis ? stalled at 5 ticks.");
 }
 
 void test_SWR_EVENT_007_a_loss_is_told_with_what_its_cause_means(void)

@@ -75,7 +75,12 @@ test("SWR-CARD-014 what each card measures and counts of itself is told, and wha
         ],
       }),
       makeCard({ slot: 7, motor_temperature_dc: -15, current_ma: 350 }),
-      makeCard({ slot: 8, link: "lost", watchdog_trips: 2 }),
+      makeCard({
+        slot: 8,
+        link: "lost",
+        age_cycles: 20,
+        watchdog_trips: 2,
+      }),
       makeCard({ slot: 2, type: "none" }),
     ],
   });
@@ -181,3 +186,10 @@ test.each([
     expect(told("Cards accepted by")).toBe(expected);
   },
 );
+
+test("SWR-CON-180 a card that was lost and answers is shown with what it measures", async () => {
+  await show({ cards: [makeCard({ slot: 8, link: "lost", age_cycles: 0 })] });
+  const text = rowsOf("Health of the cards")[0]?.textContent;
+  expect(text).toContain("It was lost, and answers.");
+  expect(text).toContain("°C");
+});

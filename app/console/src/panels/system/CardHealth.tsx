@@ -24,17 +24,26 @@ function degrees(tenths: number): string {
   return `${formatNumber(tenths / 10, 1)} °C`;
 }
 
-/** The measurements of a card; empty once it is lost, as they are old then. */
+/** It was lost, and may be heard again before START_UP takes it back. */
+function isSilent({ link, age_cycles }: Card): boolean {
+  return link === "lost" && age_cycles !== 0;
+}
+
+function lossOf(card: Card): string[] {
+  if (card.link !== "lost") return [];
+  return [isSilent(card) ? "It is lost." : "It was lost, and answers."];
+}
+
+/** The measurements of a card; empty while it is silent, as they are old then. */
 function Measured({ card }: { card: Card }) {
-  const cells =
-    card.link === "lost"
-      ? ["", "", "", ""]
-      : [
-          degrees(card.driver_temperature_dc),
-          degrees(card.motor_temperature_dc),
-          `${formatNumber(card.supply_mv / 1000, 1)} V`,
-          `${String(card.current_ma)} mA`,
-        ];
+  const cells = isSilent(card)
+    ? ["", "", "", ""]
+    : [
+        degrees(card.driver_temperature_dc),
+        degrees(card.motor_temperature_dc),
+        `${formatNumber(card.supply_mv / 1000, 1)} V`,
+        `${String(card.current_ma)} mA`,
+      ];
   return cells.map((cell, column) => (
     <td key={column} className="number">
       {cell}
@@ -43,10 +52,7 @@ function Measured({ card }: { card: Card }) {
 }
 
 function Health({ card }: { card: Card }) {
-  const troubles = [
-    ...(card.link === "lost" ? ["It is lost."] : []),
-    ...card.troubles.map(({ text }) => text),
-  ];
+  const troubles = [...lossOf(card), ...card.troubles.map(({ text }) => text)];
   const level = troubles.length === 0 ? "normal" : "attention";
   return (
     <tr>
@@ -74,6 +80,7 @@ function Health({ card }: { card: Card }) {
  *
  * @satisfies SWR-CARD-014
  * @satisfies SWR-LINK-041
+ * @satisfies SWR-CON-180
  */
 export function CardHealth({ cards }: { cards: readonly Card[] }) {
   return (
