@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the control loop needs of its computer, as one table: each check reads the files of the
- * kernel or what was measured, judges it, and says in a sentence what it has found. What is wrong
- * then, and what to do, stands in core/interface/computer_checks.yml.
+ * The demands of the control loop on its computer, as one table: each check reads the files of the
+ * kernel or a measured value, judges it, and states its finding in a sentence. The trouble behind a
+ * finding and its remedy stand in core/interface/computer_checks.yml.
  */
 #ifndef BORESIGHT_CHECK_H
 #define BORESIGHT_CHECK_H

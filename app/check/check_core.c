@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* What the loop's core is left to. */
+/* Checks of the loop's core: that it is left to the loop. */
 #include "check/check.h"
 #include "check/check_files.h"
 #include "check/check_judges.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* What a cycle takes. */
+/* Checks of the duration of a cycle. */
 #include "check/check.h"
 #include "check/check_judges.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* What the kernel is, and what it allows. */
+/* Checks of the kernel, and of the rights that it gives. */
 #include "check/check_files.h"
 #include "check/check_judges.h"
 #include "exchange/exchange.h"
@@ -63,7 +63,7 @@ bool check_clock(const check_facts_t *facts, char found[CHECK_TEXT_SIZE])
                      (unsigned long long)facts->clock_ns);
 }
 
-/* Only root may read the kernel's list; the steps of the clock tell the same. */
+/* Only root may read the kernel's list; the steps of the clock show the same. */
 bool check_timers(const check_facts_t *facts, char found[CHECK_TEXT_SIZE])
 {
     FILE *const file = check_open(facts->root, "/proc/timer_list");

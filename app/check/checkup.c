@@ -12,7 +12,7 @@
 #define NS_PER_US 1000U
 #define NS_PER_S 1000000000U
 #define CYCLE_NS (NS_PER_US * LIMIT_CYCLE_US)
-#define BUCKETS 4096U /* Of a microsecond; the last one collects everything longer. */
+#define BUCKETS 4096U /* Each a microsecond wide; the last one collects everything longer. */
 #define PERCENT 100U
 #define PER_CENT_99 99U
 

@@ -11,7 +11,7 @@
 /** The axis of this name; the robot's axis_count when it has none. */
 uint32_t axis_terms_find(const robot_t *robot, const char *name);
 
-/** What a tick of `axis` is in mm or degrees. */
+/** Size of a tick of `axis`, in mm or degrees. */
 double axis_terms_unit(const axis_config_t *axis);
 
 /** "mm" or "deg". */

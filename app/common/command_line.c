@@ -10,7 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LEFT_COLUMN 22 /* Of the help: "--recordings FOLDER", or it has a line of its own. */
+#define LEFT_COLUMN 22 /* Width in the help: "--recordings FOLDER", or it has a line of its own.   \
+                        */
 #define LEFT_SIZE 64U
 
 static void print_line(const char *left, const char *says, const char *more)
@@ -145,7 +146,7 @@ int command_line_take(const command_line_t *self, char *const words[], int *at,
     return check_value(self, option, values[place]);
 }
 
-/* What must be there, and nothing else. */
+/* Options and words that must be there, and no others. */
 static int check(const command_line_t *self, int count, char *const words[],
                  const char *const values[], int first)
 {
@@ -165,7 +166,7 @@ static int check(const command_line_t *self, int count, char *const words[],
     return COMMAND_LINE_GO_ON;
 }
 
-/* What every program answers; false when it is not asked. */
+/* Answers the questions to every program; false when none is asked. */
 static bool answers(const command_line_t *self, const char *word)
 {
     const bool is_help = (strcmp(word, "-h") == 0) || (strcmp(word, "--help") == 0);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a program was asked for on its command line, in one style for all of them: options first,
- * each `--name`, `--name VALUE` or `--name=VALUE`, then what else the program takes.
+ * The command line of a program, in one style for all of them: options first, each `--name`,
+ * `--name VALUE` or `--name=VALUE`, then the other words that the program takes.
  */
 #ifndef BORESIGHT_COMMAND_LINE_H
 #define BORESIGHT_COMMAND_LINE_H
@@ -13,14 +13,14 @@
 
 #define COMMAND_LINE_GO_ON (-1)   /**< The program has something to do. */
 #define COMMAND_LINE_WRONG 2      /**< Exit code of each program for a wrong command line. */
-#define COMMAND_LINE_MANY INT_MAX /**< Of words: as many as there are. */
+#define COMMAND_LINE_MANY INT_MAX /**< Number of words: without a bound. */
 
 /** An option. */
 typedef struct {
     const char *name;  /**< Without its hyphens. */
-    const char *value; /**< What the help calls its value; NULL: it takes none. */
-    const char *says;  /**< What it is for, with its default. */
-    uint32_t least;    /**< Of a number, with `most`. */
+    const char *value; /**< Name of its value in the help; NULL: it takes none. */
+    const char *says;  /**< Its purpose, with its default. */
+    uint32_t least;    /**< Least number, with `most`. */
     uint32_t most;     /**< 0: its value is any text. */
     bool is_needed;
     bool is_by_hand; /**< It stands in no file of options. */
@@ -29,10 +29,10 @@ typedef struct {
 /** A program. */
 typedef struct {
     const char *program;             /**< As it is called: "boresight-http". */
-    const char *says;                /**< What it does, a sentence. */
-    const char *usage;               /**< What follows its name, a line for each way to call it. */
+    const char *says;                /**< Its purpose, a sentence. */
+    const char *usage;               /**< Words behind its name, a line for each way to call it. */
     const command_option_t *options; /**< Without help and version, which each program has. */
-    uint32_t count;                  /**< Of options. */
+    uint32_t count;                  /**< Number of options. */
     int fewest_words;                /**< After the options. */
     int most_words;
     const char *more;  /**< Further lines of its help; NULL: none. */

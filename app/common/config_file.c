@@ -24,7 +24,7 @@ static char *without_blanks(char *text)
     return start;
 }
 
-/* Of the option `name`; the count of options where there is none that may stand in a file. */
+/* Place of the option `name`; the count of options where there is none that may stand in a file. */
 static uint32_t find(const command_line_t *command_line, const char *name)
 {
     uint32_t place = 0U;

@@ -2,7 +2,7 @@
 /**
  * @file
  * Options in a file: the words of the command line, one option in each line, its name without
- * hyphens and its value behind blanks. What is empty or begins with # says nothing.
+ * hyphens and its value behind blanks. A line that is empty or begins with # has no meaning.
  *
  *     http-port 8080
  *     recordings /var/lib/boresight
@@ -15,9 +15,9 @@
 #include <stdint.h>
 
 #define CONFIG_FILE_OPTIONS 32U    /**< That a program may have. */
-#define CONFIG_FILE_LINE_SIZE 640U /**< Of a line, with its end. */
+#define CONFIG_FILE_LINE_SIZE 640U /**< Size of a line, with its end. */
 
-/** What a file says; the texts of its values live here. */
+/** The options of a file; the texts of its values live here. */
 typedef struct {
     char words[CONFIG_FILE_OPTIONS][CONFIG_FILE_LINE_SIZE];
     const char *values[CONFIG_FILE_OPTIONS]; /**< By option, NULL where it says nothing. */

@@ -11,11 +11,11 @@
 #define EVENT_TEXT_SIZE 816U      /**< Enough for every event, and every note. */
 #define EVENT_TEXT_CAUSE_SIZE 80U /**< Enough for every cause. */
 
-/** What the event is about: "head", "3 (insertion)", "PLANNING"; "" for nothing in particular. */
+/** Subject of the event: "head", "3 (insertion)", "PLANNING"; "" for nothing in particular. */
 void event_text_subject(const robot_t *robot, const event_t *event, char *text, size_t size);
 
-/** What made it happen: "By OpenIGTLink peer 3."; "" when the event says it itself. `page`: what
- * people call the page of the console that it was; NULL: by its number. */
+/** Cause of the event: "By OpenIGTLink peer 3."; "" when the event states it itself. `page`: title
+ * of the page of the console that it was; NULL: by its number. */
 void event_text_cause(const robot_t *robot, const event_t *event, const char *page, char *text,
                       size_t size);
 

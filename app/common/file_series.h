@@ -2,7 +2,7 @@
 /**
  * @file
  * Files that are written one after the other, the oldest of which are removed:
- * PREFIX<number>-<UTC>SUFFIX. The number tells the age, as the clock may be set back.
+ * PREFIX<number>-<UTC>SUFFIX. The number gives the order of age, as the clock may be set back.
  */
 #ifndef BORESIGHT_FILE_SERIES_H
 #define BORESIGHT_FILE_SERIES_H
@@ -13,7 +13,7 @@
 #include <stdint.h>
 
 #define FILE_SERIES_PATH_SIZE 512U
-#define FILE_SERIES_NAME_SIZE 65U /**< Of a name, with its end. */
+#define FILE_SERIES_NAME_SIZE 65U /**< Size of a name, with its end. */
 
 typedef struct {
     const char *prefix; /**< Ends with its only hyphen. */
@@ -22,10 +22,10 @@ typedef struct {
     uint64_t bytes; /**< They are fewer than these together. */
 } file_series_t;
 
-/** Of the recordings of all cycles: blackbox-000001-20261122T175000Z.bsr. */
+/** Series of the recordings of all cycles: blackbox-000001-20261122T175000Z.bsr. */
 extern const file_series_t file_series_recordings;
 
-/** Of the logs of events: events-000001-20261122T175000Z.log. */
+/** Series of the logs of events: events-000001-20261122T175000Z.log. */
 extern const file_series_t file_series_logs;
 
 /** Whether a file of this name is one of the series. Such a name is short and has nothing but

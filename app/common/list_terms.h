@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What lists are made of, rows of a trajectory and steps of a treatment program: steps in the terms
- * of people, and both as the commands by which they go to control one by one.
+ * Items of lists, rows of a trajectory and steps of a treatment program: steps in the units of the
+ * operator, and both as the commands by which they go to control one by one.
  */
 #ifndef BORESIGHT_LIST_TERMS_H
 #define BORESIGHT_LIST_TERMS_H
@@ -18,9 +18,9 @@
 
 /** A step of a treatment program; each number is finite. */
 typedef struct {
-    double depth_mm; /**< Of the axis along the needle. */
+    double depth_mm; /**< Position of the axis along the needle. */
     bool has_angle;
-    double angle_deg; /**< Of the one about it; of no meaning without one. */
+    double angle_deg; /**< Angle of the axis about it; without meaning where none exists. */
     double dwell_s;
     bool is_gated;
 } told_step_t;
@@ -28,9 +28,9 @@ typedef struct {
 /**
  * `step` as the robot has it, without its checksum; unspecified when refused.
  *
- * @return STATUS_OK; STATUS_OUT_OF_RANGE for a number that no axis can be told, a dwell that no
- * command can say, or an angle where no axis turns the needle, or none where one does;
- * STATUS_PROGRAM_DWELL for a gate without a dwell, which no command can say either
+ * @return STATUS_OK; STATUS_OUT_OF_RANGE for a number that no axis can take, a dwell that no
+ * command can hold, or an angle where no axis turns the needle, or none where one does;
+ * STATUS_PROGRAM_DWELL for a gate without a dwell, which no command can hold either
  */
 status_t list_terms_step(const robot_t *robot, const told_step_t *told, program_step_t *step);
 

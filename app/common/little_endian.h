@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Numbers as they stand in files: the lowest byte first, whatever the machine. */
+/** @file Numbers as they stand in files: the lowest byte first, on each machine. */
 #ifndef BORESIGHT_LITTLE_ENDIAN_H
 #define BORESIGHT_LITTLE_ENDIAN_H
 

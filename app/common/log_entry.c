@@ -10,7 +10,7 @@
 #include <string.h>
 
 #define WORD_SIZE 48
-#define CODES_MOST 256 /* Of any enumeration here. */
+#define CODES_MOST 256 /* Codes of any enumeration here. */
 
 void log_entry_make(log_entry_t *self, const exchange_t *exchange, const exchange_event_t *event)
 {

@@ -18,7 +18,7 @@ typedef struct {
 } log_entry_t;
 
 /**
- * Makes one, in the words of the note that it tells of or else with the names of the robot and of
+ * Makes one, in the words of the note that it refers to or else with the names of the robot and of
  * the page's account.
  *
  * @satisfies SWR-SESS-026

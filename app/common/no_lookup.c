@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a static program cannot do without the C library that it was built beside: load libraries,
- * and look up hosts and users. The libraries in it could ask for that, but Boresight never makes
- * them do so. The linker puts these in the place of the functions that they are named after.
+ * Functions that a static program lacks without the C library that it was built beside: loading
+ * libraries, and looking up hosts and users. The libraries in it could ask for that, but Boresight
+ * never makes them do so. The linker puts these in the place of the functions that they are named
+ * after.
  *
  * @satisfies SWR-ARM-002
  */

@@ -31,9 +31,9 @@ export default defineConfig(
       },
     },
     rules: {
-      // Interfaces write their methods short, and nobody takes one from its object.
+      // Interfaces write their methods short, and none is taken from its object.
       "@typescript-eslint/unbound-method": "off",
-      // What comes from outside, as data or an answer, is taken over in an effect.
+      // Values from outside, as data or an answer, are taken over in an effect.
       "react-hooks/set-state-in-effect": "off",
       "no-restricted-syntax": [
         "error",

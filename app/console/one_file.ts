@@ -4,7 +4,7 @@
 import { createHash } from "node:crypto";
 import type { Plugin, Rolldown } from "vite";
 
-/** What stands in the page beside its scripts and styles: text by the id of its element. */
+/** Texts in the page beside its scripts and styles, by the id of their element. */
 export type Enclosed = Readonly<Record<string, string>>;
 
 const SCRIPT = /<script type="module"[^>]* src="\.\/([^"]+)"><\/script>/;

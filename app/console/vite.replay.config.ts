@@ -17,7 +17,7 @@ function inOne(): Plugin {
       let [script, style] = ["", ""];
       for (const [name, file] of Object.entries(bundle)) {
         if (file.type === "chunk") {
-          // What ends a script, or begins a comment in it, has another letter as text.
+          // A text that ends a script, or begins a comment in it, has another letter.
           script += file.code.replace(/<(?=\/script|!--)/gi, "\\x3c");
           delete bundle[name];
         } else if (name.endsWith(".css")) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `make site` writes: the console with a robot in its own page, and with --mode recorded the page on which recordings
+// Output of `make site`: the console with a robot in its own page, and with --mode recorded the page on which recordings
 // are opened. Each is one file with its module in it.
 import { execFileSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
@@ -8,7 +8,7 @@ import { oneFile } from "./one_file.ts";
 import console from "./vite.config.ts";
 
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
-// What src/site/expand.ts reads.
+// Format that src/site/expand.ts reads.
 const LZMA = ["--format=lzma", "--lzma1=preset=9e,lc=3,lp=0,pb=0"];
 const packed = (module: string) =>
   execFileSync("xz", [

@@ -16,10 +16,10 @@ typedef struct {
 } board_inputs_t;
 
 /**
- * Sets the digital inputs of `inputs`, and nothing else of it. What was 0 at any time, or was not
- * read, counts as 0. Without a button there is none; without a gate of the treatment nothing is
- * said of dose and stop; all else that was never read stays as a cut wire has it, and is named as
- * not read.
+ * Sets the digital inputs of `inputs`, and nothing else of it. An input that was 0 at any time, or
+ * was not read, counts as 0. Without a button there is none; without a gate of the treatment
+ * nothing is stated about dose and stop; each other input that was never read stays as a cut wire
+ * has it, and is named as not read.
  *
  * @satisfies SWR-BSP-001
  * @satisfies SWR-EVENT-031
@@ -36,7 +36,7 @@ void board_inputs_take(board_inputs_t *self, const bsp_inputs_t *sampled,
 void board_inputs_receive(const bsp_exchange_t *exchanged, controller_inputs_t *inputs);
 
 /**
- * What the board said in this cycle, for the record: `exchanged` is the exchange that was ended in
+ * The board's report in this cycle, for the record: `exchanged` is the exchange that was ended in
  * it.
  *
  * @satisfies SWR-REC-018

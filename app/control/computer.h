@@ -10,8 +10,8 @@
 typedef struct {
     uint32_t lacks; /**< Bits of computer_check_t. */
     uint64_t minor_faults;
-    uint64_t major_faults; /**< Of this thread, when they were looked at last. */
-    uint32_t looks;        /**< Of computer_tell_wake_up(); it has said all after the last. */
+    uint64_t major_faults; /**< Both of this thread, at the last look. */
+    uint32_t looks;        /**< Calls of computer_tell_wake_up(), up to the one after its report. */
 } computer_t;
 
 /**

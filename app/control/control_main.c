@@ -2,8 +2,8 @@
 /**
  * @file
  * The control process: wakes once per cycle, exchanges frames with the cards, steps the
- * controller and publishes. It waits for nobody but the clock and the cards, and in elastic time
- * for a lane of cycles that is full. All its state is here: this file is the RAM map.
+ * controller and publishes. It waits for no other process, only for the clock and the cards, and in
+ * elastic time for a lane of cycles that is full. All its state is here: this file is the RAM map.
  *
  * @satisfies SWR-CTRL-001
  */
@@ -81,16 +81,16 @@ static bsp_exchange_t exchanged;         /* Begun in the cycle before. */
 static volatile sig_atomic_t stopped_by; /* Signal number. */
 static uint8_t crash_stack[65536];
 
-/* What ends control. The first ones end its loop, as do those without a name, and those that would
- * make it stand still with drives on; after the others nothing of it is believed. */
+/* Signals that end control. The first ones end its loop, as do those without a name, and those that
+ * would make it stand still with drives on; after the others nothing of it is believed. */
 static const int stop_signals[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGUSR1,   SIGUSR2, SIGPIPE,
                                    SIGALRM, SIGTERM, SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,
                                    SIGXFSZ, SIGPWR,  SIGTSTP, SIGTTIN,   SIGTTOU, SIGSTKFLT};
 static const int crash_signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
 
 /**
- * The only way out once the board is open: `why` is said after every card was told, and before
- * that the board's own line, which needs no card, was set.
+ * The only way out once the board is open: `why` is printed after "off" was sent to every card, and
+ * before that the board's own line, which needs no card, was set.
  *
  * @satisfies SWR-CTRL-010
  * @satisfies SWR-CTRL-011
@@ -120,7 +120,7 @@ static void ask_to_stop(int signal_number)
     stopped_by = signal_number;
 }
 
-/* Ends by the same signal again, so that its parent and a core dump tell what happened. */
+/* Ends by the same signal again, so that its parent and a core dump show the cause. */
 static void crash(int signal_number)
 {
     char why[40];
@@ -157,7 +157,7 @@ static uint32_t longest_stage(void)
 }
 
 /*
- * The programs live in the world's time, whatever the board's.
+ * The programs live in the world's time, at any pace of the board's.
  *
  * @satisfies SWR-BOX-042
  */
@@ -214,7 +214,7 @@ static void publish(uint32_t cycle)
     for (uint32_t i = 0; i < outputs.event_count; i++) {
         exchange_push_event(exchange, &outputs.events[i], utc_us);
     }
-    /* Who has an answer finds in the log what it says. */
+    /* A source that has an answer finds its event in the log. */
     for (uint32_t i = 0; i < outputs.answer_count; i++) {
         (void)exchange_push_answer(exchange, &outputs.answers[i]);
     }
@@ -251,7 +251,7 @@ static void record_checkpoint(bool is_resuming)
 }
 
 /*
- * What it makes of its inputs leaves in it.
+ * The outputs for the inputs of a cycle leave in the same cycle.
  *
  * @satisfies SWR-CTRL-012
  * @satisfies SWR-CTRL-013
@@ -399,7 +399,7 @@ static bool hold_trajectory(const char *path)
 }
 
 /*
- * Who reads the log knows on whose word such cards are driven.
+ * A reader of the log knows who has accepted such cards.
  *
  * @satisfies SWR-NI-012
  */
@@ -413,7 +413,7 @@ static void tell_dialect(void)
     }
 }
 
-/* Who shows it does not ask the board. */
+/* A process that shows them does not ask the board. */
 static void publish_cards(void)
 {
     exchange_cards_t cards = {.dialect = board.dialect};
@@ -438,7 +438,7 @@ static bool test_board(void)
     return is_good;
 }
 
-/* Runs with what it was given, until it is told to end. @return the exit code */
+/* Runs with its options until a signal or a request ends it. @return the exit code */
 static int control(const char *const values[])
 {
     char error[256] = "";

@@ -32,7 +32,7 @@ static bool is_patient(cycle_lane_t *self, const exchange_t *exchange, uint64_t 
     return (now_ns - *heard_ns) < PATIENCE_NS;
 }
 
-/* False while nobody is to be waited for. */
+/* False while the recorder is not to be waited for. */
 static bool is_full(const cycle_lane_t *self, exchange_t *exchange)
 {
     return !exchange_is_recorder_failing(exchange) && !has_room(self, exchange);

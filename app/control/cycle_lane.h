@@ -22,8 +22,8 @@ typedef struct {
     uint32_t heard;     /**< since this one. */
     uint32_t removed;   /**< Cycles that it had written and that were removed since the start, */
     uint32_t lost;      /**< and these and those that were not recorded. */
-    uint32_t beats;     /**< Of the recorder, as last seen, */
-    uint64_t beaten_ns; /**< and when they had changed, */
+    uint32_t beats;     /**< Alive counter of the recorder, as last seen, */
+    uint64_t beaten_ns; /**< and when it had changed, */
     uint64_t gap_ns;    /**< and when a cycle was last not recorded; 0: never. */
 } cycle_lane_t;
 

@@ -57,7 +57,7 @@ static uint32_t confirmed(uint32_t answered, uint32_t first, uint32_t sequence)
 drives_off_t drives_off(const robot_t *robot, uint32_t dialect, uint32_t sequence, uint32_t time_us)
 {
     drives_off_t done = {.dialect = dialect};
-    (void)finish(); /* What was under way, whose frames were no "off". */
+    (void)finish(); /* The exchange under way, whose frames were no "off". */
     for (uint32_t i = 0U; i < LIMIT_OFF_EXCHANGES; i++) {
         done.told = write_frames(robot, dialect, sequence + i, time_us);
         /* C99 adds no const through an array pointer by itself. */

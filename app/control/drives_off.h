@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The last act of control, whatever ends it: every card is told to switch its drive off, and what
- * they answered is put into words. Needs nothing of the controller's state but two numbers, so that
- * it may follow a broken contract inside a cycle or a memory fault.
+ * The last act of control, for each cause of its end: every card is commanded to switch its drive
+ * off, and their answers are put into words. Needs nothing of the controller's state but two
+ * numbers, so that it may follow a broken contract inside a cycle or a memory fault.
  */
 #ifndef BORESIGHT_DRIVES_OFF_H
 #define BORESIGHT_DRIVES_OFF_H
@@ -15,7 +15,7 @@
 
 #define DRIVES_OFF_TEXT_SIZE 160U
 
-/** What became of it. */
+/** Its result. */
 typedef struct {
     uint32_t told;      /**< Bit n: the card in slot n was sent "off". */
     uint32_t confirmed; /**< Bit n: it has reported since that its drive is off. */
@@ -23,7 +23,7 @@ typedef struct {
 } drives_off_t;
 
 /**
- * Tells every card of `robot` "off", again, at most LIMIT_OFF_EXCHANGES times in all, until each
+ * Sends every card of `robot` "off", again, at most LIMIT_OFF_EXCHANGES times in all, until each
  * has confirmed it. `dialect` is the card_dialect_t of all cards, `sequence` that of the next
  * frame, `time_us` the controller's time. May be called in a signal handler.
  *

@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-/** At first all zero: nobody was heard yet. */
+/** At first all zero: no source was heard yet. */
 typedef struct {
     uint32_t beats[COMMAND_SOURCE_COUNT];
     uint32_t silent_us[COMMAND_SOURCE_COUNT]; /**< Counted up to the limit. */

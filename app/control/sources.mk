@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What this program is linked from, beside libcore.a; included by the Makefile.
+# Sources that this program is linked from, beside libcore.a; included by the Makefile.
 
 SOURCES_boresight-control := $(wildcard app/check/*.c app/control/*.c app/positions/*.c app/trajectory/*.c) $(CLOCK) \
     $(AXIS_TERMS) $(EXCHANGE) $(BOARD_SOURCES) $(FIND_ROBOT) $(NAMES)

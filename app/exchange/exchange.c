@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* For the recorder's sign of life control waits, so that nobody else may give it. */
+/* Control waits for the recorder's sign of life, so that no other process may give it. */
 static uint32_t *beats_of(const exchange_t *self, exchange_process_t process)
 {
     return (process == EXCHANGE_RECORDER) ? &self->segment->recorder.beats
@@ -193,7 +193,7 @@ static bool take_command(exchange_t *self, uint32_t source, command_t *command)
     const uint32_t taken = __atomic_load_n(tail, __ATOMIC_RELAXED);
     const bool is_good = read_command(self, source, taken, command);
 
-    command->source = source; /* Nobody speaks for another. */
+    command->source = source; /* No source speaks for another. */
     command_clear_unused(command);
     __atomic_store_n(tail, taken + 1U, __ATOMIC_RELEASE);
     if (!is_good) {
@@ -226,8 +226,8 @@ static uint32_t count_waiting(exchange_t *self, uint32_t source, uint32_t *taken
     return put - *taken;
 }
 
-/* What a stop refuses are all commands before it but the stops among them, in this cycle and, where
- * those fill it, in later ones. True, with the stop, when there is a new one. */
+/* A stop refuses all commands before it but the stops among them, in this cycle and, where those
+ * fill it, in later ones. True, with the stop, when there is a new one. */
 static bool find_stop(exchange_t *self, uint32_t source, uint32_t *stop_for)
 {
     exchange_refused_t *refused = &self->refused[source];
@@ -379,7 +379,7 @@ bool exchange_push_answer(exchange_t *self, const answer_t *answer)
     } else if (answer->source < COMMAND_SOURCE_COUNT) {
         is_kept = push_into_lane(self, answer);
     } else {
-        /* Nobody asked. */
+        /* No source asked. */
     }
     if (!is_kept) {
         count_one(&control->answers_lost);
@@ -498,7 +498,7 @@ void exchange_request_checkpoint(exchange_t *self)
     count_one(&self->segment->recorder.checkpoint_requests);
 }
 
-/* Whatever the number is: a checkpoint too many harms nobody. */
+/* Any change of the number counts: a checkpoint too many does no harm. */
 bool exchange_take_checkpoint_request(exchange_t *self)
 {
     uint32_t *taken = &self->segment->control.checkpoints_taken;

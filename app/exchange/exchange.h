@@ -39,7 +39,7 @@ typedef struct exchange exchange_t;
  */
 exchange_t *exchange_create(const char *name, uint32_t cycles, char *error, uint32_t error_size);
 
-/** Whether somebody living has created the segment `name`, or somebody whom one may not ask. */
+/** Whether a living process has created the segment `name`, or one that this user may not open. */
 bool exchange_is_used(const char *name);
 
 /**
@@ -88,7 +88,7 @@ uint32_t exchange_beats(const exchange_t *self, exchange_process_t process);
 /** For the supervisor: it has replaced `process`, which gave no sign of life. */
 void exchange_note_replaced(exchange_t *self, exchange_process_t process);
 
-/** For http, which tells the log: how often that was since it was asked before. */
+/** For http, which logs it: the number of replacements of `process` since the call before. */
 uint32_t exchange_take_replaced(exchange_t *self, exchange_process_t process);
 
 /** Publishes `robot`, once, before anything else. */
@@ -155,8 +155,8 @@ uint32_t exchange_stop_port(const exchange_t *self);
 
 /**
  * Takes up to `most` (1 at least) commands in their order, none after one that computes kinematics,
- * but a stop that was asked for as the last of them. The lanes take turns. What came before a stop,
- * or before STOP or EMERGENCY in its lane, and what waits in another lane by then, is answered as
+ * but a requested stop as the last of them. The lanes take turns. A command that came before a
+ * stop, or before STOP or EMERGENCY in its lane, or waits in another lane by then, is answered as
  * refused with STATUS_DISCARDED instead.
  *
  * @satisfies SWR-CTRL-021
@@ -168,13 +168,13 @@ uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t 
 
 /**
  * How often the lane of `source` was found damaged since the start: its head set right, or a
- * command in it dropped that nobody had put there.
+ * command in it dropped that its source had not put there.
  *
  * @satisfies SWR-EXCH-021
  */
 uint32_t exchange_lane_damages(const exchange_t *self, command_source_t source);
 
-/** Hands an answer to who asked; false (and counted) when the reader of the lane has let it fill
+/** Hands an answer to its source; false (and counted) when the reader of the lane has let it fill
  * up. */
 bool exchange_push_answer(exchange_t *self, const answer_t *answer);
 
@@ -186,7 +186,7 @@ bool exchange_push_answer(exchange_t *self, const answer_t *answer);
  */
 bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *answer);
 
-/** Answers that found the lane full or were for nobody, since the start. */
+/** Answers that found the lane full or had no source to go to, since the start. */
 uint32_t exchange_answers_lost(const exchange_t *self);
 
 /**

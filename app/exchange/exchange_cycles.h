@@ -63,8 +63,9 @@ void exchange_release_cycles(exchange_t *self, uint32_t taken);
 void exchange_retake_cycles(exchange_t *self);
 
 /**
- * Of the recorder: whether it cannot write, so that control hands it no cycles meanwhile, and how
- * many cycles that it had written are in no recording any more (since the start; wraps).
+ * State of the recorder: whether it cannot write, so that control hands it no cycles meanwhile, and
+ * the number of cycles that it had written and that no recording holds any more (since the start;
+ * wraps).
  *
  * @satisfies SWR-REC-032
  */
@@ -72,7 +73,7 @@ void exchange_note_recorder(exchange_t *self, bool is_failing, uint32_t removed)
 bool exchange_is_recorder_failing(const exchange_t *self);
 uint32_t exchange_cycles_removed(const exchange_t *self);
 
-/** Of the recorder: minutes until the disk of the recordings is full; 0: no end is foreseen. */
+/** Minutes until the disk of the recordings is full, by the recorder; 0: no end is foreseen. */
 void exchange_note_recording_left(exchange_t *self, uint32_t left_min);
 uint32_t exchange_recording_left_min(const exchange_t *self);
 

@@ -2,8 +2,8 @@
 /**
  * @file
  * The sequence lock by which one process writes what many read, without waiting: the sequence is
- * odd while it is being written, 0 before the first time. What others than control write is sealed
- * as well: damage by a neighbour is not taken for what its process wrote. Private to app/exchange.
+ * odd while it is being written, 0 before the first time. A record of another process than control
+ * is sealed as well: damage by a neighbour is not taken for its content. Private to app/exchange.
  */
 #ifndef BORESIGHT_EXCHANGE_LOCK_H
 #define BORESIGHT_EXCHANGE_LOCK_H
@@ -68,7 +68,7 @@ static inline bool exchange_read_locked(const uint32_t *sequence, void *to, cons
 }
 
 /**
- * What a record is sealed with: a sequence lock, and a check of the bytes.
+ * The seal of a record: a sequence lock, and a check of the bytes.
  *
  * @satisfies SWR-EXCH-022
  */

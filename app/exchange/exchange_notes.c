@@ -40,7 +40,7 @@ uint32_t exchange_newest_note(exchange_t *self)
     return newest;
 }
 
-/* The log has a line for each event, whatever http has written. */
+/* The log has a line for each event, with any text of http. */
 static void clean(char *text, size_t size)
 {
     text[size - 1U] = '\0';

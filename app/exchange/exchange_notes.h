@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the HTTP server notes in words, for the log of events: a ring of notes, of which events of
- * control tell the numbers. http writes, everyone reads.
+ * Notes of the HTTP server in words, for the log of events: a ring of notes, whose numbers stand in
+ * events of control. http writes, everyone reads.
  */
 #ifndef BORESIGHT_EXCHANGE_NOTES_H
 #define BORESIGHT_EXCHANGE_NOTES_H
@@ -16,15 +16,15 @@
 #include <stdint.h>
 
 /**
- * For http, one thread at a time: keeps a note, in the place of the oldest, and numbers it. What is
- * too long is cut.
+ * For http, one thread at a time: keeps a note, in the place of the oldest, and numbers it. A text
+ * that is too long is cut.
  *
  * @return its number, which grows by one from 1 on, over restarts of http too
  */
 uint32_t exchange_write_note(exchange_t *self, note_kind_t kind, const char *who, const char *text);
 
-/** For http: number of the newest note; 0: there is none. Looked for once, as nobody else writes
- * notes. */
+/** For http: number of the newest note; 0: there is none. Looked for once, as no other process
+ * writes notes. */
 uint32_t exchange_newest_note(exchange_t *self);
 
 /**
@@ -37,9 +37,9 @@ uint32_t exchange_newest_note(exchange_t *self);
 bool exchange_read_note(const exchange_t *self, uint32_t number, exchange_note_t *note);
 
 /**
- * The sentence of the note that `event` tells of.
+ * The sentence of the note that `event` refers to.
  *
- * @return false when it tells of none, or of one that is not kept any more
+ * @return false when it refers to none, or to one that is not kept any more
  *
  * @satisfies SWR-EVENT-010
  */

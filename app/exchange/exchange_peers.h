@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Who is connected: the ports of OpenIGTLink, and a row for each of its connections and for each
- * page of the console. Each process writes its own; everyone reads. What a process that has gone
- * left behind stays readable: a reader looks at its beats.
+ * The connected clients: the ports of OpenIGTLink, and a row for each of its connections and for
+ * each page of the console. Each process writes its own; everyone reads. The rows of a process that
+ * has ended stay readable: a reader looks at its beats.
  */
 #ifndef BORESIGHT_EXCHANGE_PEERS_H
 #define BORESIGHT_EXCHANGE_PEERS_H

@@ -12,14 +12,14 @@ typedef enum {
     CYCLE_RECORD_CYCLE = 2       /**< One cycle. */
 } cycle_record_kind_t;
 
-/** What the board said in a cycle; only the record wants to know. Fixed layout, no padding. Times
- * are in us of the board's time, which wrap. */
+/** The board's report in a cycle, for the record only. Fixed layout, no padding. Times are in us of
+ * the board's time, which wrap. */
 typedef struct {
     uint32_t sampled_us;              /**< When the inputs were sampled. */
     uint32_t levels;                  /**< As bsp_inputs_t: BSP_IN_ bits as they were, */
     uint32_t dropped;                 /**< that were low since the sample before, */
     uint32_t valid;                   /**< and that were read. */
-    uint32_t started_us;              /**< Of the exchange that was ended; 0: there was none. */
+    uint32_t started_us;              /**< Start of the ended exchange; 0: there was none. */
     uint32_t finished_us;             /**< The same. */
     int32_t error;                    /**< As bsp_exchange_t. */
     uint8_t results[CARD_SLOT_COUNT]; /**< bsp_slot_result_t. */
@@ -42,7 +42,7 @@ typedef struct {
 typedef struct {
     uint32_t kind;  /**< cycle_record_kind_t. */
     uint32_t cycle; /**< Controller cycle. */
-    uint32_t rows;  /**< Of the trajectory, at a checkpoint: they are in the exchange. */
+    uint32_t rows;  /**< Rows of the trajectory, at a checkpoint: they are in the exchange. */
     uint32_t list;  /**< Which trajectory that is. */
     union {
         recorded_cycle_t cycle;

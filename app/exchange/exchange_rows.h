@@ -13,7 +13,7 @@
 
 /**
  * For control, after each cycle: publishes rows of the trajectory that have come in it. `outputs`
- * tell when a list was begun.
+ * show whether a list was begun.
  *
  * @satisfies SWR-TRAJ-016
  */

@@ -8,10 +8,10 @@
  * the recorder the second, even by a stray pointer. Indices grow for ever and are reduced when
  * used, so that no value found in the segment leads outside of it.
  *
- * Any process may damage what is not control's. Nobody believes its own part: a process that lives
- * keeps its indices and what it published, and writes them again; who starts believes only what is
- * sealed. Of a command lane, which has a writer that may be replaced, control sets its own index
- * right.
+ * Any process may damage a part that is not control's. No process trusts its own part: a process
+ * that lives keeps its indices and its published values, and writes them again; a process that
+ * starts trusts only sealed values. In a command lane, which has a writer that may be replaced,
+ * control sets its own index right.
  */
 #ifndef BORESIGHT_EXCHANGE_SEGMENT_H
 #define BORESIGHT_EXCHANGE_SEGMENT_H
@@ -76,24 +76,24 @@ typedef struct {
     answer_t answers[EXCHANGE_ANSWERS];
 } segment_answers_t;
 
-/** Who has come to one source. */
+/** The clients of one source. */
 typedef struct {
     exchange_seal_t seal SEGMENT_ON_LINE;
     exchange_peers_t peers;
 } segment_peers_t;
 
-/** What http asks of igtl. */
+/** The order of http to igtl. */
 typedef struct {
     exchange_seal_t seal SEGMENT_ON_LINE;
     exchange_order_t order;
 } segment_order_t;
 
 typedef struct {
-    uint32_t id;     /**< Of the order. */
+    uint32_t id;     /**< Number of the order. */
     uint32_t status; /**< status_t. */
 } segment_answered_t;
 
-/** What igtl answers. */
+/** The answer of igtl. */
 typedef struct {
     exchange_seal_t seal SEGMENT_ON_LINE;
     segment_answered_t answer;
@@ -176,7 +176,7 @@ typedef struct {
     segment_others_t others SEGMENT_ON_PAGE;
     segment_recorder_t recorder SEGMENT_ON_PAGE;
     segment_control_t control SEGMENT_ON_PAGE;
-    cycle_entry_t cycles[]; /**< Of control, too. */
+    cycle_entry_t cycles[]; /**< Written by control, too. */
 } segment_t;
 
 /** Bytes of a segment whose lane has `cycles` entries. */
@@ -185,7 +185,7 @@ static inline size_t segment_bytes(uint32_t cycles)
     return offsetof(segment_t, cycles) + (cycles * sizeof(cycle_entry_t));
 }
 
-/** Of control: what a stop refuses of a lane. */
+/** State of control: the commands of a lane that a stop refuses. */
 typedef struct {
     uint32_t until;    /**< The commands before this number that are no stops. */
     uint32_t stop_for; /**< workphase_t of the stop that came after them. */
@@ -194,19 +194,19 @@ typedef struct {
 /** A process' view of the segment. */
 struct exchange {
     segment_t *segment;
-    size_t size;           /**< Of the segment, bytes. */
+    size_t size;           /**< Size of the segment, bytes. */
     int file;              /**< The creator keeps it locked while it lives. */
     uint32_t cycles;       /**< Entries of the lane of cycles. */
-    uint32_t cycles_put;   /**< Of control: the index of the next one. */
-    uint32_t cycles_taken; /**< Of the recorder: the index of the next one to take, */
+    uint32_t cycles_put;   /**< In control: the index of the next one. */
+    uint32_t cycles_taken; /**< In the recorder: the index of the next one to take, */
     uint32_t cycles_tail;  /**< and up to which it has released them. */
     bool is_taking;        /**< These two are known. */
     exchange_refused_t refused[COMMAND_SOURCE_COUNT];
-    uint32_t first_lane;                     /**< Of control: which goes first in the next cycle. */
-    uint32_t answered[COMMAND_SOURCE_COUNT]; /**< Of who asked: answers taken. */
-    uint32_t newest_note;                    /**< Of http; 0: not looked for yet. */
-    uint32_t order_given;                    /**< Of http: the id of its last one. */
-    uint32_t order_answered;                 /**< Of igtl: the same. */
+    uint32_t first_lane;                     /**< In control: the first lane of the next cycle. */
+    uint32_t answered[COMMAND_SOURCE_COUNT]; /**< In each source: number of answers taken. */
+    uint32_t newest_note;                    /**< In http; 0: not looked for yet. */
+    uint32_t order_given;                    /**< In http: the id of its last order. */
+    uint32_t order_answered;                 /**< In igtl: the id of the last order answered. */
     char name[SEGMENT_NAME_SIZE];
 };
 

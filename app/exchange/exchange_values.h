@@ -18,7 +18,7 @@
 #define EXCHANGE_ANSWERS 64U  /**< Capacity of an answer lane. */
 #define EXCHANGE_EVENTS 1024U /**< Events kept for slow readers. */
 
-/** Who lives in the segment; each beats its own counter. */
+/** The processes of the segment; each beats its own counter. */
 typedef enum {
     EXCHANGE_CONTROL = 0,
     EXCHANGE_IGTL = 1,
@@ -34,7 +34,7 @@ typedef enum {
 /** How the cards speak, as the board says it. */
 typedef struct {
     uint32_t dialect; /**< card_dialect_t. */
-    /** Who accepts what cards of another dialect than our own lack, and when; "": nobody does. */
+    /** Name of the person who accepts the lacks of cards of another dialect, and when; "": none. */
     char accepted[EXCHANGE_ACCEPTED_SIZE];
 } exchange_cards_t;
 
@@ -47,7 +47,7 @@ typedef struct {
 typedef enum {
     EXCHANGE_FILE_RECORDING = 0,
     EXCHANGE_FILE_LOG = 1,
-    EXCHANGE_FILE_LOG_BEFORE = 2 /**< Of the same run. */
+    EXCHANGE_FILE_LOG_BEFORE = 2 /**< The log before it, of the same run. */
 } exchange_file_t;
 
 #define EXCHANGE_FILES 3U
@@ -57,7 +57,7 @@ typedef enum {
 /** Which events the recorder writes to the log's file. All zero: all of them. */
 typedef struct {
     uint32_t severity;             /**< event_severity_t: these and those above it. */
-    char by[EXCHANGE_SETTER_SIZE]; /**< Who has set it. */
+    char by[EXCHANGE_SETTER_SIZE]; /**< Name of the user that has set it. */
 } exchange_log_level_t;
 
 #define EXCHANGE_NOTES LIMIT_NOTES_KEPT
@@ -75,7 +75,7 @@ typedef struct {
 #define EXCHANGE_PORT_NAME_SIZE 16U
 #define EXCHANGE_PORT_TROUBLE_SIZE 96U
 
-/** What the dialects are called: "brp-2013" ... */
+/** The dialects: "brp-2013" ... */
 typedef enum {
     EXCHANGE_DIALECT_BRP_2013 = 0,
     EXCHANGE_DIALECT_BRP_2021 = 1,
@@ -149,11 +149,11 @@ typedef struct {
 
 typedef enum { EXCHANGE_ORDER_DISCONNECT = 0, EXCHANGE_ORDER_KEEP_ALIVE = 1 } exchange_order_kind_t;
 
-/** What is asked of a connection of OpenIGTLink. */
+/** An order for a connection of OpenIGTLink. */
 typedef struct {
     uint32_t id;     /**< Given by exchange_give_order(). */
     uint32_t kind;   /**< exchange_order_kind_t. */
-    uint32_t number; /**< Of the connection. */
+    uint32_t number; /**< Number of the connection. */
     uint32_t is_on;  /**< KEEP_ALIVE: 1 or 0. */
 } exchange_order_t;
 

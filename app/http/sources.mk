@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What this program is linked from, beside libcore.a; included by the Makefile.
+# Sources that this program is linked from, beside libcore.a; included by the Makefile.
 
 SOURCES_boresight-http := $(wildcard app/http/server/*.c app/http/handlers/*.c app/http/call/*.c app/http/pages/*.c \
     app/http/view/*.c app/http/gate/*.c app/http/stop/*.c app/recording/archive/*.c app/request/*.c app/saved/*.c \

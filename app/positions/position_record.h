@@ -19,7 +19,7 @@
 #define POSITION_RECORD_SIZE (36U + (12U * ROBOT_AXIS_MAX))
 
 typedef struct {
-    uint64_t number; /**< Of the records in a file; one that is saved is 0. */
+    uint64_t number; /**< Number among the records of a file; one that is saved is 0. */
     uint64_t utc_us;
     uint32_t power_on;
     uint32_t robot_crc;

@@ -22,7 +22,7 @@ static bool read_slot(int file, uint32_t slot, position_record_t *record)
 
 position_file_t position_store_read(const char *path, position_record_t *record)
 {
-    /* What is no file of ours may not hold up control. */
+    /* A file of another kind may not hold up control. */
     const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     position_file_t result = POSITION_FILE_DAMAGED;
 
@@ -52,7 +52,7 @@ bool position_store_write(const char *path, const position_record_t *record)
         return false;
     }
     position_record_encode(record, bytes);
-    errno = ENOSPC; /* Of a write that is only too short. */
+    errno = ENOSPC; /* Error of a write that is only too short. */
     const bool is_written = (pwrite(file, bytes, sizeof bytes, place) == (ssize_t)sizeof bytes) &&
                             (fdatasync(file) == 0);
     const int reason = errno;

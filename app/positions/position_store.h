@@ -43,7 +43,7 @@ position_file_t position_store_read(const char *path, position_record_t *record)
 bool position_store_write(const char *path, const position_record_t *record);
 
 /**
- * What `asker` may use of the file `path`: a verdict in any case, axes with KEPT_GOOD only.
+ * Content of the file `path` for `asker`: a verdict in any case, axes with KEPT_GOOD only.
  *
  * @satisfies SWR-STORE-003
  * @satisfies SWR-STORE-004

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What this program is linked from, beside libcore.a; included by the Makefile.
+# Sources that this program is linked from, beside libcore.a; included by the Makefile.
 
 SOURCES_boresight-recorder := $(wildcard app/recording/write/*.c app/recording/format/*.c app/recording/read/*.c \
     app/positions/*.c) app/sweep/sweep_curve.c $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) \

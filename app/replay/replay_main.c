@@ -94,7 +94,7 @@ static int tell_what_if(void)
     return (walk_check_end(&walk) && what_if_end(&what_if)) ? walk_end(&walk) : EXIT_REFUSED;
 }
 
-/* What is of one recording: writes a file, or answers. */
+/* Treats one recording: writes a file, or answers. */
 static int treat_alone(const char *path, const char *const values[])
 {
     int code = EXIT_REFUSED;
@@ -161,7 +161,7 @@ static bool is_folder(const char *path)
     return (stat(path, &status) == 0) && S_ISDIR(status.st_mode);
 }
 
-/* What is asked of one recording alone; NULL: nothing is. */
+/* The option for one recording alone; NULL: none is given. */
 static const char *find_lone(const char *const values[])
 {
     static const uint32_t lone[] = {CSV, MCAP, HTML, WHAT_IF};

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What this program is linked from, beside libcore.a; included by the Makefile.
+# Sources that this program is linked from, beside libcore.a; included by the Makefile.
 
 SOURCES_boresight-replay := $(wildcard app/replay/*.c app/replay/*/*.c app/recording/format/*.c \
     app/recording/read/*.c app/recording/write/recording_writer.c) $(STATE_JSON) $(CLOCK) $(addprefix \

@@ -148,7 +148,7 @@ static bool is_within(uint32_t code, uint32_t first, uint32_t last)
     return (code >= first) && (code <= last);
 }
 
-/* What follows \u. A character beyond 16 bits is two of these. */
+/* The digits behind \u. A character beyond 16 bits is two of these. */
 static request_fault_t take_code(json_text_t *self, writer_t *out)
 {
     uint32_t code = take_hex(self);

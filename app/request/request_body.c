@@ -16,7 +16,7 @@ typedef struct {
     bool is_begun;                /* Something has been read of it. */
     const request_field_t *field; /* The member that is being read; NULL between two. */
     bool is_in_list;
-    uint32_t elements; /* Of the list, the one that is being read included. */
+    uint32_t elements; /* Elements of the list, the one that is being read included. */
 } level_t;
 
 typedef struct {
@@ -24,7 +24,8 @@ typedef struct {
     level_t levels[REQUEST_DEPTH];
     uint32_t depth;
     request_fault_t fault;
-    const request_field_t *asked; /* What is missing or none of its words; NULL: another fault. */
+    const request_field_t
+        *asked; /* The field that is missing or has another word; NULL: another fault. */
     char name[REQUEST_NAME_SIZE]; /* Beside the present object's pointer, where the fault is. */
 } reader_t;
 
@@ -33,7 +34,7 @@ static void fail(reader_t *self, request_fault_t fault)
     self->fault = fault;
 }
 
-/* What must come next, or else it is not JSON. */
+/* The byte that must come next, or else it is not JSON. */
 static bool expect(reader_t *self, char byte)
 {
     const bool is_there = json_text_take(&self->text, byte);
@@ -43,7 +44,7 @@ static bool expect(reader_t *self, char byte)
     return is_there;
 }
 
-/* What begins a value of the right type. */
+/* The first byte of a value of the right type. */
 static bool expect_type(reader_t *self, char byte)
 {
     const bool is_there = json_text_take(&self->text, byte);

@@ -22,13 +22,13 @@ typedef enum {
     REQUEST_COUNT = 9         /**< Too few or too many values in a list. */
 } request_fault_t;
 
-/** What came of it. */
+/** The result of reading. */
 typedef struct {
     request_fault_t fault;
-    /** Of the fault: in a body a JSON pointer (RFC 6901), "" being all of it; in a query the name
-     * of the parameter. Ends early if it is too long. UTF-8. */
+    /** Place of the fault: in a body a JSON pointer (RFC 6901), "" being all of it; in a query the
+     * name of the parameter. Ends early if it is too long. UTF-8. */
     char place[REQUEST_PLACE_SIZE];
-    char text[REQUEST_TEXT_SIZE]; /**< Of the fault, one or two sentences. */
+    char text[REQUEST_TEXT_SIZE]; /**< Text of the fault, one or two sentences. */
 } request_result_t;
 
 /**

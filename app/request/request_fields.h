@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a client may send: a message, its fields and their bounds, as tables that are generated from
- * core/interface. Whatever stands in no table is refused.
+ * The messages that a client may send, their fields and their bounds, as tables that are generated
+ * from core/interface. A field that stands in no table is refused.
  */
 #ifndef BORESIGHT_REQUEST_FIELDS_H
 #define BORESIGHT_REQUEST_FIELDS_H
@@ -12,9 +12,9 @@
 #include <stdint.h>
 
 #define REQUEST_DEPTH 8U        /**< Objects in objects, the outermost one included. */
-#define REQUEST_FIELDS_MOST 32U /**< Of a message. */
+#define REQUEST_FIELDS_MOST 32U /**< Fields of a message. */
 
-/** What a value is, and what it becomes. */
+/** The kind of a value in JSON, and its type in C. */
 typedef enum {
     REQUEST_FLAG = 0,   /**< true or false: bool. */
     REQUEST_UINT32 = 1, /**< Whole, without fraction and exponent: uint32_t. */
@@ -37,18 +37,18 @@ struct request_message;
 typedef struct {
     const char *name;
     request_kind_t kind;
-    size_t offset;      /**< Of the value, or of a list's first one. */
-    size_t size;        /**< Of one value. */
-    size_t told_offset; /**< Of the number of a list's values (uint32_t), or of whether there is a
-                             value (bool). Only of lists and of what is optional. */
+    size_t offset;      /**< Place of the value, or of a list's first one. */
+    size_t size;        /**< Size of one value. */
+    size_t told_offset; /**< Place of the number of a list's values (uint32_t), or of the flag of an
+                             optional value (bool). Only for lists and optional values. */
     bool is_optional;
     uint32_t least;      /**< Values of a list. */
     uint32_t most;       /**< The same; 0: it is no list. */
-    double minimum;      /**< Of numbers, inclusive. */
-    double maximum;      /**< The same. */
-    uint32_t word_count; /**< Of a word. */
+    double minimum;      /**< Least number, inclusive. */
+    double maximum;      /**< Greatest number, inclusive. */
+    uint32_t word_count; /**< Number of the words that are allowed. */
     const request_word_t *words;
-    const struct request_message *message; /**< Of an object. */
+    const struct request_message *message; /**< The message of an object. */
 } request_field_t;
 
 /** An object, or the parameters of a query. */

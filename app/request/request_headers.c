@@ -8,7 +8,7 @@
 #include <strings.h>
 
 #define SPACE " \t"
-#define DIGITS_MOST 10U /* Of 32 bits. */
+#define DIGITS_MOST 10U /* Digits of 32 bits. */
 
 /* The word at the start of `text`, which ends before one of `ends`, is `word`. */
 static bool is_word(const char *text, const char *ends, const char *word)
@@ -17,7 +17,7 @@ static bool is_word(const char *text, const char *ends, const char *word)
     return (length == strlen(word)) && (strncasecmp(text, word, length) == 0);
 }
 
-/* What is behind a coding: a weight of nothing means that it is not taken. */
+/* The text behind a coding: a weight of zero means that it is not taken. */
 static bool has_weight(const char *item)
 {
     const char *rest = &item[strcspn(item, ",;")];

@@ -16,10 +16,10 @@ bool request_headers_take_gzip(const char *accept_encoding);
  */
 bool request_headers_know(const char *if_none_match, const char *etag);
 
-/** Content-Type: JSON, whatever its parameters are; or nothing is said. */
+/** Content-Type: JSON, with any parameters; or the header is missing. */
 bool request_headers_are_json(const char *content_type);
 
-/** Content-Type: `media`, in lower case, whatever its parameters are. */
+/** Content-Type: `media`, in lower case, with any parameters. */
 bool request_headers_are(const char *content_type, const char *media);
 
 /**
@@ -29,7 +29,7 @@ bool request_headers_are(const char *content_type, const char *media);
 bool request_headers_cookie(const char *cookie, const char *name, char *value, size_t size);
 
 /**
- * Expect: the client, of HTTP `version` ("1.1"), holds back the body until it is told to go on
+ * Expect: the client, of HTTP `version` ("1.1"), holds back the body until it is asked to continue
  * (RFC 9110, 10.1.1).
  *
  * @satisfies SWR-HTTP-077

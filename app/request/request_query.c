@@ -64,7 +64,7 @@ static request_fault_t take_value(const request_field_t *field, const char *text
     }
 }
 
-/* Reads one parameter, `length` bytes. Whatever is wrong, its name is noted first. */
+/* Reads one parameter, `length` bytes. Its name is noted first, for each fault. */
 static request_fault_t take_parameter(const request_message_t *message, const char *bytes,
                                       size_t length, uint32_t *seen, char *structure,
                                       char place[REQUEST_PLACE_SIZE])

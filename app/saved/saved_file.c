@@ -51,7 +51,7 @@ static bool read_utc(const char *text, uint64_t *utc_us)
     return strcmp(again, text) == 0;
 }
 
-/* Of a lower-case hexadecimal digit, 16 of anything else. */
+/* Value of a lower-case hexadecimal digit, 16 for any other byte. */
 static uint32_t digit_of(char byte)
 {
     static const char digits[] = "0123456789abcdef";

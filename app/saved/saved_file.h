@@ -40,7 +40,7 @@ typedef enum {
 typedef struct {
     saved_origin_t origin;
     position_record_t record;
-    uint8_t seal[SAVED_SEAL_SIZE]; /**< Of SAVED_SEALED. */
+    uint8_t seal[SAVED_SEAL_SIZE]; /**< Seal of SAVED_SEALED. */
     uint32_t miscounted;           /**< Bit n: axis n has not moved, says the operator. */
 } saved_t;
 

@@ -20,7 +20,7 @@ static bool is_homed(const snapshot_axis_t *shown)
            (shown->reference == (uint32_t)AXIS_REFERENCE_VERIFIED);
 }
 
-/* Why an axis is restored whose counter tells nothing against it. */
+/* Why an axis is restored whose counter shows nothing against it. */
 static saved_why_t why_restored(const saved_t *saved, bool is_same_power_on)
 {
     saved_why_t why = SAVED_WHY_COUNTS_AGREE;

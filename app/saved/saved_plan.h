@@ -12,8 +12,8 @@
 /** Why an axis gets what it gets. The first five: it is restored, unverified. */
 typedef enum {
     SAVED_WHY_COUNTS_AGREE = 0,   /**< In this power-on its counter has not moved since. */
-    SAVED_WHY_OTHER_POWER_ON = 1, /**< It may have been moved by hand; the counts cannot tell. */
-    SAVED_WHY_UNSEALED = 2,       /**< Nobody knows who wrote it. */
+    SAVED_WHY_OTHER_POWER_ON = 1, /**< It may have been moved by hand; the counts cannot show it. */
+    SAVED_WHY_UNSEALED = 2,       /**< Its writer is unknown. */
     SAVED_WHY_OLD_LIST = 3,       /**< Neither robot nor time is known. */
     SAVED_WHY_MISCOUNTED = 4,     /**< It has not moved, says the operator: its counts are wrong. */
     SAVED_WHY_MOVED = 5,          /**< It stays: its counter has moved since. */
@@ -25,7 +25,7 @@ typedef struct {
     saved_why_t why;
     int32_t now_ticks;
     int32_t saved_ticks; /**< In the file. */
-    int32_t next_ticks;  /**< What it would be told: the saved one, and what was counted since. */
+    int32_t next_ticks;  /**< After a restoration: the saved one, and the ticks counted since. */
 } saved_row_t;
 
 typedef struct {
@@ -55,7 +55,7 @@ bool saved_plan_restores(saved_why_t why);
 bool saved_plan_fits(const saved_plan_t *self, const saved_t *saved);
 
 /**
- * What was shown as `self` is still so in `now`, made of the same positions.
+ * The plan `self`, which was shown, still agrees with `now`, made of the same positions.
  *
  * @satisfies SWR-STORE-030
  */

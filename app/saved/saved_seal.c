@@ -37,7 +37,7 @@ static bool make_key(const char *path)
     return is_made;
 }
 
-/* What is no file of ours may not hold up the server. */
+/* A file of another kind may not hold up the server. */
 static int open_key(const char *path)
 {
     return open(path, O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Saved positions that were shown to somebody, and may be restored for a while. Any number
+/** @file Saved positions that were shown to a client, and may be restored for a while. Any number
  * of threads may be here. */
 #ifndef BORESIGHT_SAVED_STORE_H
 #define BORESIGHT_SAVED_STORE_H
@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What was shown. */
+/** A shown plan. */
 typedef struct {
     uint32_t token; /**< Not 0. */
     uint64_t shown_ms;

@@ -7,7 +7,7 @@
 
 /**
  * Prints a sentence: that no Boresight of this name runs, or that no drive of it is on, nothing is
- * armed and nobody has left START_UP; or which of these does not hold. `is_stopped`: it is also
+ * armed and START_UP has not been left; or which of these does not hold. `is_stopped`: it is also
  * stopped, by control in the cycle in which all of that holds; nothing begins between.
  *
  * @return exit code: 0 it may be replaced, or has stopped; 1 it may not, or goes on

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the supervisor knows of the board that control is linked with: the programs that come with
- * it and what may be asked of them. The one table is made of the board's file by
- * tools/compile/boards.rb. A pattern is a text with {names}, of which each stands for an option or
- * for one of what board_text.h knows.
+ * The supervisor's description of the board that control is linked with: the programs that come
+ * with it and their options. The one table is made of the board's file by tools/compile/boards.rb.
+ * A pattern is a text with {names}, of which each stands for an option or for one of the names in
+ * board_text.h.
  */
 #ifndef BORESIGHT_BOARD_H
 #define BORESIGHT_BOARD_H
@@ -16,12 +16,12 @@
 
 #define BOARD_OPTIONS 8U    /**< Options of one board at most. */
 #define BOARD_COMPANIONS 4U /**< Programs that come with it. */
-#define BOARD_ARGUMENTS 12U /**< Of one of them. */
+#define BOARD_ARGUMENTS 12U /**< Arguments of one of them. */
 #define BOARD_SAYINGS 4U    /**< Lines for the operator. */
-/** Of an option's value, with its end: a whole wiring fits. */
+/** Size of an option's value, with its end: a whole wiring fits. */
 #define BOARD_VALUE_SIZE 4096U
 
-/** What follows an option. */
+/** The kind of value behind an option. */
 typedef enum {
     BOARD_TAKES_NOTHING = 0, /**< Its text is the option itself, or nothing. */
     BOARD_TAKES_NAME = 1,    /**< Letters, digits, - and _. */
@@ -33,9 +33,9 @@ typedef enum {
 typedef struct {
     const char *name; /**< Without its hyphens; NULL: there is none of this place. */
     board_takes_t takes;
-    const char *says;      /**< What it is for, with its default. */
+    const char *says;      /**< Its purpose, with its default. */
     const char *otherwise; /**< Pattern of its value when it is not given; NULL: nothing. */
-    uint32_t least;        /**< Of a number. */
+    uint32_t least;        /**< Least number. */
     uint32_t most;
     const char *useless_with; /**< Another one that it is refused with; NULL: none. */
 } board_option_t;
@@ -43,8 +43,8 @@ typedef struct {
 /** A program that is started before control and stopped after the recorder. */
 typedef struct {
     const char *program;                    /**< Without "boresight-"; NULL: none. */
-    const char *arguments[BOARD_ARGUMENTS]; /**< Patterns; what is empty is left out. */
-    const char *ready;  /**< What it prints when control may start; NULL: nothing is awaited. */
+    const char *arguments[BOARD_ARGUMENTS]; /**< Patterns; an empty one is left out. */
+    const char *ready;  /**< Line it prints when control may start; NULL: nothing is awaited. */
     const char *unless; /**< Option that names one that runs already; NULL: none does. */
 } board_companion_t;
 
@@ -57,11 +57,11 @@ typedef struct {
 typedef struct {
     board_option_t options[BOARD_OPTIONS];
     board_companion_t companions[BOARD_COMPANIONS];
-    const char *box;        /**< Pattern of what control opens. */
-    const char *name;       /**< Pattern of what the box is called; positions are kept for each. */
+    const char *box;        /**< Pattern of the box that control opens. */
+    const char *name;       /**< Pattern of the box's name; positions are kept for each. */
     const char *slowness;   /**< Pattern of how many times slower its time passes. */
     bool is_simulated;      /**< No robot is connected. */
-    check_board_t cycle;    /**< What a cycle costs. */
+    check_board_t cycle;    /**< Cost of a cycle. */
     uint32_t cycle_lane_mb; /**< Memory for the cycles that wait for the recorder. */
     board_saying_t says[BOARD_SAYINGS];
 } board_t;

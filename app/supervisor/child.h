@@ -20,7 +20,7 @@ typedef struct {
     const char *arguments[CHILD_ARGUMENTS]; /**< Without the program; ended by NULL. */
     bool may_restart;                       /**< Started again when it ends unasked. */
     pid_t pid;                              /**< 0: not running. */
-    int status;                             /**< Of waitpid(), when it has ended. */
+    int status;                             /**< Status from waitpid(), when it has ended. */
     uint64_t started_us;
     uint64_t restart_us; /**< When to start it again; 0: not planned. */
     uint64_t backoff_us;

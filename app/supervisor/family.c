@@ -47,7 +47,7 @@ static void set_arguments(child_t *child, const char *const arguments[CHILD_ARGU
     (void)memcpy(child->arguments, arguments, sizeof child->arguments);
 }
 
-/* What is empty is left out, such as an option that was not given. */
+/* An empty argument is left out, such as an option that was not given. */
 static bool write_arguments(family_t *self, uint32_t place, const options_t *options)
 {
     const board_companion_t *const companion = &board.companions[place];
@@ -307,7 +307,7 @@ static void stop(family_t *self, const member_t *members, uint32_t count, uint64
     make_end(self, members, count);
 }
 
-/* What waits for it is recorded first; it gives a sign of life with each cycle. */
+/* Cycles that wait for it are recorded first; it gives a sign of life with each cycle. */
 static void stop_recorder(family_t *self, const exchange_t *exchange)
 {
     static const member_t recorder[] = {MEMBER_RECORDER};

@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define FAMILY_NAME_SIZE 96U /**< Of what a box is called, with its end. */
+#define FAMILY_NAME_SIZE 96U /**< Size of a box's name, with its end. */
 #define FAMILY_PATH_SIZE (OPTIONS_PATH_SIZE + FAMILY_NAME_SIZE + 16U)
 #define FAMILY_TEXT_SIZE (OPTIONS_PATH_SIZE + (2U * FAMILY_NAME_SIZE))
 
@@ -29,11 +29,11 @@ typedef enum {
 typedef struct {
     child_t members[FAMILY_SIZE];        /**< The name is NULL where the board has none. */
     bool runs_already[FAMILY_SIZE];      /**< It is not ours: it ran before and runs on. */
-    char box[BOARD_VALUE_SIZE];          /**< What control opens. */
+    char box[BOARD_VALUE_SIZE];          /**< The box that control opens. */
     uint32_t slowness;                   /**< Control and companions have as many times longer. */
     char positions[FAMILY_PATH_SIZE];    /**< File of the kept positions of this box. */
     char box_key[FAMILY_PATH_SIZE + 4U]; /**< File of its key. */
-    char words[BOARD_COMPANIONS][BOARD_ARGUMENTS][FAMILY_TEXT_SIZE]; /**< Of their arguments. */
+    char words[BOARD_COMPANIONS][BOARD_ARGUMENTS][FAMILY_TEXT_SIZE]; /**< Their arguments. */
     int output; /**< Where their standard output and error go. */
     int errors;
 } family_t;
@@ -70,16 +70,16 @@ bool family_is_silent(family_t *self, const exchange_t *exchange, member_t membe
 /**
  * To be called often. Looks five times a second, so that a pause of the machine is one look:
  * whether `member`, which is replaced when it hangs, has given no sign of life for LIMIT_HANG_US.
- * Then it is killed, which that is told of in the exchange, and family_reap() finds its end.
+ * Then it is killed, which is noted in the exchange, and family_reap() finds its end.
  *
  * @satisfies SWR-LIFE-001
  */
 bool family_end_hanging(family_t *self, exchange_t *exchange, member_t member);
 
 /**
- * Stops igtl and http, then control, then the recorder, then what came with the board; who does not
- * obey in his time is killed. The recorder finds in `exchange` whether control has
- * ended in order.
+ * Stops igtl and http, then control, then the recorder, then the programs that came with the board;
+ * a program that does not obey in its time is killed. The recorder finds in `exchange` whether
+ * control has ended in order.
  *
  * @satisfies SWR-SUP-001
  * @satisfies SWR-SUP-013

@@ -68,7 +68,7 @@ static const command_option_t common[COMMON] = {
                       .is_by_hand = true},
 };
 
-/* What it says lives as long as the options. */
+/* Its texts live as long as the options. */
 static config_file_t config;
 
 uint32_t options_slowness(const options_t *self)
@@ -159,7 +159,7 @@ static bool check_of_the_board(const options_t *self, size_t place, char *error,
     return true;
 }
 
-/* What was given must be right; what was not is as the board says. */
+/* A given option must be right; each other has the board's value. */
 static bool complete(options_t *self, char *error, uint32_t error_size)
 {
     for (size_t i = 0U; i < BOARD_OPTIONS; i++) {
@@ -229,7 +229,7 @@ static bool copy(char *text, size_t size, const char *value)
     return (value == NULL) || ((size_t)snprintf(text, size, "%s", value) < size);
 }
 
-/* What was given wins. False when something is too long. */
+/* A given value wins. False when a value is too long. */
 static bool take(options_t *self, const char *const values[])
 {
     bool has_room = copy(self->recordings, sizeof self->recordings, values[RECORDINGS]);

@@ -15,7 +15,7 @@ typedef struct {
     const char *igtl_port;  /**< --igtl-port, IGTL_PORT: bare transforms, joints and poses. */
     const char *brp_port;   /**< --brp-port, BRP_PORT: the workphase protocol. */
     const char *igtl_file;  /**< --igtl-file, IGTL_FILE: of ports, NULL: none. */
-    igtl_ports_t ports;     /**< What it says. */
+    igtl_ports_t ports;     /**< The ports of that file. */
     const char *accounts;   /**< --accounts, ACCOUNTS: file of those who may log in; NULL: none. */
     const char *tls_file;   /**< --tls-file, TLS_FILE: how TLS leads here; NULL: it does not. */
     const char *trajectory; /**< --trajectory: file of one, NULL: none. */
@@ -27,7 +27,7 @@ typedef struct {
     const char *instance;   /**< --instance: name of everything this instance creates. */
     char recordings[OPTIONS_PATH_SIZE];          /**< --recordings. */
     char programs[OPTIONS_PATH_SIZE];            /**< Directory of this program and the others. */
-    bool is_given[BOARD_OPTIONS];                /**< Of the board's options. */
+    bool is_given[BOARD_OPTIONS];                /**< Which of the board's options are given. */
     char board[BOARD_OPTIONS][BOARD_VALUE_SIZE]; /**< Their values. */
 } options_t;
 

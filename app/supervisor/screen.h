@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the operator sees: lines, and below them one line of status. On a terminal it is rewritten
+ * The operator's view: lines, and below them one line of status. On a terminal it is rewritten
  * in place, as wide as the terminal at most and coloured unless NO_COLOR is set; elsewhere it is
  * whole, and repeated every five seconds. The programs' own lines come in through pipes
  * and stand above it.
@@ -21,7 +21,7 @@ typedef struct {
     int errors[2]; /**< Pipe of their standard error: shown. */
     bool is_terminal;
     bool is_coloured;
-    const char *awaited;           /**< What one of the programs is to print; NULL: nothing. */
+    const char *awaited;           /**< Line that one of the programs is to print; NULL: none. */
     bool is_heard;                 /**< It has. */
     uint64_t shown_us;             /**< When the status was last written. */
     char status[SCREEN_LINE_SIZE]; /**< On the terminal now; "" when none. */

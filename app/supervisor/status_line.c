@@ -59,7 +59,7 @@ static const char *estop_word(const snapshot_t *snapshot)
     }
 }
 
-/* The reason to be told first, of all axes; PERMIT_REASON_COUNT when every axis may be driven. */
+/* The reason to be shown first, of all axes; PERMIT_REASON_COUNT when every axis may be driven. */
 static uint32_t first_reason(const snapshot_t *snapshot)
 {
     uint32_t reasons = 0U;
@@ -137,7 +137,7 @@ static void add_time(status_parts_t *parts, const loop_figures_t *loop, bool is_
     }
 }
 
-/* What is to be said of a program; "ok" when nothing is. */
+/* State of a program in words; "ok" when there is no trouble. */
 static const char *program_word(family_t *family, const exchange_t *exchange, uint32_t member)
 {
     const bool is_silent = family_is_silent(family, exchange, (member_t)member);
@@ -212,7 +212,7 @@ static void add_authority(status_parts_t *parts, const exchange_t *exchange,
     }
 }
 
-/* What came from the file of ports and is not there.
+/* Ports of the file of ports that are not open or not answered.
  *
  * @satisfies SWR-SUP-010 */
 static void add_unreached(status_parts_t *parts, const exchange_t *exchange)

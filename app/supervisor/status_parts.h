@@ -16,7 +16,7 @@
 typedef enum {
     STATUS_PLAIN = 0,
     STATUS_GOOD = 1,
-    STATUS_NOTE = 2, /**< Somebody has to look. */
+    STATUS_NOTE = 2, /**< The operator has to look. */
     STATUS_BAD = 3
 } status_tone_t;
 

@@ -248,7 +248,7 @@ static void say_where(void)
     screen_say(&screen, "Stop:        Ctrl-C");
 }
 
-/* What follows from the end of a member: RUNNING or the exit code. */
+/* Consequence of the end of a member: RUNNING or the exit code. */
 static int judge_end(const child_t *child)
 {
     char how[64];

@@ -15,7 +15,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define SWEEP_TEXT_SIZE 4096U /**< Of the longest, and its end. */
+#define SWEEP_TEXT_SIZE 4096U /**< Size of the longest text, and its end. */
 #define SWEEP_PATH_SIZE 512U
 
 /** The ways of one run each, at one frequency. */
@@ -36,7 +36,7 @@ typedef struct {
     sweep_point_t points[LIMIT_SWEEP_POINTS];
 } sweep_curve_t;
 
-/** What a kept curve is worth. */
+/** Verdict on a kept curve. */
 typedef enum {
     SWEEP_KEPT_NONE = 0,
     SWEEP_KEPT_GOOD = 1,

@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 /**
- * What the robot's file says of the speed of `axis`, one that turns, at a frequency.
+ * The speed of `axis`, one that turns, at a frequency, as the robot's file gives it.
  *
  * @return false: nothing, this frequency is not the axis' own
  */

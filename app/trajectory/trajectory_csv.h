@@ -5,8 +5,8 @@
  * row. "time s" or "time ms" comes once; of an axis "NAME ticks", "NAME mm" or "NAME deg" is its
  * position, "NAME ticks/s", "NAME mm/s" or "NAME deg/s" its speed. Without a column an axis stays
  * where it is. Without a speed it has one that lets it overshoot no row: none where it turns and at
- * both ends, otherwise the harmonic mean of the speeds before and behind (Butland 1980). What the
- * robot may do is not judged here.
+ * both ends, otherwise the harmonic mean of the speeds before and behind (Butland 1980). The limits
+ * of the robot are not judged here.
  */
 #ifndef BORESIGHT_TRAJECTORY_CSV_H
 #define BORESIGHT_TRAJECTORY_CSV_H

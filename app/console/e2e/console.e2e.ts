@@ -256,7 +256,7 @@ test("SWR-CON-004 a frozen server is seen to be stale and recovers", async () =>
     .waitFor({ state: "detached" });
 });
 
-/** What axe cannot judge by itself, and why that is well. */
+/** Findings that axe cannot judge by itself, with the reason why they are accepted. */
 const judged = new Map([
   [
     "color-contrast elmPartiallyObscured",
@@ -293,7 +293,7 @@ function isJudged(id: string, { any }: Finding["nodes"][number]): boolean {
   return judged.has(`${id} ${any[0]?.data?.messageKey}`);
 }
 
-/** The rules that are broken, or that nobody has judged, by the element. */
+/** The rules that are broken, or that were not judged, by the element. */
 async function findingsOf(where = page): Promise<string[]> {
   const found: Record<"violations" | "incomplete", Finding[]> =
     await where.evaluate(
@@ -371,7 +371,7 @@ test("SWR-CON-022 the accessibility rules of WCAG 2.2 AA are kept in each view, 
   }
 });
 
-/** What reaches out of the window sideways, but for what scrolls by itself or is hidden. */
+/** Elements that reach out of the window sideways, but for those that scroll by themselves or are hidden. */
 function outsideOf(where = page): Promise<string[]> {
   return where.evaluate(() => {
     const isHeld = (element: Element | null): boolean =>
@@ -559,7 +559,7 @@ test.each(["Escape", "Enter"])(
     const requests: string[] = [];
     const note = (one: Request) => {
       if (one.method() !== "GET") {
-        requests.push(one.url()); // What may be commanded is asked meanwhile.
+        requests.push(one.url()); // The page asks meanwhile for the allowed commands.
       }
     };
     page.on("request", note);

@@ -12,7 +12,7 @@ export interface OpenedPage {
   page: Page;
   /** Addresses. */
   asked: string[];
-  /** What the browser has said of it: errors, warnings and refusals of its policy. */
+  /** Messages of the browser about it: errors, warnings and refusals of its policy. */
   problems: string[];
 }
 
@@ -38,7 +38,7 @@ export async function openPage(address: string): Promise<OpenedPage> {
   return { browser, page, asked, problems };
 }
 
-/** What axe finds in the page as it stands, a line each. */
+/** Findings of axe in the page as it stands, a line each. */
 export async function findingsOf(page: Page): Promise<string> {
   const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
   await page.evaluate(readFileSync(axe, "utf8"));

@@ -49,7 +49,7 @@ async function arm(): Promise<void> {
   await page.getByText("Press and hold the pedal.").first().waitFor();
 }
 
-/** What a pause of the machine has taken away, command or pedal, is taken anew. */
+/** Takes anew the command or the pedal that a pause of the machine has taken away. */
 async function pressUntilItMoves(): Promise<void> {
   while (!(await sign("MOVING").isVisible())) {
     if (await button("Take command").isVisible()) {
@@ -62,7 +62,7 @@ async function pressUntilItMoves(): Promise<void> {
   }
 }
 
-/** A robot of its own, which is not homed: one that is has nothing to move for until somebody commands it. */
+/** A robot of its own, which is not homed: one that is has no reason to move until it is commanded. */
 async function beginAnew(): Promise<void> {
   await page.goto(address);
   await page.getByText("Logged in as code (engineer)").waitFor();
@@ -154,7 +154,7 @@ test("SWR-SITE-011 they stand when it is released, and STOP is heard", async () 
   await page.locator(".banner-state strong", { hasText: "STOP" }).waitFor();
 });
 
-/** What happens in motion, how it is mended, and what is read of it. */
+/** Faults in motion, their remedies, and the texts that are read then. */
 const faults = [
   {
     title: "SWR-SITE-022 the pedal is released in motion, and that is read",

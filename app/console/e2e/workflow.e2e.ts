@@ -35,7 +35,7 @@ const plans = {
 const { entry, target } = plans[robot];
 
 let browser: Browser;
-/** Of the engineer, who does the procedure. */
+/** Page of the engineer, who does the procedure. */
 let page: Page;
 
 async function read<Answer>(name: string): Promise<Answer> {
@@ -74,7 +74,7 @@ async function openBox(where = page): Promise<void> {
   await where.getByRole("button", { name: "Hold pedal" }).waitFor();
 }
 
-/** What the drawer keeps pressed. */
+/** The switch by which the drawer keeps a handle pressed. */
 function keeper(handle: "pedal" | "button", where = page) {
   return where.getByRole("switch", { name: `Keep ${handle} pressed` });
 }
@@ -180,7 +180,7 @@ beforeAll(async () => {
 
 afterAll(() => browser.close());
 
-/** The panel tells that what it has commanded last is done. */
+/** The panel reports that its last command is done. */
 function done(what: string, where = "Procedure") {
   return panel(where).getByText(`Last command: ${what}: done.`).waitFor();
 }
@@ -394,7 +394,7 @@ test.runIf(pictures !== undefined)("pictures of the views", async () => {
     } else {
       await page.evaluate(() => scrollTo(0, 0));
     }
-    await page.waitForTimeout(FRAME_MS); // What is loaded late is drawn.
+    await page.waitForTimeout(FRAME_MS); // Parts that are loaded late are drawn.
     await picture(title.toLowerCase());
   }
   await openView("Procedure");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: whatever fails in the page, the stop stays and works.
+// Rule under test: the stop stays and works after a failure of any part of the page.
 import {
   act,
   cleanup,

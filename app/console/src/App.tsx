@@ -25,7 +25,7 @@ import type { Trace } from "./words/trace";
 import { useTitle } from "./words/title";
 import { useChosenView, views, type ViewEntry } from "./views/views";
 
-/** Nobody needs it who has a robot. */
+/** A page with a real robot does not need it. */
 const Box = lazy(async () => ({
   default: (await import("./panels/box/Box")).Box,
 }));
@@ -107,7 +107,7 @@ function Notices({ view }: { view: ConsoleView }) {
   );
 }
 
-/** Who is logged in, whether this page commands, and help. */
+/** The user who is logged in, the authority of this page, and help. */
 function Toolbar({
   view,
   operation,
@@ -156,7 +156,7 @@ function SimulatedBox({
   );
 }
 
-/** What is left when all else has failed. */
+/** The page that is left when all else has failed. */
 export function Emergency() {
   return (
     <header>
@@ -169,7 +169,7 @@ export function Emergency() {
 }
 
 /**
- * The whole page. Whatever fails in it is cut out; the stop stays.
+ * The whole page. A part that fails is cut out; the stop stays.
  *
  * @satisfies SWR-CON-009
  * @satisfies SWR-CON-022

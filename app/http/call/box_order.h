@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a page orders of the simulated box, in the words of the box. They are those of the tables by
+ * Orders of a page to the simulated box, in the words of the box. They are those of the tables by
  * which requests are read, so no other ones come there from the network.
  */
 #ifndef BORESIGHT_BOX_ORDER_H

@@ -67,7 +67,7 @@ const char *http_act_limit(const answer_t *answer)
     return (answer->status == (uint32_t)STATUS_AXIS_LIMIT) ? end : NULL;
 }
 
-/* What was begun is not done yet, though nothing is against it. */
+/* An act that was begun is not done yet, though nothing is against it. */
 static const char *message_of(const answer_t *answer)
 {
     const bool is_begun = (answer->kind == (uint32_t)ANSWER_ACCEPTED) && (answer->is_final == 0U);

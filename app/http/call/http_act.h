@@ -54,8 +54,8 @@ const char *http_act_axis(const robot_t *robot, const answer_t *answer);
 /** Which of its limits, "lower" or "upper"; NULL: none. */
 const char *http_act_limit(const answer_t *answer);
 
-/** What became of the act `id` of `page` by `answer`, as a message. NULL without memory; the caller
- * frees it. */
+/** The result of the act `id` of `page`, from `answer`, as a message. NULL without memory; the
+ * caller frees it. */
 cJSON *http_act_tell(const robot_t *robot, uint32_t page, uint32_t id, const answer_t *answer);
 
 #endif

@@ -101,7 +101,7 @@ static bool has_method(const struct mg_connection *connection, const route_t *ro
     return is_head || (strcmp(mg_get_request_info(connection)->request_method, route->method) == 0);
 }
 
-/* What `path` holds where that of the route has braces, and how long it is; NULL: it is another
+/* The part of `path` where that of the route has braces, and its length; NULL: it is another
  * path. */
 static const char *find_value(const route_t *route, const char *path, size_t *size)
 {

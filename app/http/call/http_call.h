@@ -15,9 +15,9 @@
 #include <civetweb.h>
 #include <stdint.h>
 
-#define HTTP_CALL_NAME_SIZE 65U /**< Of {name}, with its end. */
+#define HTTP_CALL_NAME_SIZE 65U /**< Size of {name}, with its end. */
 
-/** What a route is asked. */
+/** A request to a route. */
 typedef struct {
     struct mg_connection *connection;
     const route_t *route;
@@ -32,7 +32,7 @@ typedef struct {
 } http_call_t;
 
 /**
- * Judges the head of a request, whatever it asks. Refuses what two readers could read in two ways.
+ * Judges the head of any request. Refuses one that two readers could read in two ways.
  *
  * @return 0, or the status of the refusal that was sent
  *

@@ -34,7 +34,7 @@ typedef struct {
     pthread_mutex_t lock;
     pthread_cond_t changed;
     uint32_t clients;
-    uint32_t number; /**< Of the frame; 0: none yet. */
+    uint32_t number; /**< Number of the frame; 0: none yet. */
     size_t size;
     char frame[HTTP_STREAM_FRAME_SIZE];
 } http_stream_t;
@@ -52,7 +52,7 @@ typedef struct {
     exchange_t *exchange;
     http_guard_t guard;
     const tls_front_t *front; /**< How TLS leads here; NULL: it does not. */
-    http_guard_t front_guard; /**< Of the listener that it feeds. */
+    http_guard_t front_guard; /**< Guard of the listener that it feeds. */
     const char *instance;     /**< Its name. */
     session_store_t desk;
     http_notes_t notes;
@@ -61,17 +61,17 @@ typedef struct {
     command_client_t acts;
     saved_store_t positions;
     bool has_key;
-    saved_key_t key;        /**< Of the box. */
-    pthread_mutex_t orders; /**< Of who orders something of a connection of OpenIGTLink. */
+    saved_key_t key;        /**< Key of the box. */
+    pthread_mutex_t orders; /**< Held by the thread that orders something of igtl. */
     telemetry_identity_t identity;
     telemetry_t telemetry;
     http_stream_t stream;
     struct {
-        const char *directory;      /**< Of the recorder. */
+        const char *directory;      /**< Directory of the recorder. */
         uint32_t searches;          /**< How many go on. */
         uint32_t downloads;         /**< The same. */
-        pthread_mutex_t lock;       /**< Of who sets the log's level. */
-        exchange_log_level_t level; /**< By "": nobody has set it. */
+        pthread_mutex_t lock;       /**< Held by the thread that sets the log's level. */
+        exchange_log_level_t level; /**< By "": it was never set. */
     } archive;
 } http_server_t;
 

@@ -12,8 +12,8 @@
 
 #define PIECE_BYTES 32768U
 #define ETAG_SIZE 48U
-#define PART_BYTES 4096U /* Of one write, which goes on as long as any of it is taken. */
-/* The library gives up a write after so long without progress, whatever shorter time it is told. */
+#define PART_BYTES 4096U /* Size of one write, which continues as long as any of it is taken. */
+/* The library gives up a write after so long without progress, also when it is given less time. */
 #define WRITE_US 2000000U
 #define WRITES (LIMIT_DOWNLOAD_PIECE_US / WRITE_US)
 #define LAST_WRITE_MS ((LIMIT_DOWNLOAD_PIECE_US - WRITE_US) / 1000U)
@@ -48,7 +48,7 @@ static bool send_bytes(struct mg_connection *connection, const archive_file_t *f
     return is_taken;
 }
 
-/* Of a file that only grows, or is another one. */
+/* Tag of a file that only grows, or is another one. */
 static void write_etag(const archive_file_t *file, char etag[ETAG_SIZE])
 {
     (void)snprintf(etag, ETAG_SIZE, "\"%" PRIx64 "-%" PRIx64 "\"", file->modified_ns, file->bytes);

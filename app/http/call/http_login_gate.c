@@ -48,8 +48,8 @@ static const char *find_id(const http_server_t *server, const struct mg_connecti
     return request_headers_cookie(cookies, name, id, SESSION_TOKEN_SIZE) ? id : NULL;
 }
 
-/* Of each account one, that a shared browser knows them all. No name has a dot, and no session's
- * cookie begins so. */
+/* One cookie for each account, so that a shared browser knows them all. No name has a dot, and no
+ * session's cookie begins so. */
 static void name_mark(const http_server_t *server, bool is_tls, const char *who,
                       char name[COOKIE_NAME_SIZE])
 {
@@ -57,7 +57,7 @@ static void name_mark(const http_server_t *server, bool is_tls, const char *who,
                    server->instance, who);
 }
 
-/* What the browser shows as the mark of who logs in; NULL: nothing. */
+/* The mark that the browser shows for the name that logs in; NULL: none. */
 static const char *find_mark(const http_server_t *server, const struct mg_connection *connection,
                              const login_t *login, char mark[DEVICE_MARK_SIZE])
 {
@@ -85,7 +85,7 @@ static int refuse(struct mg_connection *connection, problem_t problem)
     return (status != 0) ? status : NOT_SENT;
 }
 
-/* A page keeps authority, and the pedal of a simulated box, without anybody there. */
+/* A page keeps authority, and the pedal of a simulated box, without an act of the user. */
 static session_use_t use_of(const route_t *route)
 {
     const bool is_read = strcmp(route->method, "GET") == 0;

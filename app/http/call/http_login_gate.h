@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Who asks: logins, and whether the session of a request is enough for its route. Two listeners are
- * told apart: the plain one, and the one on the loopback address that is fed by a TLS program.
+ * Logins, and whether the session of a request is enough for its route. Two listeners are
+ * distinguished: the plain one, and the one on the loopback address that is fed by a TLS program.
  */
 #ifndef BORESIGHT_HTTP_LOGIN_GATE_H
 #define BORESIGHT_HTTP_LOGIN_GATE_H

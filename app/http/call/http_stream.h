@@ -3,7 +3,7 @@
  * @file
  * Live values as server-sent events. One frame is kept, the newest: each client is served by a
  * thread of its own, takes whole frames, and misses some when it is slow. A client that takes
- * nothing is dropped; nobody waits for it.
+ * nothing is dropped; no other client waits for it.
  */
 #ifndef BORESIGHT_HTTP_STREAM_H
 #define BORESIGHT_HTTP_STREAM_H
@@ -19,7 +19,7 @@
 /** Starts without clients. `exchange` outlives `self`. */
 void http_stream_init(http_stream_t *self, const exchange_t *exchange);
 
-/** Whether anybody listens. */
+/** Whether a client listens. */
 bool http_stream_is_watched(http_stream_t *self);
 
 /** Hands `state`, JSON on one line, to all clients. False, and nothing sent, when too long. */

@@ -11,7 +11,7 @@
 typedef struct {
     char *text;
     size_t room;
-    size_t used; /* Of that and of what had no room. */
+    size_t used; /* Size of that and of the text that had no room. */
 } sheet_t;
 
 /* JSON that is read. */
@@ -74,7 +74,7 @@ static size_t pass_string(source_t *source)
     return source->at - from;
 }
 
-/* Of a member. What is written with escapes is not looked at. */
+/* The name of a member is that of a secret. A name with escapes is taken for one. */
 static bool is_secret(const char *name, size_t size)
 {
     static const char *const secrets[] = {"\"password\"", "\"code\"", "\"token\"", "\"hmac\""};
@@ -164,7 +164,7 @@ void http_transaction_keep_request(const struct mg_connection *connection, const
     } else if ((self != NULL) && (size > 0U)) {
         (void)snprintf(self->request, sizeof self->request, "(%zu bytes)", size);
     } else {
-        /* Nobody keeps it, or there is none. */
+        /* It is not kept, or there is none. */
     }
 }
 

@@ -28,7 +28,7 @@ void http_transaction_write_request(char *text, size_t room, const char *json, s
 /** The same of an answer, in which nothing is hidden. */
 void http_transaction_write_answer(char *text, size_t room, const char *json, size_t size);
 
-/** What `connection` asks and is answered is kept in `self` from now on, until
+/** Requests of `connection` and their answers are kept in `self` from now on, until
  * http_transaction_end(). */
 void http_transaction_begin(http_transaction_t *self, const struct mg_connection *connection);
 

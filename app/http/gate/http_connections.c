@@ -20,13 +20,13 @@ typedef struct {
     const struct mg_connection *connection; /* NULL: this place is free. */
     int socket;                             /* -1: not known yet. */
     bool is_waiting;                        /* For a request, or for the rest of one. */
-    bool is_leaving;                        /* It was told to; its worker is on the way. */
+    bool is_leaving;                        /* It is shut down; its worker is on the way. */
     uint64_t since;                         /* In the order of coming. */
 } line_t;
 
 static struct {
     pthread_mutex_t lock;
-    uint64_t turns; /* Of those that have come. */
+    uint64_t turns; /* Number of those that have come. */
     unsigned count; /* Without those that are leaving. */
     line_t lines[HTTP_CONNECTIONS_WORKERS];
 } all = {.lock = PTHREAD_MUTEX_INITIALIZER};
@@ -77,7 +77,7 @@ static uint64_t received_of(int socket)
     return (result == 0) ? info.tcpi_bytes_received : 0U;
 }
 
-/* The library tells no ends of a connection before its worker has begun to read. */
+/* The library gives no ends of a connection before its worker has begun to read. */
 static void know_socket(line_t *line)
 {
     const struct mg_request_info *ends =

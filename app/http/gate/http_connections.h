@@ -12,9 +12,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define HTTP_CONNECTIONS_WORKERS 64U /**< Of the library. */
+#define HTTP_CONNECTIONS_WORKERS 64U /**< Workers of the library. */
 
-/** What a connection does. */
+/** State of a connection. */
 typedef enum {
     HTTP_LINE_READS = 0, /**< The body of its request is awaited. */
     HTTP_LINE_ASKS = 1   /**< Its request, or the head of it, has come. */
@@ -38,7 +38,7 @@ uint64_t http_connections_received(const struct mg_connection *connection);
 /** It is about to be closed. */
 void http_connections_leave(const struct mg_connection *connection);
 
-/** It was told to leave, its request unfinished. */
+/** It is being closed for want of workers, its request unfinished. */
 bool http_connections_is_leaving(const struct mg_connection *connection);
 
 #endif

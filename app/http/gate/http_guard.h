@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Who may talk to the server: only requests that name it by an address it serves, and no page of
- * another site. This stops name rebinding and cross-site requests; it is not a login.
+ * The clients that may talk to the server: only requests that name it by an address it serves, and
+ * no page of another site. This stops name rebinding and cross-site requests; it is not a login.
  */
 #ifndef BORESIGHT_HTTP_GUARD_H
 #define BORESIGHT_HTTP_GUARD_H
@@ -20,10 +20,10 @@ typedef struct {
     uint32_t page_port;                    /**< The port from which the console's page comes. */
     const tls_front_t *front;              /**< How TLS leads here; NULL: it does not. */
     uint32_t front_port;                   /**< The port of TLS that leads here. */
-    bool is_front_only;                    /**< Nobody comes here but by TLS. */
+    bool is_front_only;                    /**< No client comes here but by TLS. */
 } http_guard_t;
 
-/** What a request says of where it comes from; NULL where it says nothing. */
+/** The origin that a request states in its headers; NULL for a header that it has not. */
 typedef struct {
     const char *host;       /**< Host. */
     const char *origin;     /**< Origin. */

@@ -19,7 +19,7 @@
 #define HTTP_REPLY_REVALIDATE "private, no-cache"
 #define HTTP_REPLY_HEAD_SIZE 2048 /**< Room for the head of every answer. */
 
-/** What is particular to one answer. */
+/** The particulars of one answer. */
 typedef struct {
     int status;
     const char *type;       /**< Content type. */

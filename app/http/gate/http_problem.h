@@ -11,13 +11,13 @@
 
 #define HTTP_PROBLEM_SIZE 2560 /**< Room for what http_problem_write() writes. */
 
-/** What is told of one refusal. */
+/** The content of one refusal. */
 typedef struct {
     int http;               /**< The status. */
     const char *code;       /**< To be compared. */
     const char *detail;     /**< A sentence. */
     const char *pointer;    /**< To what is wrong in the body, or NULL. UTF-8. */
-    const char *parameter;  /**< What is wrong in the query, or NULL. UTF-8. */
+    const char *parameter;  /**< The wrong parameter of the query, or NULL. UTF-8. */
     const char *axis;       /**< The axis that is why, or NULL. */
     const char *limit;      /**< Its limit that would be left, or NULL. */
     uint32_t retry_after_s; /**< When to ask again; 0: nothing is said. */
@@ -26,7 +26,7 @@ typedef struct {
 /** `problem` as routes.yml has it. */
 http_problem_t http_problem_of(problem_t problem);
 
-/** What control refuses, with `status`, and the names of statuses that routes.yml has. */
+/** A refusal by control, with `status`, and the names of statuses that routes.yml has. */
 http_problem_t http_problem_of_status(uint32_t status);
 
 /** Why a body is refused. `result` outlives the problem. */

@@ -23,7 +23,7 @@
 #define CSV_DEFAULT 10000U
 #define ROBOT_SIZE 64U /* With each byte escaped. */
 
-/* What the two routes of the log are asked. */
+/* A request to the two routes of the log. */
 typedef struct {
     bool has_after;
     uint32_t after;
@@ -290,7 +290,7 @@ int http_archive_recording(http_server_t *server, const http_call_t *call)
     return answer_file(server, call, &file_series_recordings, "application/octet-stream");
 }
 
-/* What a page would be told that sets the level; NULL: nothing is against it. */
+/* The refusal for a page that sets the level; NULL: nothing is against it. */
 static const char *reason_against_setting(http_server_t *server, const http_call_t *call)
 {
     session_t session;

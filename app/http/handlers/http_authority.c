@@ -29,7 +29,7 @@ int http_authority_renew(http_server_t *server, const http_call_t *call)
                : http_reply_refuse(call->connection, PROBLEM_BUSY);
 }
 
-/* What `page` has or asked for is not seen any more, or control does not come to it. */
+/* Waits until the authority or the request of `page` is seen no more, or control is too late. */
 static void await_release(const http_server_t *server, uint32_t page)
 {
     const uint32_t looks = answer_timeout_looks(server->exchange);

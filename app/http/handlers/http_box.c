@@ -2,7 +2,7 @@
 /**
  * @file
  * The simulated box over HTTP: a page stands for the person at it. It needs a session, and no
- * authority, which nobody needs who works a real one.
+ * authority, which no user of a real one needs.
  */
 #include "interface/app/handlers.h"
 
@@ -158,7 +158,7 @@ int http_box_keep(http_server_t *server, const http_call_t *call)
                : http_reply_refuse(call->connection, PROBLEM_BOX_SILENT);
 }
 
-/* What it does not hold need not be logged. */
+/* A page that does not hold it has nothing to drop, and nothing is logged. */
 static bool drop(http_server_t *server, const http_call_t *call, uint32_t holder,
                  const box_order_t *order)
 {

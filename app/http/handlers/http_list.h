@@ -21,18 +21,18 @@ typedef struct {
     /** How many items are held. */
     uint32_t (*held)(const snapshot_t *snapshot);
     /** The command that hands in item `index` of `items`, and `*crc` with it. False: no command can
-     * say it. */
+     * hold it. */
     bool (*item)(const robot_t *robot, const void *items, uint32_t index, command_t *command,
                  uint32_t *crc);
-    /** What leads to item `index` of what was sent. */
+    /** Writes the pointer to item `index` of the body. */
     void (*point)(uint32_t index, char pointer[HTTP_LIST_POINTER_SIZE]);
 } http_list_t;
 
 /** Each answers the request. @return the status that was sent */
 int http_list_show(http_server_t *server, const http_call_t *call, const http_list_t *list);
 
-/** Sends some items at once and the next ones when these were taken. What is refused is named with
- * its item, and then nothing is held. */
+/** Sends some items together and the next ones when these were taken. A refusal is named with its
+ * item, and then nothing is held. */
 int http_list_send(http_server_t *server, const http_call_t *call, const http_list_t *list,
                    const void *items, uint32_t count);
 

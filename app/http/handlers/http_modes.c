@@ -28,7 +28,7 @@ static const char *name_of(status_t status)
     return (status == STATUS_OK) ? NULL : status_name((int32_t)status);
 }
 
-/* NULL: nothing stands against it. Of the wrong workphase, which is the right one of `kind`. */
+/* NULL: nothing stands against it. For a wrong workphase, the right one of `kind`. */
 static const char *reason_of(status_t status, uint32_t kind)
 {
     const char *where = command_kind_where((int32_t)kind);

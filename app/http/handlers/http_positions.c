@@ -277,7 +277,7 @@ int http_positions_restore(http_server_t *server, const http_call_t *call)
     command_t command = {.id = body->id,
                          .kind = (uint32_t)COMMAND_RESTORE,
                          .as.positions = {.axes = view.plan.axes, .preview = view.token}};
-    /* What was asked for before is answered, whatever has become of the view: the token says which
+    /* An act that was asked for before is answered, with or without the view: the token names the
      * positions, and they are those that were sent. */
     const bool is_new = !command_client_recall(&server->acts, call->page, body->id, &asked);
     if (!is_new) {

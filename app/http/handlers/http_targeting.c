@@ -19,7 +19,7 @@
 #define POINTER_SIZE 32U
 #define NM_PER_MM 1000000.0
 
-/* What is aimed at; NULL: it is not said. */
+/* The aim; NULL: not given. */
 typedef struct {
     const double *matrix;
     const request_quaternion_pose_t *pose;
@@ -132,7 +132,7 @@ static int read_quaternion(const http_call_t *call, const request_quaternion_pos
                : http_reply_refuse(call->connection, PROBLEM_NO_UNIT_QUATERNION);
 }
 
-/* Of a matrix or a pose, or of a point with the entry point. Returns as read_pose(). */
+/* Target from a matrix or a pose, or a point with the entry point. Returns as read_pose(). */
 static int read_target(http_server_t *server, const http_call_t *call, const aim_t *aim,
                        const snapshot_t *snapshot, rigid_t *pose)
 {

@@ -17,7 +17,7 @@
 
 #define US_PER_S 1e6
 
-/* What an upload needs; too much for a stack. */
+/* Memory of an upload; too much for a stack. */
 typedef struct {
     trajectory_csv_t table;
     char text[ROUTE_SENT_MOST + 1U];

@@ -60,7 +60,7 @@ const char *account_role_word(role_t role)
     return role_words[role];
 }
 
-/* What crypt(5) says of the letters of a hash. */
+/* Letters of a hash, as crypt(5) allows them. */
 static bool is_hash(const char *text)
 {
     const size_t length = strlen(text);
@@ -84,7 +84,7 @@ static bool cut(char *line, char *fields[FIELDS])
     return rest == NULL;
 }
 
-/* What is wrong with a line; NULL: nothing. */
+/* Fault of a line; NULL: none. */
 static const char *take_line(accounts_t *self, char *line)
 {
     char *fields[FIELDS];

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Who may log in: a file with a line for each account, NAME:ROLE:HASH, that only its owner may
- * read. A name has 1 to 31 of a-z, 0-9, - and _; a line that begins with # is a comment.
+ * The accounts that may log in: a file with a line for each, NAME:ROLE:HASH, that only its owner
+ * may read. A name has 1 to 31 of a-z, 0-9, - and _; a line that begins with # is a comment.
  */
 #ifndef BORESIGHT_ACCOUNT_H
 #define BORESIGHT_ACCOUNT_H

@@ -3,7 +3,7 @@
  * @file
  * The mark of a browser that has logged in before, after the device cookies of OWASP: an
  * HMAC-SHA-256 over the account's name, with a key that only this process has. Failed logins of
- * browsers with the mark of a name are counted apart from those of unexpected_cards.
+ * browsers with the mark of a name are counted apart from those of other browsers.
  */
 #ifndef BORESIGHT_DEVICE_MARK_H
 #define BORESIGHT_DEVICE_MARK_H

@@ -2,8 +2,8 @@
 /**
  * @file
  * Makes guessing slow: counts failed logins of each name at each address, and of names without an
- * account in all. Those have rows of their own, so that invented names delay nobody who has
- * an account; a name for itself waits alike, whether there is one or not. Browsers that have logged
+ * account in all. Those have rows of their own, so that invented names delay no user who has an
+ * account; a name for itself waits alike, whether there is one or not. Browsers that have logged
  * in before are counted apart, by name alone: a user who has many marks delays only himself. Times
  * are in ms, of a clock that never goes back.
  */
@@ -34,7 +34,7 @@ typedef struct {
     login_failures_t rows[LOGIN_KINDS][LOGIN_DELAY_ROWS]; /**< By login_kind_t. */
 } login_delay_t;
 
-/** Who wants to log in. */
+/** A client that wants to log in. */
 typedef struct {
     const char *name;
     const char *address; /**< NULL: not known. */

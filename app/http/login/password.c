@@ -9,7 +9,7 @@
 #define YESCRYPT "$y$"
 #define COST 5U /* 19 ms where a desktop is; several times as long on a small board. */
 
-/* Of nobody's password. */
+/* Hash of no account's password. */
 static const char nobody[] =
     "$y$j9T$B1.z5.qHqWc8YQm4RBf9A.$gDTnJIvGjIPx4i0DsYZrVdgHZeD7mQUwXv9x2pGxuYB";
 

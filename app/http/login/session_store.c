@@ -9,13 +9,13 @@
 #include <string.h>
 #include <sys/random.h>
 
-#define CODE_NAME "code" /* Of who has logged in by it. */
+#define CODE_NAME "code" /* Name of a client that has logged in by it. */
 #define STRANGER "?"
 #define ENDED_MOST 2U /* Sessions that one login ends. */
 #define GROUP 4U
 #define BUSY_S 1U
 #define MS_PER_S 1000U
-#define REFUSAL_PAUSE_S 1U /* Between two that are told. */
+#define REFUSAL_PAUSE_S 1U /* Between two reports. */
 #define COMPARISON_PAUSE_S 1U
 
 static void tell(const session_store_t *self, note_kind_t kind, const char *who, const char *format,
@@ -68,7 +68,7 @@ bool session_store_has_code(session_store_t *self)
     return has_code;
 }
 
-/* What a stranger calls himself may be anything. */
+/* The name that a stranger sends may be any text. */
 static const char *shown(const login_t *login)
 {
     if (login->name == NULL) {
@@ -77,8 +77,8 @@ static const char *shown(const login_t *login)
     return account_is_name(login->name) ? login->name : STRANGER;
 }
 
-/* Refusals to be told now, `more` of them new; 0: they are counted until `pause_s` has passed since
- * the last that were told. */
+/* Refusals to be reported now, `more` of them new; 0: they are counted until `pause_s` has passed
+ * since the last report. */
 static uint32_t take_refusals(session_store_t *self, uint32_t more, uint32_t pause_s,
                               uint64_t now_ms)
 {
@@ -110,7 +110,7 @@ static void tell_refusal(session_store_t *self, const login_t *login, const char
     }
 }
 
-/* The accounts are read anew: who was removed is gone. `account` is changed if there is one. */
+/* The accounts are read anew: a removed one is not found. `account` is changed if there is one. */
 static bool find_account(const session_store_t *self, const char *name, account_t *account,
                          char why[SESSION_TEXT_SIZE])
 {
@@ -134,7 +134,7 @@ bool session_store_write_mark(const session_store_t *self, const char *name,
     return device_mark_make(&self->key, name, mark);
 }
 
-/* How failures of this login are counted. Of the code they are not: nobody guesses 60 bits. */
+/* How failures of this login are counted. Those of the code are not: 60 bits cannot be guessed. */
 static login_name_t counted_as(const session_store_t *self, const login_t *login, bool is_known)
 {
     const login_name_t who = {.name = login->name,
@@ -184,8 +184,8 @@ static const session_t *open_instead(session_store_t *self, const account_t *acc
     return opened;
 }
 
-/* With the lock. What gives way is copied to `ended`: the session that the client had, and one that
- * was left, where there is no room otherwise. */
+/* With the lock. The replaced sessions are copied to `ended`: the one that the client had, and one
+ * that was left, where there is no room otherwise. */
 static login_verdict_t open_session(session_store_t *self, const login_t *login,
                                     const account_t *account, uint64_t now_ms, session_t *opened,
                                     session_t ended[ENDED_MOST])

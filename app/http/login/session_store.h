@@ -2,8 +2,8 @@
 /**
  * @file
  * Where clients log in and show who they are. Any number of threads may ask at once; one password
- * at a time is looked at, and nobody waits for that. Times are in ms, of a clock that never goes
- * back.
+ * at a time is looked at, and no other thread waits for that. Times are in ms, of a clock that
+ * never goes back.
  */
 #ifndef BORESIGHT_SESSION_STORE_H
 #define BORESIGHT_SESSION_STORE_H
@@ -20,10 +20,11 @@
 #include <stdint.h>
 
 #define SESSION_CODE_SIZE                                                                          \
-    15U /**< Of the code of the first login: three groups of four, and a NUL. */
+    15U /**< Size of the code of the first login: three groups of four, and a NUL. */
 #define SESSION_TEXT_SIZE 161U /**< 160 bytes and a NUL. */
 
-/** Is told what happened to whom; `text` goes on after the name, "?" for a stranger. */
+/** Is informed of an act on the account `who`, "?" for an unknown one; `text` continues the name.
+ */
 typedef void (*session_witness_t)(void *owner, note_kind_t kind, const char *who, const char *text);
 
 typedef struct {
@@ -33,22 +34,22 @@ typedef struct {
     void *witness_owner;          /**< Handed to it. */
     char code[SESSION_CODE_SIZE]; /**< "": none, or used. */
     bool is_looking;              /**< At a password. */
-    uint32_t untold;              /**< Refusals that were not told. */
-    uint64_t told_ms;             /**< The last one that was. */
-    uint64_t compared_ms;         /**< The sessions with the accounts. */
+    uint32_t untold;              /**< Refusals that were not reported. */
+    uint64_t told_ms;             /**< Time of the last report. */
+    uint64_t compared_ms;         /**< Time of the last comparison of sessions with accounts. */
     login_delay_t delay;
-    device_key_t key; /**< Of the marks; it ends with the process. */
+    device_key_t key; /**< Key of the marks; it ends with the process. */
     session_table_t table;
 } session_store_t;
 
-/** What a client says of itself. */
+/** The statements of a client about itself. */
 typedef struct {
     const char *name;     /**< NULL with a code. */
     const char *password; /**< NULL with a code. */
     const char *code;     /**< NULL with a name. */
-    const char *id;       /**< Of the session that it has, which ends; NULL: none. */
+    const char *id;       /**< Id of the session that it has, which ends; NULL: none. */
     const char *address;  /**< Where it comes from, and by which listener; NULL: not known. */
-    const char *mark;     /**< What its browser shows as the mark of `name`; NULL: nothing. */
+    const char *mark;     /**< Text that its browser shows as the mark of `name`; NULL: none. */
 } login_t;
 
 typedef enum {
@@ -66,7 +67,7 @@ typedef enum {
     SESSION_ROLE = 3  /**< The role is not enough. */
 } session_verdict_t;
 
-/** What a request does. */
+/** The kind of a request. */
 typedef enum {
     SESSION_READS = 0,
     SESSION_ACTS = 1, /**< It needs the token, and keeps the session from falling asleep. */
@@ -124,8 +125,8 @@ session_verdict_t session_store_judge(session_store_t *self, const char *id, con
 void session_store_log_out(session_store_t *self, const char *id, uint64_t now_ms);
 
 /**
- * Ends what has come to its end, or whose account is not what it was, and tells what was counted;
- * to be called at least each second.
+ * Ends each session whose time is over or whose account has changed, and reports the count of
+ * refusals; to be called at least each second.
  *
  * @satisfies SWR-SESS-021
  * @satisfies SWR-SESS-022

@@ -15,8 +15,8 @@
 
 typedef struct {
     bool is_open;
-    char id[SESSION_TOKEN_SIZE];   /**< What the cookie holds. */
-    char csrf[SESSION_TOKEN_SIZE]; /**< What a writing request says beside it. */
+    char id[SESSION_TOKEN_SIZE];   /**< Value of the cookie. */
+    char csrf[SESSION_TOKEN_SIZE]; /**< Token that a writing request sends beside it. */
     account_t account;             /**< As it was when the session was opened. */
     uint64_t opened_ms;
     uint64_t used_ms;
@@ -31,7 +31,7 @@ typedef struct {
 /** Seconds until a session ends. */
 typedef struct {
     uint32_t idle_s; /**< If nothing is written in it. */
-    uint32_t most_s; /**< Whatever is. */
+    uint32_t most_s; /**< With or without requests. */
 } session_left_t;
 
 /**

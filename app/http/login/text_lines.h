@@ -12,8 +12,8 @@ typedef struct {
     const char *text;
     size_t length;
     size_t place;      /**< Where the next line begins. */
-    unsigned number;   /**< Of the present line, from 1. */
-    const char *fault; /**< What is wrong with the present line; NULL: nothing. */
+    unsigned number;   /**< Number of the present line, from 1. */
+    const char *fault; /**< Fault of the present line; NULL: none. */
 } text_lines_t;
 
 /**

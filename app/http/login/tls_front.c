@@ -80,7 +80,7 @@ static bool take_value(tls_front_t *self, size_t key, char *value)
     }
 }
 
-/* What is wrong with a line; NULL: nothing. */
+/* Fault of a line; NULL: none. */
 static const char *take_line(tls_front_t *self, char *line, bool is_given[KEYS])
 {
     char *equals = strchr(line, '=');

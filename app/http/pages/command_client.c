@@ -170,7 +170,7 @@ static act_verdict_t begin_act(command_client_t *self, page_t *page, uint32_t id
     return ACT_NO_ANSWER;
 }
 
-/* With the lock. What is known of an act that is kept. */
+/* With the lock. State of an act that is kept. */
 static act_verdict_t tell(const page_act_t *act, const command_t *command, answer_t *answer)
 {
     if (!is_same(&act->command, command)) {
@@ -234,7 +234,7 @@ static bool begin_errands(command_client_t *self, uint32_t page, const command_t
         }
     }
     if (is_free && !is_sent) {
-        self->errand_count = 0U; /* Nobody waits for those that were sent. */
+        self->errand_count = 0U; /* No caller waits for those that were sent. */
     }
     (void)pthread_mutex_unlock(&self->lock);
     return is_sent;

@@ -42,7 +42,7 @@ typedef struct {
     uint32_t commands;                            /**< Number of the last one. */
     act_errand_t errands[COMMAND_CLIENT_ERRANDS]; /**< Commands of command_client_do_all(). */
     uint32_t errand_count;
-    bool has_to_begin;  /**< What an earlier server left must be released first. */
+    bool has_to_begin;  /**< The authority of an earlier server must be released first. */
     uint32_t news_next; /**< Number of the next news. */
     act_result_t news[COMMAND_CLIENT_RESULT_COUNT];
 } command_client_t;

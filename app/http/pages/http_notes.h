@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the server notes in the log of events: the words are kept in the exchange, and control is
+ * Notes of the server in the log of events: the words are kept in the exchange, and control is
  * asked for an event of each. One is asked for at a time, and again until it stands in the log: a
  * stop may have refused it.
  */
@@ -27,13 +27,13 @@ typedef struct {
     command_client_t *desk;
     pthread_mutex_t lock;
     uint32_t written;    /**< Number of the newest note. */
-    uint32_t logged;     /**< Of the last one that stands in the log. */
-    uint32_t asked;      /**< Of the last one that was asked for. */
+    uint32_t logged;     /**< Number of the last one that stands in the log. */
+    uint32_t asked;      /**< Number of the last one that was asked for. */
     uint32_t patience;   /**< Ticks until it is asked for again. */
-    uint32_t next_event; /**< Of the log, to look at. */
-    uint64_t kept_ms;    /**< When somebody's was kept last. */
-    uint32_t seen;       /**< What `logged` was at the last tick, for all threads. */
-    http_notes_damage_t damages[COMMAND_SOURCE_COUNT]; /**< Of their command lanes. */
+    uint32_t next_event; /**< Number of the event of the log to look at next. */
+    uint64_t kept_ms;    /**< When a note of a client was kept last. */
+    uint32_t seen;       /**< Value of `logged` at the last tick, for all threads. */
+    http_notes_damage_t damages[COMMAND_SOURCE_COUNT]; /**< Damages of their command lanes. */
 } http_notes_t;
 
 /** Starts with nothing to log. `exchange` and `desk`, which asks control, outlive `self`. */
@@ -43,7 +43,7 @@ void http_notes_init(http_notes_t *self, exchange_t *exchange, command_client_t 
 void http_notes_write(void *owner, note_kind_t kind, const char *who, const char *text);
 
 /**
- * Keeps what somebody wrote; who asks has it logged. Any thread.
+ * Keeps the note of a client; the caller has it logged. Any thread.
  *
  * @return its number; 0 within LIMIT_NOTE_PAUSE_MS of the one before
  */
@@ -68,8 +68,8 @@ void http_notes_tell_replaced(http_notes_t *self);
 void http_notes_tell_damage(http_notes_t *self, uint64_t now_ms);
 
 /**
- * Has the next note logged that nobody else has logged; called by one thread at 20 Hz, which is how
- * many are logged in a second at most. What is overwritten before is never logged.
+ * Has the next note logged that no other caller has logged; called by one thread at 20 Hz, so that
+ * at most as many are logged in a second. A note that is overwritten before is never logged.
  *
  * @satisfies SWR-SESS-020
  */

@@ -13,14 +13,14 @@
 
 #include <stdint.h>
 
-/** Of each row: its last STATUS, and its last refusal. */
+/** The notes of each row: its last STATUS, and its last refusal. */
 typedef enum { HTTP_PEERS_LOG_STATUS = 0, HTTP_PEERS_LOG_REFUSAL = 1 } http_peers_log_kind_t;
 
 #define HTTP_PEERS_LOG_KINDS 2U
 
 /** How many of its changes are in the log. */
 typedef struct {
-    uint64_t since_us; /**< Of the connection: numbers begin anew with each run of igtl. */
+    uint64_t since_us; /**< Begin of the connection: numbers begin anew with each run of igtl. */
     uint32_t number;
     uint32_t logged[HTTP_PEERS_LOG_KINDS];
 } http_peers_log_row_t;

@@ -45,7 +45,7 @@ static bool may_write(http_record_t *self, http_record_pace_t *pace, const terms
     return is_time;
 }
 
-/* What is no ASCII could change how a line reads. */
+/* A byte that is no ASCII could change how a line reads. */
 static void make_plain(char *text)
 {
     for (char *byte = text; *byte != '\0'; byte++) {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The record of requests in the log: of what somebody who is logged in has commanded, and of what
- * was refused, each with a pace of its own, so that who is refused cannot fill the log. What comes
- * faster is counted.
+ * The record of requests in the log: of the commands of users who are logged in, and of refused
+ * requests, each with a pace of its own, so that a client that is refused cannot fill the log.
+ * Requests that come faster are counted.
  */
 #ifndef BORESIGHT_HTTP_RECORD_H
 #define BORESIGHT_HTTP_RECORD_H
@@ -25,7 +25,7 @@ typedef struct {
     http_notes_t *notes;
     pthread_mutex_t lock;
     http_record_pace_t commanded;
-    http_record_pace_t refused; /**< And what unexpected_cards ask. */
+    http_record_pace_t refused; /**< And those of clients that are not logged in. */
 } http_record_t;
 
 /** A request that was answered. */

@@ -18,7 +18,7 @@
 
 #define PAGE_TABLE_PAGES (LIMIT_SESSIONS * LIMIT_SESSION_PAGES)
 
-/** What a page did. */
+/** An act of a page. */
 typedef struct {
     uint32_t id;       /**< The page's; 0: none. */
     command_t command; /**< As it was sent, with a number of ours. */
@@ -29,7 +29,7 @@ typedef struct {
 typedef struct {
     uint32_t number; /**< The page's own; 0: a free place. */
     char session[SESSION_TOKEN_SIZE];
-    char name[ACCOUNT_NAME_SIZE]; /**< Of the account. */
+    char name[ACCOUNT_NAME_SIZE]; /**< Name of the account. */
     uint32_t newest;              /**< The highest id of its acts. */
     uint32_t turn;                /**< When it asked last. */
     uint64_t since_us;            /**< When it came; monotonic. */

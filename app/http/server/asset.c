@@ -11,7 +11,7 @@
 #define TLS_STOP_PORT "name=\"boresight-tls-stop-port\" content=\""
 #define DIGITS 5U
 
-static asset_t page; /* Once it has been told the port. */
+static asset_t page; /* With the port, once it is known. */
 static char page_tag[ASSET_ETAG_SIZE - 8U];
 
 static const asset_t *find(const char *path)

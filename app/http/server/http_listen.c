@@ -20,7 +20,7 @@
  * (stop_port.c). The library uses the same timeout for a blocked write; a stream tries
  * again (http_stream.c). */
 #define REQUEST_TIMEOUT_MS "500"
-/* Of a head the library reads no more, and calls it unreadable. */
+/* Bytes of a head that the library reads; it refuses a longer one as unreadable. */
 #define LIBRARY_HEAD_BYTES 65536U
 
 #define WORKER_NICENESS 10

@@ -62,7 +62,7 @@ static bool read_address(const char *text, char address[HTTP_GUARD_ADDRESS_SIZE]
            (inet_ntop(AF_INET, &parsed, address, HTTP_GUARD_ADDRESS_SIZE) != NULL);
 }
 
-/* What options alone do not say: which of them belong together, and whether there is such an
+/* Checks beyond single options: which of them belong together, and whether there is such an
  * address. */
 static int check(const char *const values[], http_guard_t *guard)
 {

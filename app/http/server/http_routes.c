@@ -45,7 +45,7 @@ static int refuse_method(struct mg_connection *connection, const char *allowed)
     return http_reply_problem(connection, &problem, allowed);
 }
 
-/* What is no route may be a file of the console. */
+/* A path that is no route may be a file of the console. */
 static int answer_other(struct mg_connection *connection, const char *allowed)
 {
     const struct mg_request_info *request = mg_get_request_info(connection);

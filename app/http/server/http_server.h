@@ -26,7 +26,7 @@ typedef enum {
     HTTP_SERVER_TOO_FEW_FILES = 6      /**< That this user may have open. */
 } http_server_result_t;
 
-/** What the server is started with. All of it outlives the server. */
+/** The parts that the server is started with. All of them outlive the server. */
 typedef struct {
     exchange_t *exchange;
     http_guard_t guard;

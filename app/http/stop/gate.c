@@ -18,11 +18,11 @@ static void set(int socket, int level, int option, int value)
     (void)setsockopt(socket, level, option, &value, sizeof value);
 }
 
-/* Every connection inherits these. What a client has not read waits in the kernel, by default
- * megabytes of it: half a minute in which its place in the stream is lost. */
+/* Every connection inherits these. Bytes that a client has not read wait in the kernel, by default
+ * megabytes of them: half a minute in which its place in the stream is lost. */
 static int listen_on(int socket, const struct sockaddr_in *place)
 {
-    /* Whom the kernel has no room for comes again seconds later. */
+    /* A client that the kernel has no room for comes again seconds later. */
     set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
     set(socket, SOL_SOCKET, SO_SNDBUF, UNREAD_BYTES);
     set(socket, IPPROTO_TCP, TCP_DEFER_ACCEPT, SILENCE_S);

@@ -10,9 +10,9 @@
 #include <stdint.h>
 
 typedef struct {
-    int socket;         /**< -1: nobody listens. */
+    int socket;         /**< -1: it does not listen. */
     bool is_console;    /**< The library answers what is no stop. */
-    http_guard_t guard; /**< Who may ask here. */
+    http_guard_t guard; /**< Judge of the clients that may ask here. */
 } gate_t;
 
 /**

@@ -197,7 +197,7 @@ void stop_client_look(stop_client_t *self, exchange_t *exchange)
     }
 }
 
-/* Of the console's clients the library would say so. */
+/* A console's client gets the refusal that the library would send. */
 void stop_client_judge_patience(stop_client_t *self)
 {
     if ((clock_monotonic_us() - self->since_us) <= ANSWER_CLOCK_US) {
@@ -210,7 +210,7 @@ void stop_client_judge_patience(stop_client_t *self)
     }
 }
 
-/* What is not taken before would reset the connection, and the refusal with it. */
+/* Bytes that are not taken before would reset the connection, and the refusal with it. */
 void stop_client_give_way(stop_client_t *self)
 {
     if ((self->state == STOP_CLIENT_READS) && (self->size > 0U)) {

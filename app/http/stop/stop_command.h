@@ -36,13 +36,13 @@ status_t stop_command_look(const exchange_t *exchange, stop_question_t *question
 /** Asks and looks until STATUS_OK or STATUS_NO_ANSWER, as stop_command_look(). */
 status_t stop_command_send_and_wait(exchange_t *exchange, workphase_t workphase, answer_t *answer);
 
-/** What the client is told. */
+/** The report to the client. */
 typedef struct {
     bool is_good;           /**< 200 with what was written. */
     http_problem_t problem; /**< Otherwise. */
 } stop_report_t;
 
-/** Writes what the client is told of `status` and, with STATUS_OK, `answer`, if that is good. */
+/** Writes the report on `status` and, with STATUS_OK, `answer`, if that is good. */
 stop_report_t stop_command_tell(status_t status, const answer_t *answer,
                                 char json[STOP_COMMAND_JSON_SIZE]);
 

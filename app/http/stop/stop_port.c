@@ -27,7 +27,8 @@ gate_t *stop_port_gate(stop_port_gate_t gate)
     return &stop_port.gates[gate];
 }
 
-/* Who waits for an answer goes last: its stop is on its way, but it would not hear of it. */
+/* A client that waits for an answer goes last: its stop is on its way, but it would not hear of it.
+ */
 static bool is_dearer(const stop_client_t *client, const stop_client_t *other)
 {
     const bool is_waiting = client->state == STOP_CLIENT_WAITS;
@@ -83,7 +84,7 @@ static void attend(stop_client_t *client, bool is_heard, bool is_look_due)
     }
 }
 
-/* Somebody waits for control, or a gate for the library. */
+/* A client waits for control, or a gate for the library. */
 static bool is_anybody_waiting(void)
 {
     bool is_waiting = !http_handover_has_room();
@@ -94,7 +95,8 @@ static bool is_anybody_waiting(void)
     return is_waiting;
 }
 
-/* poll() passes over negative descriptors. Who waits is not heard: nothing more is due from it. */
+/* poll() passes over negative descriptors. A client that waits is not heard: nothing more is due
+ * from it. */
 static void wait_for_events(struct pollfd events[STOP_PORT_CLIENTS + STOP_PORT_GATES])
 {
     for (size_t i = 0U; i < STOP_PORT_CLIENTS; i++) {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Where clients come in: the console's port, and one of its own for a single request, stop. One
- * thread reads what each client asks first. It answers stops itself, so that none waits for a
- * worker of the library, and gives the library all others of the console's port. Of the clients
- * that do not finish their request the oldest gives its place to the newest, so that nobody has to
- * wait for a slow one.
+ * The ports of the server: the console's port, and one of its own for a single request, stop. One
+ * thread reads the first request of each client. It answers stops itself, so that none waits for a
+ * worker of the library, and gives the library all others of the console's port. The oldest client
+ * that has not finished its request is replaced by the newest, so that no client has to wait for a
+ * slow one.
  */
 #ifndef BORESIGHT_STOP_PORT_H
 #define BORESIGHT_STOP_PORT_H

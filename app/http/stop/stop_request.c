@@ -116,7 +116,7 @@ static stop_request_t judge_provenance(const http_guard_t *guard,
     }
 }
 
-/* What comes behind the announced bytes belongs to no stop. */
+/* Bytes behind the announced ones belong to no stop. */
 static stop_request_t judge_body(const char *const fields[FIELD_COUNT], const char *body,
                                  size_t size)
 {

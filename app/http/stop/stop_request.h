@@ -2,7 +2,7 @@
 /**
  * @file
  * The one request of the port for stops: POST /api/v1/stop with an empty body or object, or one
- * that asks for EMERGENCY. Whatever differs is refused.
+ * that asks for EMERGENCY. Each other request is refused.
  */
 #ifndef BORESIGHT_STOP_REQUEST_H
 #define BORESIGHT_STOP_REQUEST_H
@@ -18,7 +18,7 @@
 #define STOP_REQUEST_SIZE 4096U      /**< Most bytes of a request, its body included. */
 #define STOP_REQUEST_ORIGIN_SIZE 96U /**< Longer origins are none of ours. */
 
-/** What came of reading. */
+/** The result of reading. */
 typedef struct {
     bool is_whole;         /**< False: more bytes are needed, and is_held alone says something. */
     bool is_held;          /**< The client holds back the body until it is asked for. */
@@ -29,12 +29,12 @@ typedef struct {
     char origin[STOP_REQUEST_ORIGIN_SIZE]; /**< The console's page that sent it; "" if no page. */
 } stop_request_t;
 
-/** What a body asks for. */
+/** The workphase that a body asks for. */
 workphase_t stop_request_workphase(const request_stop_t *body);
 
 /**
  * Reads the `size` bytes that have come so far, at most STOP_REQUEST_SIZE. `bytes` has room for one
- * more and is changed. What comes behind a stop is ignored: its answer ends the connection.
+ * more and is changed. Bytes behind a stop are ignored: its answer ends the connection.
  *
  * @satisfies SWR-HTTP-009
  * @satisfies SWR-HTTP-059

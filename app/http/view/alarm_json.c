@@ -28,7 +28,7 @@ typedef struct {
 } list_t;
 
 typedef struct {
-    event_t event;            /* What of the log it is. */
+    event_t event;            /* Its event of the log. */
     permit_reason_t reason;   /* PERMIT_REASON_COUNT: none. */
     uint32_t axis;            /* ROBOT_AXIS_MAX: none. */
     const char *text;         /* NULL: the event's sentence. */
@@ -73,7 +73,7 @@ static void add(const list_t *list, const alarm_t *alarm)
     (void)cJSON_AddItemToArray(list->alarms, json_alarm(&told));
 }
 
-/* What stands against every axis, if it does. */
+/* The reason that stands against every axis, if it does. */
 static void add_common(const list_t *list, permit_reason_t reason, event_id_t id, alarm_part_t part)
 {
     const alarm_word_t *const word = &list->view->alarms.parts[part];
@@ -90,7 +90,7 @@ static void add_common(const list_t *list, permit_reason_t reason, event_id_t id
     }
 }
 
-/* Of the cards of all axes at once, since when the first of them. */
+/* Alarm of the cards of all axes together, since the first of them. */
 static void add_of_all(const list_t *list, event_t event, common_alarm_t common,
                        const alarm_word_t words[CARD_SLOT_COUNT])
 {

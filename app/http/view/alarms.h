@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the events have said last of each card, each axis and each other part that can be in
- * trouble: the words of an alarm, and since when it stands. Whether it stands, the snapshot says.
+ * The last events of each card, each axis and each other part that can be in trouble: the words of
+ * an alarm, and since when it stands. The snapshot shows whether it stands.
  */
 #ifndef BORESIGHT_ALARMS_H
 #define BORESIGHT_ALARMS_H
@@ -15,10 +15,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What is neither a card nor an axis. */
+/** The parts that are neither a card nor an axis. */
 typedef enum {
     ALARM_PART_TABLE,  /**< The robot's. */
-    ALARM_PART_INPUTS, /**< Of the box. */
+    ALARM_PART_INPUTS, /**< The inputs of the box. */
     ALARM_PART_ESTOP,
     ALARM_PART_LOOP,
     ALARM_PART_PEDAL,
@@ -45,7 +45,7 @@ typedef struct {
     alarm_word_t parts[ALARM_PART_COUNT];
     alarm_word_t cards[CARD_SLOT_COUNT];  /**< Lost. */
     alarm_word_t unwell[CARD_SLOT_COUNT]; /**< The last trouble of each. */
-    alarm_word_t faults[ROBOT_AXIS_MAX];  /**< What has stopped the axis. */
+    alarm_word_t faults[ROBOT_AXIS_MAX];  /**< The fault that has stopped the axis. */
     alarm_word_t doubts[ROBOT_AXIS_MAX];  /**< Why its position is lost or in doubt. */
     alarm_place_t places[ROBOT_AXIS_MAX];
 } alarms_t;

@@ -8,7 +8,7 @@ typedef enum {
     RANK_ARMED = 0,
     RANK_CHART = 1,
     RANK_JUDGED = 2,
-    RANK_NEVER = 3, /* Of this axis, whatever happens. */
+    RANK_NEVER = 3, /* For this axis in any state. */
     RANK_COUNT = 4
 } rank_t;
 
@@ -17,7 +17,7 @@ typedef struct {
     rank_t rank;
 } outlook_t;
 
-/* The nearest place that way where a target may lie; of an axis that nobody knows, the next one. */
+/* The nearest place that way where a target may lie; the next one while the axis is not homed. */
 static int32_t next_ticks(const axis_config_t *config, const axis_t *axis, bool is_upwards)
 {
     const int32_t next = axis->encoder.position_ticks + (is_upwards ? 1 : -1);

@@ -20,7 +20,7 @@ command_t axis_availability_command(const robot_t *robot, const snapshot_t *snap
                                     mode_kind_t kind, uint32_t axis, bool is_upwards);
 
 /**
- * What becomes of that command. The mode's own judge and the workphase chart are asked, in copies
+ * The answer to that command. The mode's own judge and the workphase chart are asked, in copies
  * that are where control is.
  *
  * @return STATUS_OK, or why it would be refused
@@ -31,7 +31,7 @@ status_t axis_availability(const robot_t *robot, const snapshot_t *snapshot, mod
                            uint32_t axis, bool is_upwards);
 
 /**
- * What becomes of such a command for any axis, either way.
+ * The answer to such a command for any axis, either way.
  *
  * @return STATUS_OK for one that would be armed; otherwise what the workphase chart says where it
  * alone stands against one, and after that what a judge says of an axis that the mode is for

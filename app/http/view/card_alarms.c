@@ -7,7 +7,7 @@
 
 #define BIT(number) ((uint32_t)1U << (uint32_t)(number))
 
-/* What is not known is later than anything. */
+/* An unknown time is later than any other. */
 static const alarm_word_t *earlier(const alarm_word_t *one, const alarm_word_t *other)
 {
     return (one->is_known &&
@@ -44,7 +44,7 @@ bool card_alarms_is_back(const telemetry_view_t *view, uint32_t slot)
            is_passing;
 }
 
-/* What may have become of all cards together; COMMON_ALARM_COUNT: nothing of the kind. */
+/* The loss that may be common to all cards; COMMON_ALARM_COUNT: none. */
 static common_alarm_t common_loss(const telemetry_view_t *view, uint32_t slot)
 {
     common_alarm_t loss = COMMON_ALARM_COUNT;
@@ -76,7 +76,7 @@ static common_alarm_t common_loss(const telemetry_view_t *view, uint32_t slot)
     return loss;
 }
 
-/* What it said last is no news. */
+/* Its last report is no news. */
 static bool is_silent(const telemetry_view_t *view, uint32_t slot)
 {
     return card_alarms_is_lost(view, slot) && (view->snapshot.cards[slot].age_cycles != 0U) &&

@@ -11,7 +11,7 @@
 /** Lost, or of an axis and never heard. */
 bool card_alarms_is_lost(const telemetry_view_t *view, uint32_t slot);
 
-/** Of its last loss, as the events have said it; LINK_CAUSE_NONE: not known. */
+/** Cause of its last loss, from the events; LINK_CAUSE_NONE: not known. */
 link_cause_t card_alarms_cause(const telemetry_view_t *view, uint32_t slot);
 
 /**
@@ -38,7 +38,7 @@ common_alarm_t card_alarms_common_loss(const telemetry_view_t *view);
 /** The same of a trouble that has a cause in common, of those that are heard. */
 common_alarm_t card_alarms_common_trouble(const telemetry_view_t *view, uint32_t trouble);
 
-/** Of the words about the cards of axes the first. */
+/** The first of the words about the cards of axes. */
 const alarm_word_t *card_alarms_first(const robot_t *robot,
                                       const alarm_word_t words[CARD_SLOT_COUNT]);
 

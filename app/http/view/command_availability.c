@@ -93,7 +93,7 @@ status_t command_availability(const robot_t *robot, const snapshot_t *snapshot, 
     if (barred != STATUS_OK) {
         status = barred;
     } else if (is_plan && is_armed(snapshot)) {
-        status = STATUS_MOTION_ARMED; /* Whatever the workphase. */
+        status = STATUS_MOTION_ARMED; /* In any workphase. */
     } else if (is_here(snapshot, kind)) {
         status = outlook_here(robot, snapshot, kind);
     } else {

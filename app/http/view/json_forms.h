@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * How values look in JSON, for the generated writer (messages.h). Whatever is NULL for want of
- * memory is left out.
+ * The forms of values in JSON, for the generated writer (messages.h). A value that is NULL for want
+ * of memory is left out.
  */
 #ifndef BORESIGHT_JSON_FORMS_H
 #define BORESIGHT_JSON_FORMS_H

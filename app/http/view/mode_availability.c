@@ -72,7 +72,7 @@ static status_t program_outlook(const robot_t *robot, const snapshot_t *snapshot
     return status;
 }
 
-/* Of all poses: can any be gone to? */
+/* The outlook of all poses: whether any can be gone to. */
 static status_t pose_outlook(const robot_t *robot, const snapshot_t *snapshot)
 {
     status_t status = STATUS_NO_POSE;
@@ -108,7 +108,7 @@ static status_t trajectory_outlook(const robot_t *robot, const snapshot_t *snaps
     return status;
 }
 
-/* Of what the mode itself asks, which comes first, that which is shown. */
+/* The mode's own conditions, as far as they are known here; they come before the chart's. */
 static status_t own_outlook(const robot_t *robot, const snapshot_t *snapshot,
                             const int32_t *start_ticks, mode_kind_t kind)
 {

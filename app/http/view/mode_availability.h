@@ -11,14 +11,13 @@
 #include "robot/robot.h"
 
 /**
- * The workphase chart is asked, in a copy that is where control is. Of a mode for single axes: can
- * any be commanded, by axis_availability.h. Of what a mode itself asks that is looked at which does
- * not hang on what is commanded: that there is a trajectory, and that it can be driven from where
- * the axes stand, a program for the target, a target with its entry point and the way there, a pose
- * that can be gone to, that the needle is out for it, and that the base is aligned.
+ * The workphase chart is asked, in a copy that is where control is. A mode for single axes: whether
+ * any can be commanded, by axis_availability.h. The conditions of the mode itself are checked as
+ * far as they do not depend on the command: that there is a trajectory, and that it can be driven
+ * from where the axes stand, a program for the target, a target with its entry point and the way
+ * there, a pose that can be gone to, that the needle is out for it, and that the base is aligned.
  *
- * @param start_ticks where the trajectory begins that is held; NULL: nobody knows, and nothing is
- * said of it
+ * @param start_ticks where the trajectory begins that is held; NULL: it is unknown, and not judged
  * @return STATUS_OK, or why a command for it would be refused
  *
  * @satisfies SWR-MODE-004

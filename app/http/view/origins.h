@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * From whom registration, target and entry point are, as the log of events tells it, and what is
- * proposed, as the snapshot does. A target or entry point that was accepted before the oldest event
- * that is kept is from nobody that is known; whose the registration is, the snapshot says as well.
+ * Origins of registration, target and entry point, from the log of events, and of the proposals,
+ * from the snapshot. A target or entry point that was accepted before the oldest event that is kept
+ * has no known origin; the origin of the registration stands in the snapshot as well.
  */
 #ifndef BORESIGHT_ORIGINS_H
 #define BORESIGHT_ORIGINS_H
@@ -14,13 +14,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** From whom one of them is. */
+/** The origin of one of them. */
 typedef struct {
     bool is_known;
     uint32_t source;                 /**< command_source_t. */
     uint32_t peer;                   /**< Its connection or page. */
     uint32_t cycle;                  /**< In which it was accepted, or proposed. */
-    char title[EXCHANGE_TITLE_SIZE]; /**< As people called it then. */
+    char title[EXCHANGE_TITLE_SIZE]; /**< Its title then. */
 } origin_t;
 
 typedef struct {
@@ -40,8 +40,7 @@ typedef struct {
 void origins_take(origins_t *self, const exchange_t *exchange, const event_t *event);
 
 /**
- * After origins_take(): what is proposed in `snapshot`, and its registration, if the events do not
- * tell of it.
+ * After origins_take(): the proposals in `snapshot`, and its registration, if no event reports it.
  *
  * @satisfies SWR-IGTL-071
  * @satisfies SWR-PLAN-022

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What would come of a target: judged by the functions of the core with what is known of the robot
- * now, and nothing is changed. Control judges each target anew.
+ * Preview of a target: judged by the functions of the core with the present state of the robot, and
+ * nothing is changed. Control judges each target anew.
  */
 #ifndef BORESIGHT_PREVIEW_H
 #define BORESIGHT_PREVIEW_H
@@ -13,7 +13,7 @@
 
 #include <stdint.h>
 
-/** What would come of it. */
+/** The result of a target. */
 typedef struct {
     solution_t solution;           /**< As plan_set_target(). */
     rigid_t reached;               /**< The pose, scanner coordinates; with STATUS_OK. */

@@ -20,7 +20,7 @@ void shown_axes(const snapshot_t *snapshot, axis_t axes[ROBOT_AXIS_MAX]);
  * where the axes stand at the target. */
 plan_t shown_plan(const snapshot_t *snapshot);
 
-/** What the workphase chart asks for mode `kind`; `commanded`: for these axes, bit n: axis n. */
+/** Inputs of the workphase chart for mode `kind`; `commanded`: for these axes, bit n: axis n. */
 workphase_inputs_t shown_guards(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind,
                                 uint32_t commanded);
 

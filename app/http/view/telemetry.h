@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the server knows of control: the newest snapshot and how old it is. Shared by all threads of
- * the server. The age grows as soon as the cycle counter stands still, so a frozen control is seen
+ * The server's knowledge of control: the newest snapshot and its age. Shared by all threads of the
+ * server. The age grows as soon as the cycle counter stands still, so a frozen control is seen
  * even though its last snapshot can still be read.
  */
 #ifndef BORESIGHT_TELEMETRY_H
@@ -27,8 +27,8 @@ typedef struct {
     loop_figures_t loop;
     origins_t origins;
     alarms_t alarms;
-    char holder[EXCHANGE_TITLE_SIZE];        /**< Who has authority; "" for nobody. */
-    char requester[EXCHANGE_TITLE_SIZE];     /**< Who has asked for the button; "" for nobody. */
+    char holder[EXCHANGE_TITLE_SIZE];        /**< Title of the client with authority; "": none. */
+    char requester[EXCHANGE_TITLE_SIZE];     /**< Title of the one that asks for it; "": none. */
     exchange_ports_t ports;                  /**< None while igtl does not run. */
     bool is_running[EXCHANGE_PROCESS_COUNT]; /**< Its alive counter moved lately. */
 } telemetry_view_t;

@@ -15,11 +15,11 @@
 
 #define TELEMETRY_JSON_BOOT_ID_SIZE 17U
 
-/** What does not change while the server runs. */
+/** The values that do not change while the server runs. */
 typedef struct {
     char boot_id[TELEMETRY_JSON_BOOT_ID_SIZE]; /**< Another one for each start of the server. */
-    const char *version;                       /**< Of the program. */
-    const char *build_id;                      /**< The same. */
+    const char *version;                       /**< Version of the program. */
+    const char *build_id;                      /**< Build of the program. */
     const char *box; /**< Name of the simulated box, NULL for real cards. */
 } telemetry_identity_t;
 
@@ -38,7 +38,7 @@ cJSON *telemetry_json_targeting(const telemetry_view_t *view);
 /** @satisfies SWR-IGTL-028 */
 cJSON *telemetry_json_ports(const telemetry_view_t *view);
 
-/** What a dialect of OpenIGTLink is called. */
+/** Name of a dialect of OpenIGTLink. */
 const char *telemetry_json_dialect(uint32_t dialect);
 
 /** @satisfies SWR-AUTH-017 */

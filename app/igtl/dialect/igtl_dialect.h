@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the two dialects share: peers by their places, one moment at a time. A dialect is called by
- * the server with what arrived and with the time; it puts answers into the peers' outboxes and
- * commands into its requests.
+ * The common part of the two dialects: peers by their places, one moment at a time. A dialect is
+ * called by the server with each message and with the time; it puts answers into the peers'
+ * outboxes and commands into its requests.
  */
 #ifndef BORESIGHT_IGTL_DIALECT_H
 #define BORESIGHT_IGTL_DIALECT_H
@@ -21,23 +21,23 @@
 
 #define IGTL_PORTS 4U                        /**< Ports, those that call included. */
 #define IGTL_PEERS 8U                        /**< Connections per port. */
-#define IGTL_SLOTS (IGTL_PORTS * IGTL_PEERS) /**< Of all ports; a dialect may serve several. */
+#define IGTL_SLOTS (IGTL_PORTS * IGTL_PEERS) /**< Total; a dialect may serve several ports. */
 #define IGTL_STREAM_US UINT64_C(100000)      /**< Between two poses of a stream. */
 
 #if IGTL_REQUESTS_URGENT != (IGTL_SLOTS * IGTL_REQUESTS_PER_PEER)
 #error "STOP finds a slot before every other message."
 #endif
 
-/** What is spoken on a port. */
+/** The language of a port. */
 typedef enum {
     IGTL_LANGUAGE_BRP_2013 = 0, /**< Workphases; what 2021 added comes a little later. */
     IGTL_LANGUAGE_BRP_2021 = 1, /**< Workphases as of 2021. */
     IGTL_LANGUAGE_CRTK = 2      /**< Bare transforms, names of CRTK. */
 } igtl_language_t;
 
-/** Who connects. */
+/** A peer that connects. */
 typedef struct {
-    uint32_t number; /**< Of the connection, never used again. */
+    uint32_t number; /**< Number of the connection, never used again. */
     igtl_language_t language;
     const char *entry_prefix; /**< Names of entry points begin so. Lives for ever. */
     igtl_outbox_t *outbox;
@@ -49,7 +49,7 @@ typedef struct {
     uint64_t answer_clock_us;   /**< By which timeouts of answers run; see igtl_timeout_clock.h. */
     uint64_t timestamp;         /**< For outgoing messages, units of 2^-32 s since 1970. */
     const snapshot_t *snapshot; /**< The newest; NULL: none yet, or control is silent. */
-    const char *holder;         /**< How people call who has authority by that; NULL: nobody. */
+    const char *holder;         /**< Title of the client that has authority by that; NULL: none. */
 } igtl_moment_t;
 
 #define IGTL_REASON_SIZE (IGTL_TEXT_MAX + 1U)

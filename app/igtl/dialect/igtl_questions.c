@@ -52,7 +52,7 @@ static void tell_return(igtl_outbox_t *outbox, const igtl_message_t *message, bo
     igtl_outbox_add(outbox, &packet);
 }
 
-/* Clients ask for 0, as fast as possible; nobody needs more than what he can show. */
+/* Clients ask for 0, as fast as possible; no client needs more than it can show. */
 static uint64_t interval_of(int32_t resolution_ms)
 {
     const uint64_t asked_us = (resolution_ms <= 0) ? 0U : ((uint64_t)resolution_ms * US_PER_MS);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What peers of every dialect may ask in the same way: what is understood (GET_CAPABIL), the needle
- * as tracked (STT_TDATA, STP_TDATA), COMMAND, and what there is not. Nothing here commands the
- * robot. Types that some clients do not survive go only to those who asked for them.
+ * Questions that peers of every dialect ask in the same way: the known types (GET_CAPABIL), the
+ * tracked needle (STT_TDATA, STP_TDATA), COMMAND, and types that do not exist. Nothing here
+ * commands the robot. Types that some clients do not survive go only to those that asked for them.
  */
 #ifndef BORESIGHT_IGTL_QUESTIONS_H
 #define BORESIGHT_IGTL_QUESTIONS_H
@@ -21,12 +21,12 @@ typedef struct {
     char name[IGTL_NAME_SIZE]; /**< As it was asked for. */
     uint64_t interval_us;
     uint64_t next_us;
-    uint32_t told_status; /**< status_t: why there is no pose, as last told. */
+    uint32_t told_status; /**< status_t: why there is no pose, as last sent. */
 } igtl_tracking_t;
 
 /**
- * Answers `message` if it is one of these questions; false when it is another message. What is
- * understood depends on the `language` of the port.
+ * Answers `message` if it is one of these questions; false when it is another message. The types
+ * that are known depend on the `language` of the port.
  *
  * @satisfies SWR-IGTL-041
  * @satisfies SWR-IGTL-042

@@ -89,7 +89,7 @@ static igtl_request_t *newest_of(igtl_requests_t *self, uint32_t peer, workphase
 }
 
 /* A place for STOP or EMERGENCY. When all of its kind are taken and this peer has its share not yet
- * used up, some are of peers that have gone: nobody waits for their answers. */
+ * used up, some are of peers that have gone: no peer waits for their answers. */
 static igtl_request_t *urgent_place(igtl_requests_t *self, uint32_t peer, workphase_t asked)
 {
     uint32_t all = 0U;

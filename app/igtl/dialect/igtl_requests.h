@@ -21,17 +21,17 @@
 /** And one for RELEASE, of which one is on its way at a time. */
 #define IGTL_REQUESTS (IGTL_REQUESTS_COMMON + (2U * IGTL_REQUESTS_URGENT) + 1U)
 #define IGTL_REQUEST_ID_STEP 2U /**< Ids of the two dialects interleave. */
-/** Then the peer is told that there is no answer. */
+/** Then the peer is informed that there is no answer. */
 #define IGTL_ANSWER_TIMEOUT_US UINT64_C(80000)
 #define IGTL_NOBODY UINT32_MAX /**< The peer has gone. */
 
 typedef struct {
     uint32_t id;       /**< 0: the entry is free. */
-    uint32_t peer;     /**< Who asked, or IGTL_NOBODY. */
+    uint32_t peer;     /**< Place of the peer that asked, or IGTL_NOBODY. */
     command_t command; /**< As it was sent. */
     uint64_t sent_us;
     bool is_accepted; /**< Begun; a final answer follows. */
-    bool is_overdue;  /**< The peer was told that there is no answer. */
+    bool is_overdue;  /**< The peer was informed that there is no answer. */
 } igtl_request_t;
 
 typedef struct {

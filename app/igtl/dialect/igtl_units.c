@@ -87,7 +87,7 @@ status_t igtl_units_read_pose(const uint32_t numbers[IGTL_TRANSFORM_NUMBERS], ri
     return (status == STATUS_OK) ? igtl_units_read_point(&numbers[9], &pose->translation) : status;
 }
 
-/* What a number of IEEE 754 is made of: mantissa * 2^-shift. */
+/* The parts of a number of IEEE 754: mantissa * 2^-shift. */
 typedef struct {
     bool is_finite;
     bool is_negative;

@@ -67,7 +67,7 @@ static transform_refused_t *refused_of(transform_peer_t *peer, const char *name)
     return oldest;
 }
 
-/* Slicer streams whatever is under its connector: that is said, but not each time. */
+/* Slicer streams every node under its connector: unknown ones are refused, but not each time. */
 static void refuse_unknown(transform_peer_t *peer, const igtl_message_t *message,
                            const igtl_moment_t *moment)
 {
@@ -79,7 +79,7 @@ static void refuse_unknown(transform_peer_t *peer, const igtl_message_t *message
     }
 }
 
-/* What is refused at once leaves what waits of its subject alone. */
+/* A proposal that is refused immediately leaves the waiting one of its subject alone. */
 static void propose(transform_dialect_t *self, uint32_t index, const igtl_message_t *message,
                     const igtl_moment_t *moment)
 {
@@ -101,7 +101,7 @@ static void propose(transform_dialect_t *self, uint32_t index, const igtl_messag
     }
 }
 
-/* What a TRAJ means as proposals. Where a point is not meant its numbers may be anything. */
+/* Meaning of a TRAJ as proposals. The numbers of a point that is not meant are not read. */
 static status_t read_trajectory(const igtl_message_t *message, uint32_t peer,
                                 command_t proposals[TRAJECTORY_POINTS], uint32_t *count)
 {

@@ -30,7 +30,7 @@ typedef struct {
 
 typedef struct {
     igtl_outbox_t *outbox; /**< NULL: not connected. */
-    uint32_t number;       /**< Of its connection. */
+    uint32_t number;       /**< Number of its connection. */
     transform_shown_t shown;
     transform_proposals_t proposals;
     igtl_tracking_t tracking;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What one peer of bare transforms proposes and withdraws, on its way to the controller. Of each
- * subject only the newest waits; one is passed on each LIMIT_IGTL_PROPOSAL_INTERVAL_US, after a
- * pause up to LIMIT_IGTL_PROPOSAL_BURST at once, and at most one in LIMIT_IGTL_PROPOSAL_NOTE_US for
- * the log. Nothing is refused for being fast.
+ * Proposals and withdrawals of one peer of bare transforms, on their way to the controller. Only
+ * the newest of each subject waits; one is passed on each LIMIT_IGTL_PROPOSAL_INTERVAL_US, after a
+ * pause up to LIMIT_IGTL_PROPOSAL_BURST together, and at most one in LIMIT_IGTL_PROPOSAL_NOTE_US
+ * for the log. None is refused for being fast.
  */
 #ifndef BORESIGHT_TRANSFORM_PROPOSALS_H
 #define BORESIGHT_TRANSFORM_PROPOSALS_H
@@ -19,7 +19,7 @@
 
 #define TRANSFORM_SUBJECTS 3U /**< Registration, entry point, target point. */
 
-/** What waits of one subject. */
+/** The waiting proposal of one subject. */
 typedef struct {
     bool is_waiting;
     uint32_t turn;           /**< Smaller ones came first. */

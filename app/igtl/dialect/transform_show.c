@@ -58,7 +58,7 @@ static void send_joints(const robot_t *robot, igtl_outbox_t *outbox,
     send_text(outbox, "measured_jv", text, moment);
 }
 
-/* A reason is told once, and to who asks. */
+/* A reason is sent once, and to a peer that asks. */
 static void send_measured(transform_shown_t *self, const robot_t *robot, igtl_outbox_t *outbox,
                           const transform_view_t *view, const igtl_moment_t *moment)
 {
@@ -70,7 +70,7 @@ static void send_measured(transform_shown_t *self, const robot_t *robot, igtl_ou
     } else if (self->must_send_measured || (now->pose_status != before->pose_status)) {
         igtl_tell_refusal(outbox, "measured_cp", (status_t)now->pose_status, moment);
     } else {
-        /* It was told before. */
+        /* It was sent before. */
     }
     if (now->joint_status == (uint32_t)STATUS_OK) {
         send_joints(robot, outbox, now, moment);
@@ -78,7 +78,7 @@ static void send_measured(transform_shown_t *self, const robot_t *robot, igtl_ou
         igtl_tell_refusal(outbox, "measured_jp", (status_t)now->joint_status, moment);
         igtl_tell_refusal(outbox, "measured_jv", (status_t)now->joint_status, moment);
     } else {
-        /* It was told before. */
+        /* It was sent before. */
     }
     self->seen.measured = *now;
     self->must_send_measured = false;
@@ -139,8 +139,7 @@ static void send_registration(transform_shown_t *self, igtl_outbox_t *outbox,
     self->seen.registration = *registration;
 }
 
-/* All of them again whenever the probe is another one; while none is known nothing is told of it.
- */
+/* All of them again whenever the probe is another one; while none is known nothing is sent. */
 static void send_lengths(transform_shown_t *self, const robot_t *robot, igtl_outbox_t *outbox,
                          const transform_probe_t *probe, const igtl_moment_t *moment)
 {

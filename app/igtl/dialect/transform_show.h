@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a peer of bare transforms is told: everything once, then what changes, and what it asks for.
- * States of which only the newest matters; a question has an answer of its own.
+ * Values that are sent to a peer of bare transforms: all once, then the changed ones, and those
+ * that it asks for. They are states of which only the newest matters; a question has an answer of
+ * its own.
  */
 #ifndef BORESIGHT_TRANSFORM_SHOW_H
 #define BORESIGHT_TRANSFORM_SHOW_H
@@ -16,9 +17,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What one peer has been shown. All zero: nothing. */
+/** The values that one peer has been shown. All zero: none. */
 typedef struct {
-    transform_view_t seen;     /**< What it has been sent. */
+    transform_view_t seen;     /**< The values that it has been sent. */
     uint64_t next_measured_us; /**< Not before this time again. */
     bool has_seen_lengths;
     bool must_send_measured; /**< Even if nothing has changed. */
@@ -29,8 +30,8 @@ void transform_show_all(transform_shown_t *self);
 
 /**
  * Sends what has changed: measured values each IGTL_STREAM_US while moving, and at once when they
- * become known or unknown. What is no more is told once: a point as a POINT without one, a
- * transform by a STATUS of its name, NOT_FOUND.
+ * become known or unknown. A value that ceases to exist is reported once: a point as a POINT
+ * without one, a transform by a STATUS of its name, NOT_FOUND.
  *
  * @satisfies SWR-IGTL-012
  * @satisfies SWR-IGTL-037

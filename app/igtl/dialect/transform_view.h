@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the peers of bare transforms are shown, taken from one snapshot. What is not known is not in
- * it: its numbers are zero, and a status says why.
+ * The view of the peers of bare transforms, taken from one snapshot. An unknown value is not in it:
+ * its numbers are zero, and a status gives the reason.
  */
 #ifndef BORESIGHT_TRANSFORM_VIEW_H
 #define BORESIGHT_TRANSFORM_VIEW_H
@@ -24,7 +24,7 @@ typedef struct {
 
 typedef struct {
     uint32_t is_valid;             /**< Something that can be reached is proposed. */
-    uint32_t pose_status;          /**< status_t: why it is not told all the same. */
+    uint32_t pose_status;          /**< status_t: why it is not sent all the same. */
     rigid_t pose;                  /**< desired_cp */
     int32_t ticks[ROBOT_AXIS_MAX]; /**< desired_jp */
 } transform_desired_t;
@@ -32,7 +32,7 @@ typedef struct {
 typedef struct {
     uint32_t is_valid;
     rigid_t pose;
-    uint32_t is_rotation_ignored; /**< Its rotation is none, whatever was sent. */
+    uint32_t is_rotation_ignored; /**< Its rotation is none; the one that was sent is ignored. */
 } transform_registration_t;
 
 typedef struct {

@@ -23,10 +23,10 @@
 typedef struct {
     bool is_busy;
     bool has_failed; /**< Nothing more of it is passed on; some of it may wait for an answer. */
-    uint32_t peer;   /**< Whose it is. */
-    const workphase_list_t *list; /**< Of which kind. */
+    uint32_t peer;   /**< The peer that sent it. */
+    const workphase_list_t *list; /**< Its kind. */
     const robot_t *robot;
-    bool is_owed; /**< `refusal` is told once nothing of it is on its way. */
+    bool is_owed; /**< `refusal` is sent once nothing of it is on its way. */
     igtl_packet_t refusal;
     uint32_t next; /**< To be passed on: 0 the begin, 1 to `count` an item, then the end. */
     uint32_t count;
@@ -35,7 +35,7 @@ typedef struct {
 } workphase_array_t;
 
 /**
- * Takes an array of `peer`, an item in each row. What is refused changes nothing unless an earlier
+ * Takes an array of `peer`, an item in each row. A refused array changes nothing unless an earlier
  * array has ended.
  *
  * @return STATUS_OK; STATUS_BUSY while one is on its way; STATUS_NOT_FINITE; STATUS_OUT_OF_RANGE
@@ -59,7 +59,7 @@ void workphase_array_step(workphase_array_t *self, igtl_requests_t *requests, ui
 /** `request` is of the array that is on its way. */
 bool workphase_array_has(const workphase_array_t *self, const igtl_request_t *request);
 
-/** The controller, or nobody, has answered so that the rest is dropped. False: it was before. */
+/** A refusal, or no answer, of the controller drops the rest. False: it was dropped before. */
 bool workphase_array_fail(workphase_array_t *self);
 
 /** `peer` has gone, or its whole list is held. */

@@ -14,13 +14,13 @@
 
 #define WORKPHASE_LIST_COUNT 2U /**< Kinds of lists. */
 
-/** What a list is made of, by its kind. */
+/** An item of a list, by its kind. */
 typedef union {
     trajectory_row_t row;
     program_step_t step;
 } workphase_item_t;
 
-/** A kind of list. Of what its readers refuse the item is unspecified. */
+/** A kind of list. The item is unspecified when its reader refuses. */
 typedef struct {
     uint32_t number;   /**< Below WORKPHASE_LIST_COUNT. */
     const char *word;  /**< Its name, which names as well what it is answered by. */

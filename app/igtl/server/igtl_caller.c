@@ -62,7 +62,7 @@ static igtl_call_t begin(igtl_caller_t *self, uint64_t now_us)
     return IGTL_CALL_NOTHING;
 }
 
-/* A call to a port of this machine that nobody listens on can meet itself. */
+/* A call to a port of this machine without a listener can meet itself. */
 static bool is_own_echo(const igtl_caller_t *self)
 {
     struct sockaddr_in own = {.sin_family = AF_INET};

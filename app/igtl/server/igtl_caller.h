@@ -16,7 +16,7 @@
 typedef struct {
     uint32_t address; /**< IPv4, in the byte order of the host. */
     uint16_t number;
-    int descriptor;    /**< Of the call, -1: none. */
+    int descriptor;    /**< Descriptor of the call, -1: none. */
     int error;         /**< errno of the last call, 0: it was answered. */
     uint64_t pause_us; /**< Before the next call. */
     uint64_t since_us; /**< When the call or the connection began. */
@@ -30,7 +30,7 @@ void igtl_caller_init(igtl_caller_t *self, uint32_t address, uint16_t number);
 /** Ends a call. */
 void igtl_caller_close(igtl_caller_t *self);
 
-/** What has come of the last step. */
+/** The result of the last step. */
 typedef enum {
     IGTL_CALL_NOTHING = 0,  /**< No news. */
     IGTL_CALL_ANSWERED = 1, /**< `*descriptor` is connected and the caller's of this function. */

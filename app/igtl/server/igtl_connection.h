@@ -16,8 +16,8 @@
 typedef struct {
     int descriptor;             /**< -1: free. */
     uint32_t number;            /**< Given by the server, never used again. */
-    uint32_t place;             /**< Of the server's, IGTL_NO_PLACE while it waits for one. */
-    uint32_t address;           /**< Of the peer, IPv4, in the byte order of the host... */
+    uint32_t place;             /**< Place in the server, IGTL_NO_PLACE while it waits for one. */
+    uint32_t address;           /**< Address of the peer, IPv4, in the byte order of the host... */
     uint16_t port;              /**< ... and its port. Both are the server's to set. */
     bool is_kept_alive;         /**< The peer's machine is asked whether it is still there. */
     uint64_t since_us;          /**< When it connected. */
@@ -26,15 +26,15 @@ typedef struct {
     char heard[IGTL_NAME_SIZE]; /**< Name of the last one. */
     char status[EXCHANGE_PEER_STATUS_SIZE]; /**< Its last STATUS in words; "": none. */
     uint32_t statuses;                      /**< Number of changes of `status`. */
-    char refusal[IGTL_OUTBOX_REFUSAL];      /**< Of its last message that was refused; "": none. */
+    char refusal[IGTL_OUTBOX_REFUSAL];      /**< Text of its last refusal; "": none. */
     uint32_t refusals;                      /**< Number of changes of `refusal`. */
     uint64_t messages_in;                   /**< Valid ones. */
     uint64_t messages_out;
     uint64_t received;     /**< Bytes that were read. */
-    uint32_t errors;       /**< Messages that were refused before anyone looked at what they say. */
+    uint32_t errors;       /**< Messages that were refused before their content was looked at. */
     uint64_t sent;         /**< Bytes that were written. */
-    uint64_t acknowledged; /**< Of these, as far as the peer's machine has taken them. */
-    uint64_t moved_us;     /**< When that last became more; 0: nobody watches it. */
+    uint64_t acknowledged; /**< Those of them that the peer's machine has taken. */
+    uint64_t moved_us;     /**< When that last became more; 0: it is not watched. */
     igtl_inbox_t inbox;
     uint8_t large[LIMIT_IGTL_ARRAY_MAX]; /**< Lent to it; memory of the machine only once used. */
     igtl_outbox_t outbox;
@@ -104,7 +104,7 @@ void igtl_connection_keep_status(igtl_connection_t *self, const igtl_message_t *
  */
 void igtl_connection_keep_refusal(igtl_connection_t *self);
 
-/** Nobody watches what it acknowledges any more. */
+/** Ends the watch over the bytes that it acknowledges. */
 void igtl_connection_unwatch(igtl_connection_t *self);
 
 #endif

@@ -29,7 +29,7 @@
 #include <time.h>
 
 #define EXIT_CANNOT_START 3
-#define IDLE_WAIT_MS 50 /* Nobody is connected. */
+#define IDLE_WAIT_MS 50 /* No peer is connected. */
 #define CONNECTED_WAIT_MS 10
 #define ANSWER_WAIT_MS 1 /* A command is on its way. */
 #define CONTROL_SILENT_US UINT64_C(1000000)
@@ -41,7 +41,7 @@ typedef struct {
     workphase_dialect_t workphase;
     transform_dialect_t transform;
     igtl_server_t servers[IGTL_PORTS];
-    uint32_t count; /* Of servers. */
+    uint32_t count; /* Number of servers. */
     uint64_t next_show_us;
     uint32_t numbers; /**< Sum of the next numbers of connections when they were shown last. */
     snapshot_t snapshot;
@@ -127,7 +127,7 @@ static void look_who_commands(void)
     }
 }
 
-/* What a silent controller said last is not true any more. */
+/* The last snapshot of a silent controller is not true any more. */
 static void look_around(void)
 {
     const uint64_t before_us = process.moment.now_us;
@@ -229,7 +229,7 @@ static void show_newcomers(void)
     }
 }
 
-/* What people ask of a connection. Its number says its port. */
+/* Orders of the operator for a connection. Its number contains its port. */
 static void obey_orders(void)
 {
     exchange_order_t order;
@@ -242,7 +242,7 @@ static void obey_orders(void)
             status = igtl_server_obey(&process.servers[port - 1U], &order, process.moment.now_us);
         }
         process.next_show_us = 0U;
-        show(); /* Who is answered looks. */
+        show(); /* The client that gets the answer looks at the rows. */
         exchange_answer_order(process.exchange, &order, status);
     }
 }
@@ -254,7 +254,7 @@ static void turn(void)
     for (uint32_t i = 0U; i < process.count; i++) {
         igtl_server_receive(&process.servers[i], &process.moment);
     }
-    send_all(); /* Acknowledgements wait for nobody. */
+    send_all(); /* Acknowledgements do not wait for control. */
     show_newcomers();
     pass_commands();
     take_answers();

@@ -7,7 +7,7 @@
 
 typedef struct {
     const char *instance;
-    const char *file; /**< Of ports, NULL: none. */
+    const char *file; /**< File of ports, NULL: none. */
     igtl_ports_t ports;
 } igtl_options_t;
 

@@ -152,7 +152,7 @@ static bool is_same(const igtl_port_t *one, const igtl_port_t *other)
             (has_any && (is_near || (one->is_calling == other->is_calling))));
 }
 
-/* Who else than this machine reaches the port has to be said. */
+/* Other machines that reach the port have to be named. */
 static bool has_allowed(const reader_t *self)
 {
     return self->port->is_calling || self->is_given[KEY_ALLOW] ||

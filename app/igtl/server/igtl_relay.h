@@ -13,9 +13,9 @@
 typedef bool (*igtl_relay_hand_in_t)(const answer_t *answer);
 
 /**
- * Passes on what `requests` has queued. What the exchange does not take is handed in as refused, in
- * `workphase`; STOP and EMERGENCY wait for the next turn, and until they are through nothing that
- * was commanded after them goes ahead.
+ * Passes on the queue of `requests`. A command that the exchange does not take is handed in as
+ * refused, in `workphase`; STOP and EMERGENCY wait for the next turn, and until they are through no
+ * later command goes ahead.
  */
 void igtl_relay_requests(exchange_t *exchange, igtl_requests_t *requests, uint32_t workphase,
                          igtl_relay_hand_in_t hand_in);

@@ -142,7 +142,7 @@ static void tell_trouble(igtl_connection_t *connection, igtl_result_t reason, co
     igtl_tell_refused(&connection->outbox, name, &status, moment);
 }
 
-/* Tells why, as far as the peer listens, and closes. */
+/* Sends the reason, as far as the peer listens, and closes. */
 static void drop_with(igtl_server_t *self, igtl_connection_t *connection, igtl_trouble_t kind,
                       igtl_result_t reason, const igtl_moment_t *moment)
 {
@@ -158,7 +158,7 @@ static bool handle(igtl_server_t *self, igtl_connection_t *connection, igtl_inbo
 {
     const igtl_inbox_t *inbox = &connection->inbox;
 
-    connection->outbox.refusal[0] = '\0'; /* One that nobody asked for, of a stream. */
+    connection->outbox.refusal[0] = '\0'; /* A refusal without a question, of a stream. */
     switch (event) {
     case IGTL_INBOX_MESSAGE:
         if (inbox->message.kind == IGTL_KIND_STATUS) {
@@ -216,7 +216,7 @@ void igtl_server_receive(igtl_server_t *self, const igtl_moment_t *moment)
             receive_from(self, &self->connections[i], moment);
         }
     }
-    igtl_slots_fill(self); /* Who has gone makes room, first for those who wait. */
+    igtl_slots_fill(self); /* A peer that has gone makes room, first for those that wait. */
     if (self->port->is_calling) {
         call_peer(self, moment->now_us);
     } else {
@@ -245,7 +245,7 @@ status_t igtl_server_obey(igtl_server_t *self, const exchange_order_t *order, ui
     return STATUS_UNKNOWN_COMMAND;
 }
 
-/* In the time of those who wait for control: in a pause of the machine nobody could have read. */
+/* In the time of answers from control: in a pause of the machine no peer could have read. */
 static bool has_hung(igtl_server_t *self, igtl_connection_t *connection,
                      const igtl_moment_t *moment)
 {

@@ -32,7 +32,7 @@ bool igtl_server_open(igtl_server_t *self, const igtl_port_t *port, char *error,
 /** Closes the port and all connections. */
 void igtl_server_close(igtl_server_t *self);
 
-/** What to wait for. `polls` has room for IGTL_SERVER_POLLS; returns how many were filled. */
+/** Descriptors to wait for. `polls` has room for IGTL_SERVER_POLLS; returns the number filled. */
 uint32_t igtl_server_polls(const igtl_server_t *self, struct pollfd *polls);
 
 /** Anyone connected. */
@@ -40,8 +40,8 @@ bool igtl_server_has_peers(const igtl_server_t *self);
 
 /**
  * Accepts or calls, reads, and drops connections that stay in the middle of a message. At most a
- * few messages per connection and at most IGTL_BYTES_PER_TURN, so that nobody is kept waiting by
- * another. Who has a place: igtl_slots.h.
+ * few messages per connection and at most IGTL_BYTES_PER_TURN, so that no peer is kept waiting by
+ * another. Places are given by igtl_slots.h.
  *
  * @satisfies SWR-IGTL-011
  * @satisfies SWR-IGTL-048

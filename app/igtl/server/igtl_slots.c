@@ -28,7 +28,7 @@ static uint32_t free_place(igtl_server_t *self)
     return IGTL_NO_PLACE;
 }
 
-/* The number says who came first. NULL when nobody waits. */
+/* The lowest number came first. NULL when none waits. */
 static igtl_connection_t *longest_waiting(igtl_server_t *self, uint32_t *count)
 {
     igtl_connection_t *longest = NULL;

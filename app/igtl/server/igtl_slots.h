@@ -20,9 +20,9 @@ void igtl_slots_enter(igtl_server_t *self, int descriptor, uint32_t address, uin
                       uint64_t now_us);
 
 /**
- * A waiting connection has sent `message`: whether it has a place now. A stop takes one even of who
- * has just spoken. If nobody's can be taken, it
- * is told so (STATUS of the message's name, 6) and waits on.
+ * A waiting connection has sent `message`: whether it has a place now. A stop takes even the place
+ * of a peer that has just spoken. If no place can be taken, it is informed (STATUS of the message's
+ * name, 6) and continues to wait.
  *
  * @satisfies SWR-IGTL-026
  */

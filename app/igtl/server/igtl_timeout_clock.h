@@ -16,8 +16,8 @@
 typedef struct {
     uint64_t listened_ns; /**< Time of this process, in the board's time, without its pauses. */
     uint64_t timeout_ns;  /**< Time that counts for a timeout. */
-    uint64_t cycles_ns;   /**< Of control, as far as they are not in timeout_ns. */
-    uint32_t beats;       /**< Of control, up to these. */
+    uint64_t cycles_ns;   /**< Time of control's cycles, as far as it is not in timeout_ns. */
+    uint32_t beats;       /**< Cycles of control that are counted so far. */
 } igtl_timeout_clock_t;
 
 /**

@@ -24,13 +24,13 @@ typedef enum {
 
 typedef struct {
     uint64_t count;
-    uint64_t said;        /**< Of these, in the log. */
+    uint64_t said;        /**< Number of these in the log. */
     uint64_t next_log_us; /**< Not before this time again. */
 } igtl_trouble_count_t;
 
 typedef struct {
     igtl_trouble_count_t counts[IGTL_TROUBLES];
-    uint64_t count;               /**< Of all kinds. */
+    uint64_t count;               /**< Number of all kinds. */
     char last[IGTL_TROUBLE_TEXT]; /**< In words, "" before the first. */
 } igtl_troubles_t;
 

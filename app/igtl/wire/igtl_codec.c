@@ -12,7 +12,7 @@
 #define METADATA_ENTRY_BYTES 8U
 #define TYPE_BYTES (IGTL_TYPE_SIZE - 1U)
 #define NAME_BYTES (IGTL_NAME_SIZE - 1U)
-#define ARRAY_HEADER_BYTES 6U /* Of two dimensions. */
+#define ARRAY_HEADER_BYTES 6U /* Header of two dimensions. */
 #define ARRAY_FLOAT32 10U
 #define ARRAY_FLOAT64 11U
 #define TRAJECTORY_TYPE 96U    /* Behind name and group. */
@@ -223,7 +223,7 @@ static bool is_word(const uint8_t *bytes, uint32_t length, const char *word)
     return (length == strlen(word)) && (memcmp(bytes, word, length) == 0);
 }
 
-/* Of metadata that fit their lengths: whether the sender calls its transform valid. */
+/* Whether the sender calls its transform valid, in metadata that fit their lengths. */
 static igtl_result_t read_mark(const uint8_t *metadata)
 {
     const uint32_t entries = get_u16(metadata);

@@ -20,17 +20,17 @@
 #define IGTL_POINT_BYTES 136U
 #define IGTL_TRAJECTORY_BYTES 150U /**< One element of a TRAJ. */
 #define IGTL_TRAJECTORY_NUMBERS 6U
-#define IGTL_STATUS_NAME_OFFSET 10U  /**< Of the error name, behind code and subcode. */
-#define IGTL_STATUS_NAME_BYTES 20U   /**< Of the error name. */
+#define IGTL_STATUS_NAME_OFFSET 10U  /**< Offset of the error name, behind code and subcode. */
+#define IGTL_STATUS_NAME_BYTES 20U   /**< Size of the error name. */
 #define IGTL_STATUS_BYTES 30U        /**< Before the text. */
 #define IGTL_STREAM_BYTES 36U        /**< STT_TDATA. */
 #define IGTL_COMMAND_BYTES 138U      /**< Before the text. */
-#define IGTL_COMMAND_NAME_BYTES 128U /**< Of the name of a COMMAND. */
+#define IGTL_COMMAND_NAME_BYTES 128U /**< Size of the name of a COMMAND. */
 #define IGTL_EXTENSION_BYTES 12U     /**< The extended header of version 2. */
 #define IGTL_ENCODING_ASCII 3U
 #define IGTL_ENCODING_UTF8 106U
 
-/** What is understood; everything else is skipped by its length. */
+/** The known types; each other one is skipped by its length. */
 typedef enum {
     IGTL_KIND_OTHER = 0,
     IGTL_KIND_TRANSFORM = 1,
@@ -51,7 +51,7 @@ typedef enum {
     IGTL_KIND_ARRAY = 16
 } igtl_kind_t;
 
-/** What is wrong with a message. */
+/** The fault of a message. */
 typedef enum {
     IGTL_OK = 0,              /**< Well formed. */
     IGTL_BAD_VERSION = 1,     /**< The header version is neither 1 nor 2. */
@@ -69,7 +69,7 @@ typedef enum {
     IGTL_NOT_TABLE = 13       /**< An array, but none of rows and columns of floating point. */
 } igtl_result_t;
 
-/** What an element of a TRAJ has. */
+/** The points of an element of a TRAJ. */
 typedef enum {
     IGTL_TRAJECTORY_ENTRY = 1,
     IGTL_TRAJECTORY_TARGET = 2,
@@ -102,11 +102,11 @@ typedef struct {
     uint64_t crc;
 } igtl_header_t;
 
-/** A received message. What it points to is in the receive buffer, not terminated, and lives as
+/** A received message. Its pointers lead into the receive buffer, not terminated, and are valid as
  * long as that is not refilled; a field that its type does not have is 0 or NULL (`numbers`:
  * undefined). */
 typedef struct {
-    uint32_t version; /**< Of the header, 1 or 2. */
+    uint32_t version; /**< Version of the header, 1 or 2. */
     igtl_kind_t kind;
     char type[IGTL_TYPE_SIZE];
     char name[IGTL_NAME_SIZE];
@@ -128,11 +128,11 @@ typedef struct {
 /** Name and sentence, "BAD_CRC: The checksum of the body is wrong.". Lives for ever. */
 const char *igtl_result_text(igtl_result_t result);
 
-/** STATUS code that tells a peer of `result`. */
+/** STATUS code that reports `result` to a peer. */
 uint32_t igtl_result_code(igtl_result_t result);
 
 /**
- * Reads a header, and judges the length that it tells. Where the next message begins is known
+ * Reads a header, and judges the length that it states. Where the next message begins is known
  * unless igtl_header_is_lost().
  *
  * @return IGTL_OK, or the first thing that is wrong: IGTL_BAD_VERSION; IGTL_TOO_LONG, with more
@@ -145,7 +145,7 @@ uint32_t igtl_result_code(igtl_result_t result);
  */
 igtl_result_t igtl_decode_header(const uint8_t bytes[IGTL_HEADER_BYTES], igtl_header_t *header);
 
-/** Of another version, or with a body so long that it is not waited for. */
+/** The header has another version, or a body so long that it is not waited for. */
 bool igtl_header_is_lost(const igtl_header_t *header);
 
 /**

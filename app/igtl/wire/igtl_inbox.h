@@ -21,7 +21,7 @@ typedef enum {
     IGTL_INBOX_MESSAGE = 1,
     IGTL_INBOX_SKIPPED = 2, /**< A message of an unknown type has passed. */
     IGTL_INBOX_REFUSED = 3, /**< A whole message was wrong (`reason`); the next one can be read. */
-    IGTL_INBOX_BROKEN = 4   /**< What follows cannot be read (`reason`): drop the connection. */
+    IGTL_INBOX_BROKEN = 4   /**< No later message can be read (`reason`): drop the connection. */
 } igtl_inbox_event_t;
 
 typedef struct {

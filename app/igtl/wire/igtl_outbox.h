@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What one connection has still to be sent: whole messages, first in, first out. A state message
+ * The output queue of one connection: whole messages, first in, first out. A state message
  * replaces the one of the same type and name that has not left yet, so that a slow peer sees the
- * newest state and costs no memory. Messages get the header version of the peer here; who writes
- * them knows nothing of it.
+ * newest state and costs no memory. Messages get the header version of the peer here; their writers
+ * do not know it.
  */
 #ifndef BORESIGHT_IGTL_OUTBOX_H
 #define BORESIGHT_IGTL_OUTBOX_H
@@ -18,7 +18,7 @@
 #define IGTL_OUTBOX_REFUSAL 128U /**< Longer refusals are cut. */
 
 typedef struct {
-    uint32_t version; /**< Of headers: 2 once the peer has sent it, before 1. */
+    uint32_t version; /**< Version of headers: 2 once the peer has sent it, before 1. */
     igtl_packet_t packets[IGTL_OUTBOX_PACKETS];
     bool is_state[IGTL_OUTBOX_PACKETS];
     uint32_t first;

@@ -40,7 +40,7 @@ void igtl_encode_string(igtl_packet_t *packet, const char *name, const char *tex
 void igtl_encode_point(igtl_packet_t *packet, const char *name, const uint32_t numbers[3],
                        uint64_t timestamp);
 
-/** What a STATUS says. `error_name` is cut to 19 characters. */
+/** Content of a STATUS. `error_name` is cut to 19 characters. */
 typedef struct {
     uint32_t code;
     const char *error_name;
@@ -62,8 +62,7 @@ void igtl_encode_capability(igtl_packet_t *packet, const char *name, const char 
 void igtl_encode_return(igtl_packet_t *packet, const char *type, const char *name, bool is_refused,
                         uint64_t timestamp);
 
-/** What a TDATA says of one instrument of six degrees of freedom. `name` is cut to 19 characters.
- */
+/** One instrument of six degrees of freedom in a TDATA. `name` is cut to 19 characters. */
 typedef struct {
     const char *name;
     uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
@@ -73,8 +72,8 @@ typedef struct {
 void igtl_encode_tracking(igtl_packet_t *packet, const char *name, const igtl_tracked_t *elements,
                           uint32_t count, uint64_t timestamp);
 
-/** RTS_COMMAND: the answer to the COMMAND `command`, with its id and names. Version 2 whatever the
- * peer speaks: the metadata says whether it was carried out. */
+/** RTS_COMMAND: the answer to the COMMAND `command`, with its id and names. Version 2 for each
+ * peer: the metadata states whether it was carried out. */
 void igtl_encode_command_reply(igtl_packet_t *packet, const igtl_message_t *command,
                                bool is_refused, const char *text, uint64_t timestamp);
 

@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Under which name the peer is told of a request. */
+/* The name under which an answer to a request is sent. */
 static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t *request)
 {
     const workphase_list_t *list = workphase_lists_of(request->command.kind);
@@ -53,7 +53,7 @@ static bool is_entered_silently(uint32_t phase)
     return (phase == (uint32_t)WORKPHASE_PLANNING) || (phase == (uint32_t)WORKPHASE_CALIBRATION);
 }
 
-/* Of a workphase with an order, since 2021: it waits for the pedal. */
+/* Notice for a workphase with an order, since 2021: it waits for the pedal. */
 static void tell_armed(workphase_peer_t *peer, const igtl_packet_t *entered, uint32_t phase,
                        const igtl_moment_t *moment)
 {
@@ -267,13 +267,13 @@ static void answer_motion(workphase_dialect_t *self, const igtl_request_t *reque
     } else if (answer->kind == (uint32_t)ANSWER_REFUSED) {
         tell_outcome(self, peer, peer->motion, answer, moment);
     } else if ((answer->kind == (uint32_t)ANSWER_DONE) && is_draping(peer)) {
-        /* It was told when it began. */
+        /* It was reported when it began. */
     } else {
         tell_ended(self, request, answer, moment);
     }
 }
 
-/* Of the whole list its checksum is told, by which it can be run. */
+/* The answer to the whole list has its checksum, by which it can be run. */
 static void answer_list(const workphase_dialect_t *self, workphase_peer_t *peer,
                         const workphase_list_t *list, const answer_t *answer,
                         const igtl_moment_t *moment)
@@ -289,7 +289,8 @@ static void answer_list(const workphase_dialect_t *self, workphase_peer_t *peer,
     igtl_tell_status(peer->outbox, list->word, &held, moment);
 }
 
-/* Of an item of an array the place is told behind the reason, when another one may come. */
+/* A refused item has its place behind the reason; the refusal is sent when another array may come.
+ */
 static void refuse_array(workphase_dialect_t *self, const igtl_request_t *request,
                          const answer_t *answer, const igtl_moment_t *moment)
 {

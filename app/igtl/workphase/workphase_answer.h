@@ -10,7 +10,7 @@
 #include "interface/command.h"
 
 /**
- * Tells the peer of `request`, who is connected.
+ * Sends `answer` to the peer of `request`, which is connected.
  *
  * @satisfies SWR-IGTL-007
  * @satisfies SWR-IGTL-008
@@ -20,7 +20,7 @@
 void workphase_answer_tell(workphase_dialect_t *self, const igtl_request_t *request,
                            const answer_t *answer, const igtl_moment_t *moment);
 
-/** The peer of `request` is told that there is no answer. */
+/** Informs the peer of `request` that there is no answer. */
 void workphase_answer_tell_none(workphase_dialect_t *self, const igtl_request_t *request,
                                 const igtl_moment_t *moment);
 

@@ -182,7 +182,7 @@ static bool is_named(const workphase_command_t *word, const igtl_message_t *mess
 }
 
 /* A name is an order only if the text says nothing else. Deployed clients retract by the name,
- * whatever the text. */
+ * with any text. */
 static bool means(const workphase_command_t *word, const igtl_message_t *message)
 {
     const bool is_any_text = (word->reader != NULL) || (word->kind == COMMAND_RETRACT);

@@ -3,7 +3,7 @@
  * @file
  * The commands that a peer of the workphase protocol gives by a word, as the rows of core/interface
  * name them.
- * A STRING has the word as its name, and what it is told as its text, or both in the text.
+ * A STRING has the word as its name, and its values as its text, or both in the text.
  */
 #ifndef BORESIGHT_WORKPHASE_COMMANDS_H
 #define BORESIGHT_WORKPHASE_COMMANDS_H
@@ -32,12 +32,12 @@ typedef status_t (*workphase_reader_t)(const robot_t *robot, char *text, command
 typedef struct {
     const char *word; /**< Lives for ever. */
     command_kind_t kind;
-    command_payload_t as;      /**< What it says, but for what its reader adds. */
+    command_payload_t as;      /**< Its payload, but for the values that its reader adds. */
     workphase_reader_t reader; /**< NULL: nothing follows it. */
-    const char *form; /**< What is taken, of a word whose numbers have units; otherwise NULL. */
+    const char *form;          /**< Form of a word whose numbers have units; otherwise NULL. */
 } workphase_command_t;
 
-/** Of the rows of core/interface that have words, by their commands' codes. */
+/** The rows of core/interface that have words, by their commands' codes. */
 extern const workphase_command_t workphase_commands[];
 extern const size_t workphase_command_count;
 
@@ -58,7 +58,7 @@ const workphase_command_t *workphase_commands_find(const igtl_message_t *message
 
 /**
  * The command that `message` means, which workphase_commands_find() has found to be this `word`.
- * What may be commanded, the controller judges.
+ * The controller judges whether the command is allowed.
  *
  * POSE has the name of a pose. JOG has an axis, its position and its unit, mm or deg, JOG_BY the
  * way from where it stands. VELOCITY has axes, each with a speed and mm/s or deg/s, then the time

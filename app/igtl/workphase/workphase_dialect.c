@@ -112,7 +112,7 @@ void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
         workphase_queries_status(asker, message, moment);
         break;
     case IGTL_KIND_POINT:
-    case IGTL_KIND_TRAJECTORY: /* Who commands proposes nothing. */
+    case IGTL_KIND_TRAJECTORY: /* A commanding peer proposes nothing. */
         igtl_tell_refusal(asker->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
         break;
     default: /* A STATUS is how peers announce themselves. */
@@ -138,7 +138,7 @@ bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
     } else if (request->command.kind == (uint32_t)COMMAND_RELEASE) {
         self->is_new = self->is_new && (answer->status != (uint32_t)STATUS_OK);
     } else {
-        /* Nobody waits for it. */
+        /* No peer waits for it. */
     }
     request->is_accepted = true;
     if (answer->is_final != 0U) {

@@ -58,7 +58,7 @@ bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
 void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *moment);
 
 /** The controller has ended, or does not answer any more: a client that waits for the end of a
- * request is told that there will be no answer, and who controls in any case, once. */
+ * request is informed that there will be no answer, and the controlling peer in any case, once. */
 void workphase_dialect_control_lost(workphase_dialect_t *self, const igtl_moment_t *moment);
 
 #endif

@@ -12,7 +12,7 @@
 
 #define NM_PER_MM 1000000.0
 
-/* Under which name the robot's needle is told, NULL for none. */
+/* The length that a peer sends as the robot's needle, NULL for none. */
 static const told_length_t *find_length(const robot_t *robot)
 {
     for (uint32_t i = 0U; i < ROBOT_TOLD_LENGTHS; i++) {
@@ -23,7 +23,7 @@ static const told_length_t *find_length(const robot_t *robot)
     return NULL;
 }
 
-/* A whole number text; whatever is no number is no length. */
+/* A whole number text; a text that is no number is no length. */
 static bool is_length(const char *text, int32_t length_nm)
 {
     char *end;

@@ -40,7 +40,7 @@ static void observe(workphase_facts_t *facts, const robot_t *robot, const snapsh
     }
 }
 
-/* What of `now` is a failure that was not there `before`. */
+/* The failures of `now` that were not there `before`. */
 static void find_failures(workphase_facts_t *fresh, const workphase_facts_t *before,
                           const workphase_facts_t *now)
 {
@@ -135,7 +135,7 @@ static uint32_t doubt_of(uint32_t pose_status)
     }
 }
 
-/* What is still to be said of its last command goes first. */
+/* Messages that are due about its last command go first. */
 static void tell(workphase_dialect_t *self, uint32_t workphase, const igtl_status_t *status,
                  const igtl_moment_t *moment)
 {
@@ -204,7 +204,7 @@ static void tell_stopped(workphase_dialect_t *self, const workphase_facts_t *bef
     } else if (has_changed && (now->workphase == (uint32_t)WORKPHASE_STOP)) {
         tell(self, (uint32_t)WORKPHASE_STOP, &stop, moment);
     } else {
-        /* Who commands another workphase is told by the answer. */
+        /* A peer that commands another workphase gets the answer. */
     }
 }
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What happens by itself, as differences of snapshots: the e-stop, a stop of someone else, a card
- * or an axis that fails, a reference that is lost, a controller that falls silent. Who controls is
- * told at once, by a STATUS of the present workphase, once each.
+ * Notifications without a request, as differences of snapshots: the e-stop, a stop of another
+ * client, a card or an axis that fails, a reference that is lost, a controller that falls silent.
+ * The controlling peer is informed immediately, by a STATUS of the present workphase, once each.
  */
 #ifndef BORESIGHT_WORKPHASE_NOTIFICATIONS_H
 #define BORESIGHT_WORKPHASE_NOTIFICATIONS_H
@@ -14,14 +14,14 @@
 #include "interface/answer.h"
 
 /**
- * Tells what has changed. It waits for the answers that the controlling peer is owed, and for the
- * end of its order, IGTL_ANSWER_TIMEOUT_US at most.
+ * Reports the changes. It waits for the answers that the controlling peer is owed, and for the end
+ * of its order, IGTL_ANSWER_TIMEOUT_US at most.
  *
  * @satisfies SWR-IGTL-033
  */
 void workphase_notifications_step(workphase_dialect_t *self, const igtl_moment_t *moment);
 
-/** An answer is told to the peer of `request`: what it says, and what it brings about, is known. */
+/** An answer was sent to the peer of `request`: its content and its effect are known there. */
 void workphase_notifications_note(workphase_dialect_t *self, const igtl_request_t *request,
                                   const answer_t *answer, const igtl_moment_t *moment);
 

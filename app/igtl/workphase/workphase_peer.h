@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file What a peer of the workphase protocol is told, now or a little later. */
+/** @file Messages to a peer of the workphase protocol, now or a little later. */
 #ifndef BORESIGHT_WORKPHASE_PEER_H
 #define BORESIGHT_WORKPHASE_PEER_H
 
@@ -64,8 +64,8 @@ void workphase_peer_tell_phase(workphase_peer_t *self, uint32_t code, uint32_t p
 void workphase_peer_tell_unit(workphase_peer_t *self, const char *word, const char *form,
                               const igtl_moment_t *moment);
 
-/** Under which name the peer is told of a needle's tip: in 2013 STATUS(MOVE_TO_TARGET, 1) says that
- * the needle has arrived. Lives for ever. */
+/** The name under which a needle's tip is reported to the peer: in 2013 STATUS(MOVE_TO_TARGET, 1)
+ * states that the needle has arrived. Lives for ever. */
 const char *workphase_peer_tip_subject(const workphase_peer_t *self);
 
 /** Sends STRING(`name`, "1" or "0"). */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file How far the treatment program is, as peers ask for it or are told. */
+/** @file Progress of the treatment program, on request of a peer or by notification. */
 #ifndef BORESIGHT_WORKPHASE_PROGRESS_H
 #define BORESIGHT_WORKPHASE_PROGRESS_H
 
@@ -15,7 +15,7 @@
  */
 void workphase_progress_tell(workphase_peer_t *peer, const igtl_moment_t *moment);
 
-/** The program that `peer` has armed runs: tells it each step that is done.
+/** The program that `peer` has armed runs: reports to it each step that is done.
  *
  * @satisfies SWR-PROG-016
  */

@@ -70,14 +70,14 @@ static bool is_aligned(const snapshot_t *snapshot)
     return is_near(now, &goal);
 }
 
-/* The measured speed fades a little after the motion has ended; the order tells at once. */
+/* The measured speed fades a little after the motion has ended; the order shows it immediately. */
 static bool is_reached(const snapshot_t *snapshot)
 {
     return (snapshot->order != (uint32_t)ARMING_STATE_MOVING) &&
            is_near(&snapshot->scanner_treatment, &snapshot->scanner_target);
 }
 
-/* Nothing is said of a target by a needle that stands nobody knows where. */
+/* A target is not judged by a needle of unknown position. */
 static bool is_target_judged(const igtl_moment_t *moment)
 {
     return (igtl_pose_status(moment) == STATUS_OK) && (moment->snapshot->has_target != 0U);

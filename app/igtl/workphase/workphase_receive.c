@@ -129,7 +129,7 @@ static void receive_phase(workphase_dialect_t *self, uint32_t index, workphase_t
     }
 }
 
-/* What may end an order is awaited. */
+/* A motion, which may end an order, is awaited. */
 static bool pass_word(workphase_dialect_t *self, uint32_t index, const char *word,
                       command_t *command, const igtl_moment_t *moment)
 {
@@ -140,7 +140,7 @@ static bool pass_word(workphase_dialect_t *self, uint32_t index, const char *wor
     return igtl_requests_add(&self->requests, index, command, moment->answer_clock_us) != NULL;
 }
 
-/* What is no list of lengths by name may be the list without names of before. */
+/* A text that is no list of lengths by name may be the earlier list without names. */
 static void refuse_word(const workphase_dialect_t *self, workphase_peer_t *peer,
                         const workphase_command_t *word, status_t status,
                         const igtl_moment_t *moment)
@@ -248,7 +248,7 @@ void workphase_receive_array(workphase_dialect_t *self, uint32_t index,
     }
 }
 
-/* What is not a workphase: false when it is nothing at all. */
+/* A message that is no workphase: false when it has no meaning. */
 static bool receive_other(workphase_dialect_t *self, uint32_t index, const igtl_message_t *message,
                           const igtl_moment_t *moment)
 {
@@ -411,7 +411,7 @@ void workphase_receive_go_on(workphase_dialect_t *self, const igtl_moment_t *mom
     array->is_owed = array->is_owed && array->is_busy;
 }
 
-/* Of all peers; while nobody commands each may send them. */
+/* The tips of all peers; while none commands each may send them. */
 static bool are_tips_enough(const workphase_dialect_t *self)
 {
     uint32_t count = 0U;

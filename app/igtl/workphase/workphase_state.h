@@ -51,7 +51,7 @@ typedef struct {
 
 typedef struct {
     igtl_outbox_t *outbox; /**< NULL: not connected. */
-    uint32_t number;       /**< Of its connection. */
+    uint32_t number;       /**< Number of its connection. */
     igtl_language_t language;
     const char *entry_prefix;
     workphase_id_t ids[WORKPHASE_IDS]; /**< The last commands, a ring. */
@@ -61,14 +61,14 @@ typedef struct {
     workphase_tip_t tip;
     const char *motion; /**< By which word it asked for its last motion. */
     uint32_t draping; /**< Id of its request of MANUAL, after which it goes to the pose DRAPING. */
-    uint32_t sums[WORKPHASE_LIST_COUNT]; /**< Of the items that it has sent, by the kind of list. */
-    uint32_t steps_told; /**< How many steps of its program it was told to be done. */
+    uint32_t sums[WORKPHASE_LIST_COUNT]; /**< Checksums of its items, by the kind of list. */
+    uint32_t steps_told; /**< Number of done steps of its program that were reported to it. */
     igtl_tracking_t tracking;
     workphase_extra_t extras[WORKPHASE_EXTRAS];
     uint32_t extra_count;
 } workphase_peer_t;
 
-/** What the controlling peer knows of what happens by itself. */
+/** The state that the controlling peer knows, by answers and notifications. */
 typedef struct {
     uint32_t workphase;
     uint32_t estop;
@@ -83,7 +83,7 @@ typedef struct {
 typedef struct {
     bool has_facts;
     workphase_facts_t facts;
-    bool is_waiting; /**< Something is to be told, since... */
+    bool is_waiting; /**< Something is to be reported, since... */
     uint64_t waiting_since_us;
     bool is_control_lost; /**< At this cycle. */
     uint32_t cycle;
@@ -96,7 +96,7 @@ typedef struct {
     workphase_peer_t peers[IGTL_SLOTS];
     uint32_t controller;       /**< Peer that has authority as control shows it, or IGTL_NOBODY. */
     uint64_t next_position_us; /**< When the next CURRENT_POSITION is due. */
-    bool is_new;               /**< What connections of an earlier run had is not released yet. */
+    bool is_new;               /**< The authority of an earlier run is not released yet. */
     workphase_array_t array;   /**< The last, as its items are. */
 } workphase_dialect_t;
 

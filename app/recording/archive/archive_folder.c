@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define TAIL_BYTES (2U * LOG_ENTRY_LINE_SIZE) /* Of a log; its last line is in it. */
+#define TAIL_BYTES (2U * LOG_ENTRY_LINE_SIZE) /* Tail of a log; its last line is in it. */
 
 static bool read_at(int file, uint64_t offset, void *bytes, size_t size)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the recorder has left in its folder, for reading. A name that a client says is looked for
- * among those that are there and opens nothing by itself; links, pipes and folders are not there.
+ * Files that the recorder has left in its folder, for reading. A name that a client sends is looked
+ * for among them and opens nothing by itself; links, pipes and folders are not among them.
  */
 #ifndef BORESIGHT_ARCHIVE_FOLDER_H
 #define BORESIGHT_ARCHIVE_FOLDER_H
@@ -19,7 +19,7 @@
 typedef struct {
     int file; /**< -1: there is none. */
     char name[FILE_SERIES_NAME_SIZE];
-    uint64_t bytes;       /**< Of it, from its beginning: those that are whole. */
+    uint64_t bytes;       /**< Its whole bytes, from its beginning. */
     uint64_t modified_ns; /**< UTC since 1970. */
 } archive_file_t;
 

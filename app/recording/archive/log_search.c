@@ -25,7 +25,7 @@ static bool fits(const log_filter_t *filter, const log_entry_t *entry)
            (entry->utc_us >= filter->from_us) && (entry->utc_us <= filter->to_us);
 }
 
-/* Of the newest, one more takes the place of the oldest. */
+/* In a search for the newest, one more takes the place of the oldest. */
 static void keep(log_search_t *self, const log_entry_t *entry)
 {
     const uint32_t limit = self->filter->limit;

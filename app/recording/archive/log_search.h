@@ -19,7 +19,7 @@ typedef struct {
     uint32_t after;    /**< Number of an event: the first ones after it. Without: the newest. */
     uint32_t limit;    /**< At most so many; not 0. */
     uint32_t severity; /**< event_severity_t: these and those above it. */
-    const char *text;  /**< In the sentence or the name, whatever its case; NULL: any. */
+    const char *text;  /**< In the sentence or the name, in any case; NULL: any. */
     uint64_t from_us;  /**< UTC since 1970, inclusive. */
     uint64_t to_us;    /**< The same. */
 } log_filter_t;

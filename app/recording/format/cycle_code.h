@@ -38,19 +38,19 @@ typedef struct {
     trend_t trends[CYCLE_WORDS_KEPT];
 } cycle_code_t;
 
-/** What is known of a recorded cycle beside what comes back as it was, or of a checkpoint beside
- * the state. */
+/** Knowledge of a recorded cycle beside the words that come back as they were, or of a checkpoint
+ * beside the state. */
 typedef struct {
     bool is_whole; /**< Snapshot and frames were kept; otherwise there is a proof. */
     proof_t proof;
-    const uint8_t *rows; /**< Of a checkpoint: its rows of the trajectory, as many as it says. */
+    const uint8_t *rows; /**< In a checkpoint: its rows of the trajectory, as many as it states. */
 } cycle_known_t;
 
 /** Forgets all cycles before: the next one is whole. */
 void cycle_code_begin(cycle_code_t *self);
 
 /**
- * Writes a cycle to `bytes`, at most CYCLE_CODE_MAX. Of outputs that are not whole `prover` makes
+ * Writes a cycle to `bytes`, at most CYCLE_CODE_MAX. For outputs that are not whole `prover` makes
  * the proof; it forgets all before a whole cycle.
  *
  * @return bytes written
@@ -62,8 +62,7 @@ size_t cycle_code_encode(cycle_code_t *self, prover_t *prover, bool is_whole,
                          const recorded_cycle_t *cycle, uint8_t *bytes);
 
 /**
- * Reads the cycle at the beginning of `bytes`, whatever they are; what was not kept of its outputs
- * is zero.
+ * Reads the cycle at the beginning of any `bytes`; the outputs that were not kept are zero.
  *
  * @return bytes read; 0 when these are not the bytes of a cycle
  */

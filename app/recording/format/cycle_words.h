@@ -15,7 +15,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** What the frame is, and its words. */
+/** Words of a frame: its kind, then its own words. */
 #define CYCLE_WORDS_FRAME (1U + CARD_FRAME_WORDS)
 #define CYCLE_WORDS_FRAMES (CARD_SLOT_COUNT * CYCLE_WORDS_FRAME)
 #define CYCLE_WORDS_LEVELS (offsetof(controller_inputs_t, frames) / sizeof(uint32_t))
@@ -24,11 +24,11 @@
 
 #define CYCLE_WORDS_BOARD (sizeof(cycle_board_t) / sizeof(uint32_t))
 
-/** Of the inputs, then of the outputs before the snapshot (counts, answers and events), then what
- * the board said. */
+/** Words of the inputs, then of the outputs before the snapshot (counts, answers and events), then
+ * of the board's report. */
 #define CYCLE_WORDS_KEPT                                                                           \
     (CYCLE_WORDS_LEVELS + CYCLE_WORDS_FRAMES + CYCLE_WORDS_SAID + CYCLE_WORDS_BOARD)
-/** Of the rest of the outputs: snapshot, then frames in the order of the slots. */
+/** Words of the rest of the outputs: snapshot, then frames in the order of the slots. */
 #define CYCLE_WORDS_CHECKED (CYCLE_WORDS_SNAPSHOT + CYCLE_WORDS_FRAMES)
 /** Which of the kept words is the time that has passed. */
 #define CYCLE_WORDS_ELAPSED (offsetof(controller_inputs_t, elapsed_us) / sizeof(uint32_t))
@@ -37,8 +37,7 @@ void cycle_words_of_kept(const recorded_cycle_t *cycle, uint32_t words[CYCLE_WOR
 void cycle_words_of_checked(const controller_outputs_t *outputs,
                             uint32_t words[CYCLE_WORDS_CHECKED]);
 
-/** The reverse, whatever the words are. Writes all but what of the outputs stands behind the
- * events. */
+/** The reverse, of any words. Writes all but the outputs that stand behind the events. */
 void cycle_words_to_kept(const uint32_t words[CYCLE_WORDS_KEPT], recorded_cycle_t *cycle);
 /** Writes snapshot and frames. */
 void cycle_words_to_checked(const uint32_t words[CYCLE_WORDS_CHECKED],

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a recording keeps of snapshot and outgoing frames instead of themselves: of each part
- * whether it goes on as expected (trend.h), and a hash of each that does not. Recorder and replay
+ * The proof that a recording keeps in place of snapshot and outgoing frames: for each part whether
+ * it continues as expected (trend.h), and a hash of each that does not. Recorder and replay
  * make the proof of a cycle alike; equal outputs have equal proofs. A part that differs where it
  * was as expected shows it surely; where it was hashed, by a hash of 32 bits that goes on from the
  * hash before, so that a difference stays in all later ones.
@@ -22,7 +22,7 @@
 
 typedef struct {
     uint32_t surprises;           /**< Bit n: part n is not as expected. */
-    uint32_t hashes[PROOF_PARTS]; /**< Of those; 0 of the others. */
+    uint32_t hashes[PROOF_PARTS]; /**< Hashes of those; 0 for the others. */
 } proof_t;
 
 /** The first word of a part that is not as expected. */
@@ -34,7 +34,7 @@ typedef struct {
 typedef struct {
     trend_t trends[CYCLE_WORDS_CHECKED];
     uint32_t hashes[PROOF_PARTS];            /**< The last of each part. */
-    proof_surprise_t surprises[PROOF_PARTS]; /**< Of the last cycle. */
+    proof_surprise_t surprises[PROOF_PARTS]; /**< Surprises of the last cycle. */
 } prover_t;
 
 /** Forgets all cycles before. */

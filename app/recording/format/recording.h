@@ -45,7 +45,7 @@
 #define RECORDING_TRAILER_MAGIC 0x4E455342U /**< "BSEN" */
 #define RECORDING_RUN_END_MAGIC 0x45525342U /**< "BSRE", the trailer of a run's last recording. */
 
-#define RECORDING_RUN_SIZE 32U /**< Of the name of a run, with its end. */
+#define RECORDING_RUN_SIZE 32U /**< Size of the name of a run, with its end. */
 
 /** The kind of a record that is no cycle (cycle_kind_t): the state of the controller. */
 #define RECORDING_CHECKPOINT 3U
@@ -55,7 +55,7 @@
 #define RECORDING_RAW_MAX ((size_t)768U * 1024U)
 
 /**
- * What was running.
+ * The program that was running.
  *
  * @satisfies SWR-REC-003
  * @satisfies SWR-REC-008
@@ -76,8 +76,8 @@ typedef struct {
 /** Fields of a block or of the trailer. */
 typedef struct {
     uint32_t magic;
-    uint32_t number; /**< Of the block; of blocks in the trailer. */
-    uint32_t cycle;  /**< Of the first record; of the last one in the trailer. */
+    uint32_t number; /**< Number of the block; of blocks in the trailer. */
+    uint32_t cycle;  /**< Cycle of the first record; of the last one in the trailer. */
     uint32_t records;
     uint32_t raw_size;        /**< In the trailer the upper half of the number of records. */
     uint32_t compressed_size; /**< 0 in the trailer. */
@@ -92,8 +92,8 @@ void recording_encode_header(const recording_header_t *header, uint8_t *bytes);
 void recording_seal_header(uint8_t *bytes);
 
 /**
- * Reads what recording_encode_header() wrote. Of any version only the build is sure to mean what it
- * says.
+ * Reads a header of recording_encode_header(). In each version only the meaning of the build is
+ * certain.
  *
  * @return the version of the recording; 0: this is no header, or it was changed
  */

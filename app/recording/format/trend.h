@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What is expected of a word: that it goes on as before. It stands still, or it changes by as much
+ * The expectation of a word: that it continues as before. It stands still, or it changes by as much
  * as twice before, as a counter does, or by as much as the time that has passed, as a clock does.
- * What is as expected needs not be stored. All zero is the beginning: still, at zero.
+ * A word that is as expected needs not be stored. All zero is the beginning: still, at zero.
  */
 #ifndef BORESIGHT_TREND_H
 #define BORESIGHT_TREND_H

@@ -13,8 +13,8 @@
 void recording_block_begin(recording_reader_t *reader, uint32_t raw_size, uint32_t cycle);
 
 /**
- * The next record of the present block, as recording_reader_next() says. Of the reader's header it
- * needs the size of a checkpoint.
+ * The next record of the present block, as recording_reader_next() returns it. It needs the size of
+ * a checkpoint from the reader's header.
  *
  * @return false at the end of the block, or when it does not hold what it says
  */

@@ -34,7 +34,7 @@ bool recording_reader_fits(const recording_reader_t *self, uint64_t layout,
                            uint32_t controller_size);
 
 /**
- * The next record, and what is known of it. What was not kept of a cycle's outputs is zero. The
+ * The next record, and the knowledge of it. Outputs of a cycle that were not kept are zero. The
  * rows of a checkpoint live until the next call.
  *
  * @return false at the end, or when a block does not hold what its fields say

@@ -23,7 +23,7 @@ typedef struct {
                             inclusive. */
     uint64_t last_byte;
     uint32_t block;     /**< Number of the block there. */
-    char sentence[512]; /**< What was found, for people. */
+    char sentence[512]; /**< The finding, for people. */
 } recording_finding_t;
 
 typedef struct {
@@ -39,7 +39,7 @@ typedef struct {
     uint8_t *raw;    /**< The present block. */
     uint32_t raw_size;
     uint32_t raw_next;
-    uint32_t cycle; /**< Of the next record. */
+    uint32_t cycle; /**< Cycle of the next record. */
     cycle_code_t code;
 } recording_reader_t;
 

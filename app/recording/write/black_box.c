@@ -44,7 +44,7 @@ static void go_back(black_box_t *self)
 }
 
 /*
- * What is in no file stays in the lane, and control hands over nothing more until it is.
+ * Records that are in no file stay in the lane, and control hands over nothing more until they are.
  *
  * @satisfies SWR-REC-032
  */
@@ -138,7 +138,7 @@ static void change_file(black_box_t *self, const cycle_record_t *record, uint32_
     }
 }
 
-/* Of a file that was begun. */
+/* Stores a record in a file that was begun. */
 static void store(black_box_t *self, const cycle_record_t *record, uint64_t now_us)
 {
     if (!run_files_store(&self->files, record, self->rows, now_us)) {
@@ -151,7 +151,7 @@ static void store(black_box_t *self, const cycle_record_t *record, uint64_t now_
     recover(self);
 }
 
-/* Of a checkpoint whose rows are gone nothing can be computed: another one is asked for. */
+/* A checkpoint whose rows are gone is of no use: another one is asked for. */
 static bool has_rows(black_box_t *self, const cycle_record_t *record, uint64_t now_us)
 {
     if ((record->kind != CYCLE_RECORD_CHECKPOINT) ||
@@ -163,7 +163,7 @@ static bool has_rows(black_box_t *self, const cycle_record_t *record, uint64_t n
 }
 
 /*
- * Of a lane that was damaged.
+ * The record was passed already, in a lane that was damaged.
  *
  * @satisfies SWR-REC-024
  */
@@ -276,7 +276,7 @@ static bool take_one(black_box_t *self, uint64_t now_us)
     return true;
 }
 
-/* With nothing in the lane nobody knows whether it could be written: control hands over more. */
+/* An empty lane does not show whether a file could be written: control hands over more. */
 static void try_anew(black_box_t *self, uint64_t now_us)
 {
     if (self->is_failing && !run_files_is_open(&self->files) && (now_us >= self->retry_us)) {
@@ -314,7 +314,7 @@ void black_box_drain(black_box_t *self, uint64_t now_us)
     tell(self); /* Again: a neighbour may have damaged it. */
 }
 
-/* What control did last may not have found room in the lane. */
+/* The last cycle of control may not have found room in the lane. */
 static bool has_last_cycle(const black_box_t *self)
 {
     snapshot_t snapshot;
@@ -324,7 +324,7 @@ static bool has_last_cycle(const black_box_t *self)
            ((snapshot.cycle + 1U) == self->files.next_cycle);
 }
 
-/* What a control that still runs has handed over is the next recorder's. */
+/* Cycles that a control that still runs has handed over are the next recorder's. */
 static uint32_t count_unrecorded(const black_box_t *self)
 {
     const bool is_end = self->is_failing || exchange_has_control_ended(self->exchange);

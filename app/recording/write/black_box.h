@@ -3,12 +3,12 @@
  * @file
  * The black box: takes every cycle out of its lane into recordings, each of which begins with a
  * checkpoint where possible, so that it can be replayed without those before it. While the disk is
- * full or the folder cannot be written, control is told and hands over nothing; recording goes on
- * with what waits in the lane. When the recorder cannot keep up, the lane of cycles fills: in
- * elastic time control waits for it, otherwise what was lost is said and counted in the next
- * recording. A record stays in the lane until it is in the file. The cycles of a file that is
- * removed, moved, replaced or shortened by another are counted, whichever file of this black box it
- * is.
+ * full or the folder cannot be written, control is informed and hands over nothing; recording
+ * continues with the records that wait in the lane. When the recorder cannot keep up, the lane of
+ * cycles fills: in elastic time control waits for it, otherwise what was lost is said and counted
+ * in the next recording. A record stays in the lane until it is in the file. The cycles of a file
+ * that is removed, moved, replaced or shortened by another are counted, whichever file of this
+ * black box it is.
  */
 #ifndef BORESIGHT_BLACK_BOX_H
 #define BORESIGHT_BLACK_BOX_H
@@ -37,7 +37,7 @@ typedef struct {
     uint64_t looked_us;    /**< When the earlier files were last looked at. */
     recording_room_t room;
     cycle_record_t record;                        /**< The present one. */
-    trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Of the newest checkpoint. */
+    trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Rows of the newest checkpoint. */
 } black_box_t;
 
 /**

@@ -18,8 +18,8 @@
 /** As the log has them; all zero at first. */
 typedef struct {
     uint64_t told_us;         /**< 0: never. */
-    uint32_t first_heartbeat; /**< Of the card in this run; 0: it has not answered yet. */
-    bool is_settled;          /**< What the card had counted before the run is known. */
+    uint32_t first_heartbeat; /**< First of the card in this run; 0: it has not answered yet. */
+    bool is_settled;          /**< The card's counts from before the run are known. */
     uint32_t numbers[6];      /**< Frames damaged, out of order, missed; commands damaged, out of
                                  order; trips. */
 } card_counts_t;
@@ -30,7 +30,7 @@ typedef struct {
  * command of a run as out of order, and it may have counted in earlier runs: its own counts up to
  * LIMIT_CARD_COUNTS_SETTLE_FRAMES frames after its first answer change nothing.
  *
- * @return false: there is nothing to tell now, and `text` is as it was
+ * @return false: there is nothing to report now, and `text` is as it was
  *
  * @satisfies SWR-REC-053
  * @satisfies SWR-REC-054

@@ -20,7 +20,7 @@
 #define FILE_MODE 0640
 #define FULL (LIMIT_EVENT_LOG_MB * UINT64_C(1000000))
 
-/* Whatever the number is: its file is made here, or it is not used. */
+/* A number is used only if its file is made here. */
 static int make_file(const char *directory, uint32_t *number, char path[FILE_SERIES_PATH_SIZE])
 {
     int file;
@@ -42,7 +42,7 @@ static void note_place(const event_log_t *self)
     exchange_note_logged(self->exchange, self->next);
 }
 
-/* What is not in the log waits in the exchange. */
+/* Events that are not in the log wait in the exchange. */
 static void fail(event_log_t *self)
 {
     if (!self->is_failing) {
@@ -98,7 +98,7 @@ static uint64_t whole_lines(int file, uint64_t size)
     return (from > 0U) ? size : 0U;
 }
 
-/* What the recorder before has begun in this run. */
+/* Continues the file that the recorder before has begun in this run. */
 static bool go_on(event_log_t *self)
 {
     char *const path = self->path;
@@ -209,7 +209,7 @@ static bool write_event(event_log_t *self, const exchange_event_t *event)
     return write_line(self, line);
 }
 
-/* What is no event: with the number of the next one. */
+/* A line that is no event: with the number of the next one. */
 static bool write_remark(event_log_t *self, const char *remark)
 {
     char when[UTC_TEXT_SIZE];
@@ -320,7 +320,7 @@ static bool is_gone(const event_log_t *self)
     return (found.st_ino != ours.st_ino) || (found.st_dev != ours.st_dev);
 }
 
-/* What is written into a removed file is nowhere. */
+/* Lines that are written into a removed file are lost. */
 static void look_for_file(event_log_t *self)
 {
     if ((self->file >= 0) && is_gone(self)) {

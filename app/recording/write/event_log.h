@@ -17,9 +17,9 @@ typedef struct {
     const char *directory; /**< Lives as long as the log. */
     exchange_t *exchange;  /**< The same. */
     int file;              /**< -1: not open; tried again at the next sync. */
-    uint64_t size;         /**< Of the file, in bytes. */
+    uint64_t size;         /**< Size of the file, in bytes. */
     uint32_t severity;     /**< Those and above are written; the file says so. */
-    uint32_t number;       /**< Of its file, and of the one before; 0: there is none. */
+    uint32_t number;       /**< Number of its file, and of the one before; 0: there is none. */
     uint32_t number_before;
     uint32_t next; /**< Number of the next event. */
     bool is_dirty;
@@ -38,8 +38,8 @@ void event_log_open(event_log_t *self, const char *directory, exchange_t *exchan
 
 /**
  * Writes the events that the exchange has gained; those that it has overwritten are counted in a
- * line. What cannot be written stays in the exchange until the next call. Notes there how far it is
- * and in which files, again each time: a neighbour may have damaged it.
+ * line. An event that cannot be written stays in the exchange until the next call. Notes there how
+ * far it is and in which files, again each time: a neighbour may have damaged it.
  *
  * @satisfies SWR-EVENT-008
  * @satisfies SWR-EVENT-015

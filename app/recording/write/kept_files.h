@@ -12,7 +12,7 @@
 #include <stdint.h>
 #include <sys/types.h>
 
-/** A file that was begun, as it is found as long as nobody else touches it. */
+/** A file that was begun, as it is found as long as no other program touches it. */
 typedef struct {
     uint64_t started_us; /**< In its name, as its number. */
     uint32_t number;

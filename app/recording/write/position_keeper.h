@@ -21,7 +21,7 @@ typedef struct {
     bool is_failing;        /**< The last attempt failed, and it was said. */
 } position_keeper_t;
 
-/** Goes on with the file `path`, whatever is in it. */
+/** Continues with the file `path`, whether or not it holds a record. */
 void position_keeper_open(position_keeper_t *self, const char *path);
 
 /**

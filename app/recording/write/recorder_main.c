@@ -101,7 +101,7 @@ static void drain(exchange_t *exchange)
     exchange_beat(exchange, EXCHANGE_RECORDER);
 }
 
-/* What is recorded begins with whose it is. NULL: told to end before control has said it. */
+/* A recording begins with its robot. NULL: a signal came before control has published it. */
 static const robot_t *await_robot(exchange_t *exchange, const sigset_t *ends)
 {
     const struct timespec tick = {.tv_sec = 0, .tv_nsec = TICK_NS};
@@ -133,7 +133,7 @@ static void record(exchange_t *exchange, const sigset_t *ends)
     look_at_snapshot(exchange, true);
 }
 
-/* Runs with what it was given, until it is told to end. @return the exit code */
+/* Runs with its options until a signal ends it. @return the exit code */
 static int keep(const char *const values[])
 {
     char error[256] = "";

@@ -9,7 +9,7 @@
 #define US_PER_S UINT64_C(1000000)
 #define S_PER_MIN UINT64_C(60)
 #define FILE_S UINT64_C(600) /* A file lasts, and only a new one has older ones removed. */
-#define WEIGHT 4U            /* Of the rate that was known, and one of the new one. */
+#define WEIGHT 4U            /* Weight of the known rate, to one of the new one. */
 #define MOST_MIN UINT64_C(999999)
 
 /* UINT64_MAX: it is not known, which is no reason to warn. */

@@ -14,9 +14,9 @@
 typedef struct {
     int file; /**< -1: closed. */
     recording_header_t header;
-    uint8_t hash[RECORDING_HASH_SIZE]; /**< Of the block before. */
+    uint8_t hash[RECORDING_HASH_SIZE]; /**< Hash of the block before. */
     recording_fields_t block;          /**< The block being filled. */
-    uint32_t cycle;                    /**< Of the last record. */
+    uint32_t cycle;                    /**< Cycle of the last record. */
     uint32_t next_cycle;               /**< The one that may follow in this block. */
     bool has_whole;                    /**< The block has its first cycle. */
     bool has_checkpoint;               /**< No cycle is missing since one. */
@@ -24,7 +24,7 @@ typedef struct {
     uint64_t records;                  /**< Appended. */
     uint64_t size;                     /**< Bytes written. */
     uint32_t cycles_lost;
-    uint32_t lost_before; /**< Of those, the ones before the next block. */
+    uint32_t lost_before; /**< Those before the next block. */
     bool is_run_end;      /**< The run ends with it. */
     void *compressor;
     cycle_code_t code;

@@ -31,8 +31,8 @@ static uint32_t written_until(const run_files_t *self)
     return (self->writer.block.records > 0U) ? self->writer.block.cycle : self->next_cycle;
 }
 
-/* What its last block held and did not reach the disk is still in the lane. A file without a block
- * would only take the place of one that has some. */
+/* Records of its last block that did not reach the disk are still in the lane. A file without a
+ * block would only take the place of one that has some. */
 static void leave(run_files_t *self)
 {
     const int reason = errno;

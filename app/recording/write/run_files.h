@@ -20,8 +20,8 @@ typedef struct {
     const char *directory; /**< Lives as long as these. */
     recording_header_t header;
     recording_writer_t writer;
-    char path[FILE_SERIES_PATH_SIZE]; /**< Of the newest file tried. */
-    uint32_t number;     /**< Of the newest name tried; 0: the directory was not looked at. */
+    char path[FILE_SERIES_PATH_SIZE]; /**< Path of the newest file tried. */
+    uint32_t number;     /**< Number of the newest name; 0: the directory was not looked at. */
     uint64_t opened_us;  /**< When the present file was begun. */
     uint64_t flushed_us; /**< When its last block was written. */
     uint32_t next_cycle;
@@ -29,7 +29,7 @@ typedef struct {
     bool has_cycle;      /**< The two are known. */
     kept_file_t present;
     kept_files_t earlier;  /**< Written before the present one. */
-    uint64_t others_bytes; /**< Of all recordings but the present one, when it was begun. */
+    uint64_t others_bytes; /**< Size of the other recordings when the present one was begun. */
 } run_files_t;
 
 /** No file yet. */
@@ -67,15 +67,15 @@ bool run_files_flush(run_files_t *self, uint64_t now_us);
 /** Ends the open file, if there is one. False with errno set when its end could not be written. */
 bool run_files_end(run_files_t *self);
 
-/** What is in no file comes next again. */
+/** The cycles that are in no file come next again. */
 void run_files_go_back(run_files_t *self);
 
 /** The open file was removed, moved or shortened by another. */
 bool run_files_is_present_gone(run_files_t *self);
 
 /**
- * Leaves the open file, which is gone, as it was found. What was written into it is nowhere, what
- * was not written yet comes next.
+ * Leaves the open file, which is gone, as it was found. Cycles that were written into it are lost,
+ * those not written yet come next.
  *
  * @return the cycles that were written into it
  */

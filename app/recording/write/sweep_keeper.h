@@ -33,7 +33,7 @@ typedef struct {
  */
 bool sweep_keeper_hear(sweep_keeper_t *self, const exchange_event_t *event, uint32_t lost);
 
-/** Hears all that the exchange has gained. What cannot be kept is said on stderr. */
+/** Hears all that the exchange has gained. A curve that cannot be kept is reported on stderr. */
 void sweep_keeper_drain(sweep_keeper_t *self, const exchange_t *exchange);
 
 #endif

@@ -6,7 +6,7 @@
 #include "card/card_frame.h"
 #include "interface/app/fields.h"
 
-/** Of card_command_t. */
+/** Fields of card_command_t. */
 extern const field_t fields_card_command[];
 
 /** Name of a card_drive_mode_t. Lives for ever. */

@@ -161,7 +161,7 @@ static void tell_element(teller_t *self, const uint8_t *from)
     case FIELD_INSIDE:
         tell_inside(self, from);
         break;
-    case FIELD_WIDE: /* No structure that is told has one. */
+    case FIELD_WIDE: /* No structure that is given has one. */
     case FIELD_UNSIGNED:
     default:
         tell_number(self, "", (double)word_of(from), 0);
@@ -205,7 +205,7 @@ void series_tell(const field_t *fields, const void *from, const axis_config_t *a
             (void)snprintf(self.stem, sizeof self.stem, "%s", self.field->name);
             tell_element(&self, at);
         } else {
-            /* Each element is told by itself. */
+            /* Each element is given by itself. */
         }
     }
 }

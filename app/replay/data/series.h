@@ -20,7 +20,7 @@ typedef struct {
     char name[SERIES_NAME_SIZE];
     const char *says;
     series_kind_t kind;
-    double number; /**< Of a flag 0 or 1. */
+    double number; /**< For a flag 0 or 1. */
     int decimals;  /**< All that it has. */
     char word[SERIES_WORD_SIZE];
 } series_t;
@@ -28,8 +28,8 @@ typedef struct {
 typedef void series_sink_t(void *to, const series_t *series);
 
 /**
- * Tells `sink` each series of the structure at `from`, without those of arrays of structures. With
- * `axis` positions and speeds are told in its unit as well.
+ * Gives `sink` each series of the structure at `from`, without those of arrays of structures. With
+ * `axis` positions and speeds are given in its unit as well.
  */
 void series_tell(const field_t *fields, const void *from, const axis_config_t *axis,
                  series_sink_t *sink, void *to);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file What of a snapshot is told beside each other: the state, each axis, each card that the
- * robot names. */
+/** @file The sources of series in a snapshot: the state, each axis, each card that the robot
+ * names. */
 #ifndef BORESIGHT_SOURCE_H
 #define BORESIGHT_SOURCE_H
 
@@ -13,7 +13,7 @@
 typedef struct {
     const char *says;
     const field_t *fields;
-    size_t offset;                 /**< Of the snapshot. */
+    size_t offset;                 /**< Offset in the snapshot. */
     const axis_config_t *axis;     /**< NULL: it is none. */
     char topic[SOURCE_NAME_SIZE];  /**< "/axes/yaw". */
     char prefix[SOURCE_NAME_SIZE]; /**< "yaw_". */
@@ -22,7 +22,7 @@ typedef struct {
 /** Writes those of `robot`, which must outlive them. How many there are. */
 uint32_t source_find(const robot_t *robot, source_t sources[SOURCES]);
 
-/** Tells `sink` its series in `snapshot`, of an axis also its output in percent. */
+/** Gives `sink` its series in `snapshot`, for an axis also its output in percent. */
 void source_tell(const source_t *self, const snapshot_t *snapshot, series_sink_t *sink, void *to);
 
 #endif

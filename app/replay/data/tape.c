@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is no whole number is told with seven digits: the tenth of a micrometre for people. */
+/* A number that is not whole is given with seven digits: the tenth of a micrometre for people. */
 #define FORMAT "%.7g"
 #define WHOLE_FORMAT "%.0f"
 #define NUMBER_SIZE 32U
@@ -16,8 +16,8 @@ typedef struct {
     tape_t *tape;
     bytes_t *row;
     double cycles;
-    uint32_t place; /* Of what is looked at. */
-    uint32_t told;  /* The last that was told. */
+    uint32_t place; /* Place of the value that is looked at. */
+    uint32_t told;  /* The last that was given. */
     bool with_numbers;
     bool is_told;
     bool is_rebuilt;
@@ -54,7 +54,7 @@ static bool have_same_parts(const cJSON *one, const cJSON *other)
     return (a == NULL) && (b == NULL) && (cJSON_IsObject(one) == cJSON_IsObject(other));
 }
 
-/* Of what holds nothing. */
+/* Two values that hold no others. */
 static bool are_equal(const cJSON *one, const cJSON *other)
 {
     if (cJSON_IsString(one) && cJSON_IsString(other)) {

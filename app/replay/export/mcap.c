@@ -297,7 +297,7 @@ static void write_footer(mcap_t *self, uint64_t summary, uint64_t offsets)
     emit_record(self);
 }
 
-/* What stands at the end, each kind together. */
+/* The records at the end, each kind together. */
 static const struct {
     uint8_t kind;
     void (*write)(mcap_t *self);

@@ -27,7 +27,7 @@ typedef struct {
 typedef struct {
     FILE *file;
     uint64_t offset; /**< Bytes written. */
-    uint32_t crc;    /**< Of them, since the section began. */
+    uint32_t crc;    /**< CRC of them, since the section began. */
     bytes_t record;  /**< The one being made. */
     bytes_t schemas; /**< All of them again, for the end. */
     bytes_t channels;
@@ -37,11 +37,11 @@ typedef struct {
     bytes_t packed;
     mcap_place_t places[MCAP_CHUNK_MESSAGES];
     uint32_t place_count;
-    uint64_t first_ns; /**< Of all messages. */
+    uint64_t first_ns; /**< Time of the first of all messages. */
     uint64_t last_ns;
-    FILE *indexes; /**< Of the chunks that are written. */
+    FILE *indexes; /**< Indexes of the chunks that are written. */
     uint32_t chunk_count;
-    uint64_t note_offset; /**< Of the note. */
+    uint64_t note_offset; /**< Offset of the note. */
     uint64_t note_length;
     const char *note_name; /**< NULL: none. */
 } mcap_t;

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#define LENGTH_AT 1U /* Of a record: behind its kind. */
+#define LENGTH_AT 1U /* Place in a record: behind its kind. */
 
 /* Four bits at a time. */
 uint32_t mcap_crc_add(uint32_t crc, const uint8_t *bytes, size_t size)

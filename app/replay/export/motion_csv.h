@@ -22,7 +22,7 @@ typedef struct {
 void motion_csv_begin(motion_csv_t *self, FILE *file, const robot_t *robot);
 
 /**
- * Takes a cycle and writes its row if it is its turn; `shown`: what it showed, NULL: nobody knows.
+ * Takes a cycle and writes its row if it is its turn; `shown`: its outputs, NULL: unknown.
  *
  * @satisfies SWR-REPLAY-011
  */

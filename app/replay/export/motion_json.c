@@ -14,7 +14,7 @@
 #include <string.h>
 
 #define FORMAT 2U
-#define NUMBER_CYCLES 25U /* Each so many cycles numbers are told. */
+#define NUMBER_CYCLES 25U /* Each so many cycles numbers are given. */
 #define US_PER_MS 1000U
 #define MS_PER_S 1000.0
 #define HASH_START 2166136261U
@@ -33,7 +33,7 @@ static void write_value(FILE *file, cJSON *value)
     cJSON_Delete(value);
 }
 
-/* Who accepts what cards of another dialect lack is in no recording, and not shown by its page. */
+/* The person who accepts cards of another dialect is in no recording, and not shown by its page. */
 static const exchange_cards_t cards = {.dialect = (uint32_t)CARD_DIALECT_OWN};
 
 /* The robot as it is before anything is known of it by others than its file. */
@@ -108,7 +108,8 @@ static uint32_t drives_of(const controller_outputs_t *shown)
     return drives;
 }
 
-/* What is told in each cycle in which it changes, so that it is no number for the page. */
+/* Values that are given in each cycle in which they change, so that they are no numbers for the
+ * page. */
 static bool is_order(const char *name)
 {
     return (strncmp(name, "drive_", strlen("drive_")) == 0) || (strcmp(name, "control") == 0) ||
@@ -156,7 +157,7 @@ static void name_peer(uint32_t peer, char name[EXCHANGE_TITLE_SIZE])
     }
 }
 
-/* What the page shows of a cycle; its time stands for the clock's, which is that of now. */
+/* The view of a cycle on the page; its time stands for the clock's, which is that of now. */
 static cJSON *new_moment(motion_json_t *self, const controller_outputs_t *shown)
 {
     cJSON *const moment = cJSON_CreateObject();

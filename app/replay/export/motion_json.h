@@ -2,10 +2,10 @@
 /**
  * @file
  * Recorded motion as the JSON that the page of a recording reads (app/console/src/replay). It holds
- * what the console would have been sent, and the frames that left to the cards: each state, word
- * and flag, and what a card is asked to drive, in each cycle in which it changes; numbers each so
- * many cycles as it says itself, and in each with an event. From a cycle on that nobody knows until
- * the next one that is known it holds null.
+ * the messages that the console would have got, and the frames that left to the cards: each state,
+ * word and flag, and the drive command of a card, in each cycle in which it changes; numbers each
+ * so many cycles as it states itself, and in each with an event. From an unknown cycle until the
+ * next known one it holds null.
  */
 #ifndef BORESIGHT_MOTION_JSON_H
 #define BORESIGHT_MOTION_JSON_H

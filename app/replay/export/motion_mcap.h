@@ -34,8 +34,8 @@ typedef struct {
 bool motion_mcap_begin(motion_mcap_t *self, FILE *file, const robot_t *robot);
 
 /**
- * Takes a cycle: writes its events, and what it said if it is its turn; `shown`: that, NULL: nobody
- * knows.
+ * Takes a cycle: writes its events, and its outputs if it is its turn; `shown`: those, NULL:
+ * unknown.
  *
  * @satisfies SWR-REPLAY-010
  */

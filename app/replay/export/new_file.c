@@ -62,7 +62,7 @@ static int create(const char *path)
     return is_named ? open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666) : created;
 }
 
-/* What is whole gets its name, unless another file has it by now. */
+/* A whole file gets its name, unless another file has it by now. */
 static void give_name(const char *path)
 {
     char link[32];

@@ -91,7 +91,7 @@ static void compare_state(again_t *self)
     self->is_other = (state != NULL) && (state->digest != digest_of(&self->replay));
 }
 
-/* Of a cycle before a checkpoint. */
+/* Compares a cycle before a checkpoint. */
 static void compare_record(again_t *self, const cycle_record_t *record, const cycle_known_t *known)
 {
     const again_state_t *const state = find_state(self, record->cycle);

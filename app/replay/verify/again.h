@@ -12,9 +12,9 @@
 
 /** A state that was computed. */
 typedef struct {
-    uint32_t cycle;  /**< That is next. */
-    uint32_t digest; /**< Of its seals. */
-    uint32_t record; /**< Of the whole record of that cycle; 0: it was not replayed. */
+    uint32_t cycle;  /**< The next cycle. */
+    uint32_t digest; /**< Digest of its seals. */
+    uint32_t record; /**< Digest of the whole record of that cycle; 0: it was not replayed. */
 } again_state_t;
 
 /** All zero is empty. */

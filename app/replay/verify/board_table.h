@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the board said, as comma-separated values: a row for each cycle. Times are in us of the
+ * The reports of the board, as comma-separated values: a row for each cycle. Times are in us of the
  * board's time, which wrap. Inputs are words; `high` are those that were high all the time since
  * the sample before. `results` has a letter for each slot: - not sent, o back, n no answer, l late,
  * i still under way, b bus error.

@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What a file calls itself; four letters for each that is not plain. */
+/* Names in a file's header; four letters for each that is not plain. */
 typedef struct {
     char robot[4U * sizeof((recording_header_t *)0)->robot];
     char build[4U * sizeof((recording_header_t *)0)->build];

@@ -16,7 +16,7 @@ typedef struct {
     uint64_t undone;      /**< They were there, but follow no checkpoint. */
     bool is_undone;       /**< The last one did. */
     uint32_t undone_from; /**< Since this cycle. */
-    const char *path;     /**< Of the present recording. */
+    const char *path;     /**< Path of the present recording. */
     bool is_again;        /**< The last one was there before. */
     bool is_compared;     /**< And it was replayed. */
     uint32_t again_from;  /**< Since this cycle, */

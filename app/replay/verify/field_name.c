@@ -17,7 +17,7 @@ static const field_t *find(const field_t *fields, size_t offset)
     return field;
 }
 
-/* What of the field is meant: the element of an array, or the word of what has no fields. */
+/* The meant part of the field: the element of an array, or the word of a part without fields. */
 static void name_element(const field_t *field, size_t inside, char *text)
 {
     if (field->element_size < field->size) {

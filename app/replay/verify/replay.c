@@ -8,10 +8,10 @@
 #include <string.h>
 
 #define PLACE_SIZE 128U
-#define WORDS_NAMED 5U /**< Of a state. */
+#define WORDS_NAMED 5U /**< Words of a state. */
 #define WORDS_SIZE (WORDS_NAMED * sizeof ", 4294967295")
 
-/* What equal elements a part of the outputs consists of; NULL: of bytes without names. */
+/* The equal elements of a part of the outputs; NULL: bytes without names. */
 typedef struct {
     const char *name;
     size_t offset;
@@ -187,7 +187,7 @@ static void say_values(const char *where, uint32_t cycle, uint32_t replayed, uin
                    (unsigned)recorded, (unsigned)recorded);
 }
 
-/* What was kept of it: the word of a field, otherwise the byte. */
+/* The kept part of it: the word of a field, otherwise the byte. */
 static void say_kept(size_t offset, uint32_t cycle, const uint8_t *replayed,
                      const uint8_t *recorded, char *text, size_t size)
 {

@@ -21,7 +21,7 @@ typedef struct {
     controller_t controller;
     controller_outputs_t outputs;
     prover_t prover;
-    proof_t proof;   /**< Of the last cycle, as replayed. */
+    proof_t proof;   /**< Proof of the last cycle, as replayed. */
     bool is_running; /**< A checkpoint was restored and no cycle is missing since. */
     uint32_t next_cycle;
     uint64_t replayed;   /**< Cycles whose outputs were equal. */
@@ -50,7 +50,7 @@ bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *rec
  * differ first from those of `record`, or in which words the state from a checkpoint, as a
  * sentence.
  *
- * @return the field is in it; otherwise the next cycle that is kept whole tells more
+ * @return the field is in it; otherwise the next cycle that is kept whole shows more
  *
  * @satisfies SWR-REPLAY-004
  */

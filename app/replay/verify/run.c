@@ -15,7 +15,7 @@
 
 #define NAME_SIZE (4U * (NAME_MAX + 1U))
 
-/* What a file says at its beginning. */
+/* The beginning of a file. */
 typedef struct {
     uint8_t header[RECORDING_HEADER_SIZE];
     uint8_t fields[RECORDING_FIELDS_SIZE];
@@ -219,7 +219,7 @@ static void name_runs(const run_t *self, const run_file_t *but, const char *befo
     (void)fprintf(notes, "%s", is_first ? "" : ".\n");
 }
 
-/* Of all only those of the run. */
+/* Keeps only those of the run. */
 static void keep(run_t *self, uint64_t run)
 {
     uint32_t kept = 0U;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The recordings of one run in a folder. A recording is known by the end of its name, and its run
- * and its place in it by what it says at its beginning, whatever it is called.
+ * The recordings of one run in a folder. A recording is known by the end of its name, its run and
+ * its place in the run by its header, whatever the rest of its name is.
  */
 #ifndef BORESIGHT_RUN_H
 #define BORESIGHT_RUN_H

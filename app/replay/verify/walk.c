@@ -166,7 +166,7 @@ void walk_tell_lost(const walk_t *self)
     }
 }
 
-/* What follows the end of a run is of another, or what says that it ends there is. */
+/* A recording behind the end of a run is of another run, or the one that states the end is. */
 static void note_behind_end(walk_t *self)
 {
     if (self->had_end && !self->is_behind_end) {

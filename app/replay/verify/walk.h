@@ -43,8 +43,7 @@ typedef struct {
     char difference[WALK_SENTENCE]; /**< The first one; "" for none. */
 } walk_t;
 
-/** What is done with a cycle; `shown`: what it said, NULL where it was neither replayed nor kept
- * whole. */
+/** The act on a cycle; `shown`: its outputs, NULL where it was neither replayed nor kept whole. */
 typedef void walk_teller_t(walk_t *self, void *to, const controller_outputs_t *shown);
 
 /** Begins with nothing open; `notes` is where it says what is missing. */
@@ -85,19 +84,19 @@ int walk_end(walk_t *self);
 /** Says where the outputs differ. The exit code. */
 int walk_tell_difference(walk_t *self, FILE *where);
 
-/** Of a recording alone: says how many cycles its recorder has lost before it. */
+/** For a recording alone: prints the number of cycles that its recorder has lost before it. */
 void walk_tell_lost(const walk_t *self);
 
 #define WALK_GOES_ON (-1) /**< There is no exit code yet. */
 
-/** What is done with each recording in its turn: WALK_GOES_ON, or the exit code. */
+/** The act on each recording in its turn: WALK_GOES_ON, or the exit code. */
 typedef int walk_part_t(walk_t *self);
 
-/** Replays the next record and tells it when it is a cycle that was not there before. The exit code
- * after the last one of a recording alone, else WALK_GOES_ON. */
+/** Replays the next record and calls `tell` when it is a cycle that was not there before. The exit
+ * code after the last one of a recording alone, else WALK_GOES_ON. */
 int walk_tell_next(walk_t *self, walk_teller_t *tell, void *to);
 
-/** Tells each cycle of the recording, alone, as it is replayed. The exit code. */
+/** Calls `tell` for each cycle of the recording, alone, as it is replayed. The exit code. */
 int walk_tell(walk_t *self, walk_teller_t *tell, void *to);
 
 /** The same of the present one of several: WALK_GOES_ON at its end. */

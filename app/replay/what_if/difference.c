@@ -63,7 +63,8 @@ static bool differs(const series_t *was, const series_t *now)
     return (was->number != now->number) || (strcmp(was->word, now->word) != 0);
 }
 
-/* Of a source those series that are numbers, or those that are not. Returns how many are told. */
+/* Series of a source that are numbers, or those that are not. Returns the number of those reported.
+ */
 static uint32_t say_source(difference_t *self, uint32_t place, const snapshot_t *const both[2],
                            bool are_numbers)
 {
@@ -148,7 +149,7 @@ static uint32_t say_events(difference_t *self, const controller_outputs_t *const
     return told;
 }
 
-/* What leaves to a card; a slot without a frame gets no drive. */
+/* The command that leaves to a card; a slot without a frame gets no drive. */
 static void find_drive(const controller_outputs_t *outputs, uint32_t slot, card_command_t *command)
 {
     (void)memset(command, 0, sizeof *command);

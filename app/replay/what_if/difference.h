@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * In words, where what one controller says differs from what another one says in the same cycle. Of
- * two runs that were one before, each kind of difference is told once.
+ * Differences, in words, between the outputs of two controllers in the same cycle. Each kind of
+ * difference of two runs that were one before is reported once.
  */
 #ifndef BORESIGHT_DIFFERENCE_H
 #define BORESIGHT_DIFFERENCE_H
@@ -30,10 +30,10 @@ typedef struct {
     source_t sources[SOURCES];
     uint32_t source_count;
     bool has_begun;                           /**< A cycle has differed. */
-    uint32_t states[2];                       /**< What series_states() said last of both. */
-    difference_list_t was;                    /**< Of the source that is compared. */
+    uint32_t states[2];                       /**< Last values of series_states() for both. */
+    difference_list_t was;                    /**< Series of the source that is compared. */
     difference_list_t now;                    /**< The same. */
-    bool is_told[SOURCES][DIFFERENCE_SERIES]; /**< Each is told once. */
+    bool is_told[SOURCES][DIFFERENCE_SERIES]; /**< Each is reported once. */
     bool is_drive_told[CARD_SLOT_COUNT];      /**< The same. */
     bool is_event_told[2][EVENT_ID_COUNT];    /**< The same: of the one, of the other. */
     uint32_t cycle;                           /**< That is compared. */
@@ -43,8 +43,8 @@ typedef struct {
 void difference_init(difference_t *self, const robot_t *robot, difference_sink_t *sink, void *to);
 
 /**
- * Tells which states, reasons, events and drives of a cycle that differs are `now` others than they
- * `was`, for the first time; in the first such cycle numbers, when nothing else does.
+ * Reports which states, reasons, events and drives of a cycle that differs are `now` others than
+ * they `was`, for the first time; in the first such cycle numbers, when nothing else does.
  *
  * @satisfies SWR-SITE-018
  */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What may be changed. */
+/* Inputs that may be changed. */
 static const struct {
     const char *name;
     size_t offset;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the controller would have done if some of its inputs had been others. A second controller
- * goes on from the state before the first changed cycle, on the recorded inputs but for these, and
- * what it says is compared with what was recorded. What the cards report is as it was recorded:
- * nothing answers to what the second controller says.
+ * The behaviour of the controller if some of its inputs had been others. A second controller
+ * continues from the state before the first changed cycle, on the recorded inputs but for these,
+ * and its outputs are compared with the recorded ones. The reports of the cards are the recorded
+ * ones: no card answers to the second controller.
  */
 #ifndef BORESIGHT_WHAT_IF_H
 #define BORESIGHT_WHAT_IF_H
@@ -16,7 +16,7 @@
 #define WHAT_IF_SERIES 256U /**< Most series of one source. */
 
 typedef struct {
-    size_t offset; /**< Of the inputs. */
+    size_t offset; /**< Offset in the inputs. */
     uint32_t value;
 } what_if_change_t;
 
@@ -34,7 +34,7 @@ typedef struct {
     difference_t difference;
     uint32_t cycle;     /**< That is compared. */
     uint64_t compared;  /**< Cycles. */
-    uint64_t different; /**< Of them. */
+    uint64_t different; /**< Those of them that differ. */
 } what_if_t;
 
 /** Reads "CYCLE", from which on it is, or "CYCLE-CYCLE", in which it is. False: it is neither. */
@@ -63,7 +63,7 @@ void what_if_prepare(what_if_t *self, const replay_t *replay, const cycle_record
 void what_if_take(what_if_t *self, const replay_t *replay, const cycle_record_t *record);
 
 /** Prints how much differs. False: the changed cycles are not in the recording, or nothing before
- * them tells the state. */
+ * them gives the state. */
 bool what_if_end(const what_if_t *self);
 
 #endif

@@ -5,7 +5,7 @@ import "./help.css";
 
 const MARK = "data-toured";
 
-/** Outlines what is spoken of. The mark is an attribute that nobody else writes. */
+/** Outlines the element that is spoken of. The mark is an attribute that no other part writes. */
 function useOutline(selector: string): void {
   useEffect(() => {
     const element = document.querySelector(selector);

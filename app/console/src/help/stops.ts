@@ -2,7 +2,7 @@
 // The tour: what it shows, in its order.
 
 export interface TourStop {
-  /** What is outlined; of several, the first. */
+  /** Selector of the element that is outlined; of several, the first. */
   selector: string;
   title: string;
   says: string;

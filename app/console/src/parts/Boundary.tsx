@@ -2,9 +2,9 @@
 import { Component, type ReactNode } from "react";
 
 export interface BoundaryProperties {
-  /** Of the part that may fail, for the sentence. */
+  /** Name of the part that may fail, for the sentence. */
   name: string;
-  /** What is shown in its place; the sentence by default. */
+  /** The replacement for it; the sentence by default. */
   instead?: ReactNode;
   children: ReactNode;
 }

@@ -12,7 +12,7 @@ function placeOf(pointer: string): string {
   return step === undefined ? pointer : `step ${Number(step) + 1}`;
 }
 
-/** What control has said of the list that was sent: by name, and where. `quote`: what stands there. */
+/** Control's verdict on the list that was sent: by name, with the place. `quote`: the text there. */
 export function Check({
   verdict,
   quote = null,
@@ -64,7 +64,7 @@ export function ListOrders<Answer extends Held>({
   run: Path;
   /** Why it cannot be run now. */
   refusal: string | null;
-  /** What is missing before it can be sent, or null. */
+  /** The input that is missing before it can be sent, or null. */
   missing: string | null;
   send(): void;
 }) {

@@ -8,7 +8,7 @@ export interface TextFile {
 }
 
 export interface FileDropProperties<Taken = TextFile> {
-  /** Of the button that opens the file picker. */
+  /** Label of the button that opens the file picker. */
   label: string;
   /** As the file picker takes it. */
   accept: string;
@@ -22,7 +22,7 @@ export function FileDrop({ take, ...drop }: FileDropProperties) {
   return <AnyFileDrop {...drop} take={read} />;
 }
 
-/** What is dropped beside it would replace the page. */
+/** A file that is dropped beside it would replace the page. */
 function refuseBeside(event: globalThis.DragEvent): void {
   if (!event.defaultPrevented) {
     event.preventDefault();

@@ -14,7 +14,7 @@ export interface HoldButtonProperties {
 }
 
 /**
- * A button for as long as pointer or key is down on it. Whatever takes either away is a release, also when another finger or
+ * A button for as long as pointer or key is down on it. Each loss of either is a release, also when another finger or
  * key has come meanwhile.
  */
 export function HoldButton({

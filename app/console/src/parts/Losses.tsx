@@ -5,7 +5,7 @@ import type { Operation } from "../state/operation";
 import type { ConsoleView } from "../state/store";
 
 /**
- * What this page has lost and why, until somebody has read it.
+ * The losses of this page and their causes, until the user has read them.
  *
  * @satisfies SWR-CON-091
  * @satisfies SWR-SESS-035

@@ -26,7 +26,7 @@ const states: Readonly<Record<Outcome["state"], string>> = {
   lost: "accepted; the connection was lost, so its end is not known",
 };
 
-/** What the last act was, if it is this one. */
+/** State of the last act, if it is this one. */
 function stateOf(
   outcome: Outcome | null,
   path: Path,
@@ -48,7 +48,7 @@ export function nameOf({ path, fields }: Outcome): string {
   return [name, ...what.map(words)].join(" ");
 }
 
-/** A button that commands, and beneath it why it cannot. What bars all of them is said once, by their panel. */
+/** A button that commands, and beneath it why it cannot. A reason against all of them is shown once, by their panel. */
 export function Order({
   commanding,
   path,
@@ -98,7 +98,7 @@ export function Orders({
   );
 }
 
-/** What bars all orders of a panel, and what has become of the last one that came from it. */
+/** The reason against all orders of a panel, and the result of the last one that came from it. */
 export function OrderNotes({ commanding }: { commanding: Commanding }) {
   const { obstacle, own, problem } = commanding;
   return (

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: what becomes of a command is told wherever one is on the page by then.
+// Rule under test: the result of a command is shown in whichever view the user is by then.
 import { act, cleanup, render, screen, within } from "@testing-library/react";
 import { afterEach, expect, test, vi } from "vitest";
 import type { Act, Path } from "@interface";

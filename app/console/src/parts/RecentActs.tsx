@@ -34,7 +34,7 @@ function Told({ outcome }: { outcome: Outcome }) {
 }
 
 /**
- * What this page has commanded last and what became of it, also when its panel was left before.
+ * The last commands of this page and their results, also when their panel was left before.
  *
  * @satisfies SWR-CON-046
  */

@@ -30,7 +30,7 @@ interface Drag {
   position: number;
 }
 
-/** A set-point that is only drafted; nobody hears of it before it is let go. */
+/** A set-point that is only drafted; it is not sent before it is let go. */
 function useDraft({ axis, asked, isLocked, onSend }: SliderProperties) {
   const [draft, setDraft] = useState<number | null>(null);
   const dragRef = useRef<Drag | null>(null);
@@ -70,9 +70,9 @@ function useDraft({ axis, asked, isLocked, onSend }: SliderProperties) {
 
 export interface SliderProperties {
   axis: Axis;
-  /** What this page has asked for and control has not reached yet. */
+  /** Position that this page has asked for and control has not reached yet. */
   asked: number | null;
-  /** Of an arrow key, in the unit of the axis. */
+  /** Step of an arrow key, in the unit of the axis. */
   step: number;
   isLocked: boolean;
   /** It was let go. */
@@ -86,7 +86,7 @@ function SliderTrack({
 }: {
   axis: Axis;
   wanted: number;
-  /** What the pointer does with the circle. */
+  /** Handlers of the pointer on the circle. */
   grip: SVGProps<SVGCircleElement>;
 }) {
   const at = (position: number) => `${percentOf(axis, position)}%`;

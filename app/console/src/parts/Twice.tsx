@@ -15,7 +15,7 @@ export interface TwiceProperties {
   children: string;
 }
 
-/** What changes a position without a motion is asked twice. */
+/** An act that changes a position without a motion asks twice. */
 export function Twice({
   question,
   commanding,

@@ -2,7 +2,7 @@
 import type { ReactNode } from "react";
 import "./WideTable.css";
 
-/** Of numbers they stand on the right. */
+/** Columns of numbers stand on the right. */
 export type Column = string | { number: string };
 
 /** A table that scrolls by itself, by keys too, where the page is narrower. */

@@ -8,7 +8,7 @@ import { Replay } from "../replay/Replay";
 import type { ReaderPort, Report } from "./messages";
 import "./Recorded.css";
 
-/** Of the file that was opened last. */
+/** State of the file that was opened last. */
 type Opened =
   | { kind: "reading"; name: string; share: number }
   | { kind: "refused"; name: string; reason: string }

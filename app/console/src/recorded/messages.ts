@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page and the worker that reads a recording say to each other.
+// Messages between the page and the worker that reads a recording.
 
 /** From the page, once. */
 export interface Order {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The file of a recording, read by the replay of the product: recorded.wasm, as site/recorded/recorded.h has it.
 
-/** What the module exports. */
+/** The exports of the module. */
 interface Door {
   memory: WebAssembly.Memory;
   name(): number;
@@ -35,14 +35,14 @@ export async function bytesOf(file: Blob): Promise<Uint8Array> {
 export class RecordedFile {
   private readonly door: Door;
 
-  /** Of one file. */
+  /** A door for one file. */
   constructor(module: WebAssembly.Module) {
     const { exports } = new WebAssembly.Instance(module, {});
     this.door = exports as unknown as Door;
   }
 
   /**
-   * What a page shows of it, JSON in UTF-8. Throws what the replay says of a file that it refuses. `tell`: the share that is done.
+   * The content for a page, JSON in UTF-8. Throws the sentence of the replay for a refused file. `tell` gets the done share.
    *
    * @satisfies SWR-SITE-035
    * @satisfies SWR-SITE-036

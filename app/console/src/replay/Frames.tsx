@@ -5,7 +5,7 @@ import { WideTable } from "../parts/WideTable";
 import type { Frame } from "./recording";
 
 /**
- * What left to each card.
+ * The frame that left to each card.
  *
  * @satisfies SWR-REPLAY-016
  */

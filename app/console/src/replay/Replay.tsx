@@ -156,7 +156,7 @@ function Panels({
 }
 
 /**
- * A recording, to be looked at cycle by cycle with the parts of the console. Of a cycle in a gap nothing is shown.
+ * A recording, to be looked at cycle by cycle with the parts of the console. A cycle in a gap is not shown.
  *
  * @satisfies SWR-REPLAY-018
  * @satisfies SWR-REPLAY-021

@@ -110,7 +110,7 @@ export interface TimelineProperties {
   recording: Recording;
   cycle: number;
   onCycle: (cycle: number) => void;
-  /** What the cycle is, in words. */
+  /** The cycle in words. */
   says: string;
 }
 

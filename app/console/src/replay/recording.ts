@@ -14,10 +14,10 @@ const KEPT_ROWS = 500;
 const MS_PER_S = 1000;
 const CYCLES_PER_S = 1000;
 
-/** What left to a card, by the names of core/card. */
+/** The frame that left to a card, by the names of core/card. */
 export type Frame = Readonly<Record<string, string | number>>;
 
-/** What is told of a cycle. */
+/** The content of a cycle. */
 interface Told {
   /** Since the first one. */
   time_s: number;
@@ -53,7 +53,7 @@ export interface Identity {
 
 export interface RecordingDocument {
   format: number;
-  /** Cycles between those in which numbers are told. */
+  /** Cycles between those in which numbers are given. */
   numbers_each: number;
   robot: Robot;
   rows: readonly Row[];
@@ -82,7 +82,7 @@ export interface Span {
   text: string;
 }
 
-/** Of a span of which nothing is known. */
+/** Name of a span of which nothing is known. */
 const UNKNOWN = "unknown";
 
 export interface Lanes {
@@ -91,7 +91,7 @@ export interface Lanes {
   reasons: readonly Span[];
 }
 
-/** What the console would have shown. */
+/** The view that the console would have shown. */
 export function viewOf(robot: RobotState): ConsoleView {
   return {
     isConnected: true,
@@ -146,7 +146,7 @@ export class Recording {
   private readonly rows: readonly Row[];
   private readonly cycles: number[] = [];
   private readonly kept: Tape[] = [];
-  /** Of each row: what was seen of the charts, since which cycle nothing is missing, and how long the trace was. */
+  /** By row: the states of the charts, the cycle since which none is missing, and the length of the trace. */
   private readonly seen: Seen[] = [];
   private readonly since: number[] = [];
   private readonly traced: number[] = [];

@@ -25,13 +25,13 @@ function placesOf(root: Place): Place[] {
 }
 
 export class Tape {
-  /** Of the last row. */
+  /** Cycle of the last row. */
   cycle = 0;
-  /** Of the last one with numbers. */
+  /** Cycle of the last one with numbers. */
   counted = 0;
   private root: Place = { holder: { whole: null }, key: "whole" };
   private places = placesOf(this.root);
-  /** Of the numbers that go on by themselves, for each cycle. */
+  /** Changes of the numbers that continue by themselves, for each cycle. */
   private rates = new Map<number, number>();
 
   /** It changes with the next row. */
@@ -85,7 +85,7 @@ export class Tape {
     return hasWords;
   }
 
-  /** What was not told. */
+  /** Continues the numbers that were not given. */
   private goOn(rates: ReadonlyMap<number, number>, cycles: number): void {
     for (const [place, rate] of rates) {
       const { holder, key } = this.places[place]!;

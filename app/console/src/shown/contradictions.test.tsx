@@ -59,7 +59,7 @@ const next =
 
 const press = banner(/Press and hold the pedal|Keep the pedal pressed/);
 
-/** What may not stand together. */
+/** Texts that may not stand together. */
 const contradictions: Readonly<Record<string, readonly [Says, Says]>> = {
   "press and release the pedal": [press, banner(/[Rr]elease (the pedal|it)\b/)],
   "press the pedal, which is pressed": [

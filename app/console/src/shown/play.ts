@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import type { Modes, RobotState } from "@interface";
 import { ServedRobot, type Snapshot } from "../site/served_robot.ts";
 
-/** Of the repository. */
+/** Root of the repository. */
 export const ROOT = `${import.meta.dirname}/../../../..`;
 const SEED = 7;
 const UTC_S = 1_790_000_000;
@@ -12,7 +12,7 @@ const UTC_S = 1_790_000_000;
 const RENEW_CYCLES = 500;
 /** Against hanging. */
 const MOST_CYCLES = 120_000;
-/** What a page asks for beside the state. */
+/** Number of the page that asks for answers beside the state. */
 export const PAGE_NUMBER = 7;
 
 type Body = Record<string, unknown>;
@@ -138,7 +138,7 @@ export class Play {
     return this.read("modes");
   }
 
-  /** What the stream has brought since the last time. */
+  /** Messages of the stream since the last time. */
   listen() {
     return this.robot.listen();
   }

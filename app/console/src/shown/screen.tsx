@@ -8,7 +8,7 @@ import { TelemetryStore } from "../state/store";
 import { FakeSurroundings } from "../testing/surroundings";
 import { PAGE_NUMBER, type Act, type Play } from "./play";
 
-/** What a server would say instead: a field and its value. */
+/** Other values from a server: a field and its value. */
 export type Said = Record<string, unknown>;
 export type PageAct =
   Act | { say: Said } | { silence: true } | { click: string };
@@ -132,7 +132,7 @@ export class Screen {
     this.surroundings.stream.send(type as "state", read);
   }
 
-  /** What stands on it, by name. */
+  /** Texts on it, by name. */
   read(): Map<string, string> {
     const found = new Map<string, string>([["title", document.title]]);
     const add = (name: string, text: string) =>

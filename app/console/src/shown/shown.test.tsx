@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: whatever is shown, in the state that the server sends and on the page, is named in shown.yml with the scene
-// that changes it, and is changed by it within 1.5 s of the robot's time. What would have changed without the scene as well is no
+// Rule under test: each value in the state that the server sends and on the page is named in shown.yml with the scene that
+// changes it, and is changed by it within 1.5 s of the robot's time. A value that would have changed without the scene is no
 // witness. The server, the core and the simulated box are those of a page: build/site/served.wasm.
 import { existsSync } from "node:fs";
 import { afterAll, beforeAll, expect, test, vi } from "vitest";
@@ -26,7 +26,7 @@ const bannerParts = [
   ...new Set(BANNER.match(/(?<=className="[^"]*)\b(banner-|sign)[a-z-]*/g)),
 ];
 
-/** What stands at each name at a moment. */
+/** Text at each name at a moment. */
 type Look = ReadonlyMap<string, string>;
 
 beforeAll(() => {
@@ -179,7 +179,7 @@ test.each([...scenesOf(table.state)])(
 /** Each view, and each scene that something on it is changed by. */
 const pageScenes = views.flatMap(({ id }) => {
   const own = table.page[id] ?? {};
-  // What each view has is looked at in the first one.
+  // Values that each view has are looked at in the first one.
   const rows = id === views[0]?.id ? { ...table.page.everywhere, ...own } : own;
   return [...scenesOf(rows)].map(([scene, names]) => ({ id, scene, names }));
 });

@@ -28,7 +28,7 @@ interface Properties {
     | "shareCourse"
     | "compare"
   >;
-  /** Of all there are. */
+  /** Names of all robots. */
   names: readonly string[];
   /** By the link of the page. */
   asked: Question | null;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Back to what has been, and away with it to somebody else.
+// The way back to an earlier cycle, and a link to it for others.
 import { useState, type FormEvent } from "react";
 import { linkOf } from "./address";
 import { CYCLES_PER_MS } from "./pace";
@@ -67,7 +67,7 @@ function Back({ robot, view: { cycles, end, later } }: Properties) {
 }
 
 /**
- * What was done, as a link.
+ * The inputs so far, as a link.
  *
  * @satisfies SWR-SITE-030
  */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What would be if: one input, chosen where time stands still, and the first thing that it changes.
+// A question "what if": one input, chosen where time stands still, and the first thing that it changes.
 import { useId, useState, type FormEvent } from "react";
 import { linkOf } from "./address";
 import { MOST_SECONDS, type Question } from "./question";
@@ -10,7 +10,7 @@ const USUAL: Question = { input: "", seconds: 10 };
 interface Properties {
   robot: Pick<RobotTransport, "compare">;
   view: RobotView;
-  /** Of the link by which the page was opened; null: it asks nothing. */
+  /** Question of the link by which the page was opened; null: it asks nothing. */
   asked: Question | null;
 }
 

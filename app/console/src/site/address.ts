@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the address of the page chooses after its #: `robot=NAME`, `seed=NUMBER` for its simulated box, and with `inputs=` a
+// Choices in the address of the page after its #: `robot=NAME`, `seed=NUMBER` for its simulated box, and with `inputs=` a
 // whole scene (what_if/scene_text.ts), which is played.
 
 import type { Question } from "./question";
@@ -20,7 +20,7 @@ const QUESTION = /&at=(\d{1,7})&if=([^&]*)&for=(\d{1,2})$/;
 const USUAL = { robot: "neuro", seed: 1 };
 
 /**
- * What is not said there, or is the name of a view, is as usual.
+ * A choice that is missing there, or is the name of a view, is as usual.
  *
  * @satisfies SWR-SITE-012
  */
@@ -38,7 +38,7 @@ export function addressOf(robot: string): string {
   return `#robot=${encodeURIComponent(robot)}`;
 }
 
-/** The address of the same choice, whatever view is shown. */
+/** The address of the same choice, for any view. */
 export function addressIn({ robot, seed, scene }: Choice): string {
   return scene === null ? `${addressOf(robot)}&seed=${seed}` : `#${scene}`;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was done to the robot of a page since its start: with robot and seed all that decides where it is.
+// Inputs of the robot of a page since its start: with robot and seed all that decides where it is.
 import { writeScene, type Input, type Scene } from "../what_if/scene_text.ts";
 
 export const MOST_INPUTS = 10_000;
 /** Characters of a link behind the #. Browsers take more, many programs that pass links on do not. */
 export const MOST_LINK = 30_000;
-/** What is held at the box is renewed more often than it needs: it lets go after 1.5 s (box_grip.h). */
+/** A handle that is held at the box is renewed more often than it needs: it lets go after 1.5 s (box_grip.h). */
 const RENEWED_CYCLES = 1000;
 
 const TOO_MANY = `More than ${MOST_INPUTS.toLocaleString("en")} inputs were given, and are not kept.`;
@@ -24,7 +24,7 @@ export class Course {
     return this.kept;
   }
 
-  /** Done before the next cycle, in this order; null: something was, nobody knows what. */
+  /** Inputs before the next cycle, in this order; null: there were some that are unknown. */
   add(inputs: readonly Input[] | null): void {
     inputs?.forEach((input) => this.keep(input));
     if (inputs === null || this.kept.length > MOST_INPUTS) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: the robot of a page lives by the clock, answers, tells news, and after a failure does nothing more.
+// Rule under test: the robot of a page lives by the clock, answers, reports news, and after a failure does nothing more.
 import { beforeEach, expect, test, vi } from "vitest";
 import { BEAT_MS, RobotDesk, TELL_MS } from "./desk";
 import { readVocabulary, type Input } from "../what_if/scene_text";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The robot at work for its page: it lives by the time of the world, answers, and tells what happens.
+// The robot at work for its page: it lives by the time of the world, answers, and reports events.
 import type { Path, Robot, Status } from "@interface";
 import type { Input, Scene } from "../what_if/scene_text";
 import { Course } from "./course";
@@ -10,9 +10,9 @@ import type { Order, Report } from "./messages";
 import type { Answered, ServedRobot } from "./served_robot";
 
 export const BEAT_MS = 20;
-/** A robot that stands still or is slow is told of as often, that nobody takes it for silent. */
+/** A robot that stands still or is slow is reported as often, so that no page takes it for silent. */
 export const TELL_MS = 200;
-/** Of the robot. */
+/** Cycles of the robot between two stays. */
 const STAY_CYCLES = 60_000;
 
 type Work = Exclude<Order, { kind: "start" }>;
@@ -226,7 +226,7 @@ export class RobotDesk {
     }
   }
 
-  /** Of this cycle, as the stream would say it. */
+  /** Reports the state of this cycle, as the stream would. */
   private tellState(nowMs: number): void {
     const [status, motors, targeting] = (
       ["/api/v1/status", "/api/v1/motors", "/api/v1/targeting"] as const

@@ -136,7 +136,7 @@ class RangeDecoder {
   }
 }
 
-/** What was written so far, and what the next decision rests on. */
+/** The bytes written so far, and the state that the next decision rests on. */
 class Expansion {
   readonly bytes: number[] = [];
   private readonly decoder: RangeDecoder;

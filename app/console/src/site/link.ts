@@ -9,7 +9,7 @@ type Start = Extract<Order, { kind: "start" }>;
 /** The link is to blame, and not the robot. */
 export class LinkError extends Error {}
 
-/** Runs `act`; whatever it throws is the link's, and it is said where. */
+/** Runs `act`; an error that it throws is the link's, and its place is named. */
 export function onLink<Result>(act: () => Result, where = ""): Result {
   try {
     return act();

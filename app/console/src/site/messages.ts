@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page and the worker of its robot say to each other.
+// Messages between the page and the worker of its robot.
 import type { Question } from "./question";
 import type { Asked, Answered, Told } from "./served_robot";
 
@@ -16,25 +16,25 @@ export type Order =
       utcS: number;
     }
   | { kind: "ask"; id: number; asked: Asked }
-  /** Of the world's time; 0: none. */
+  /** Share of the world's time; 0: none. */
   | { kind: "pace"; share: number }
   /** One cycle. */
   | { kind: "step" }
   /** To a cycle that has been; time stands still there. */
   | { kind: "go"; cycle: number }
-  /** What was done until now, as a link to this robot. */
+  /** Asks for the inputs until now, as a link to this robot. */
   | { kind: "share" }
-  /** What would be if. */
+  /** Asks "what if". */
   | { kind: "compare"; question: Question };
 
-/** What somebody who sees the page can compare. */
+/** Values that a user of the page can compare. */
 export interface Identity {
   robot: string;
   checksum: string;
   build: string;
 }
 
-/** What would be if, from a cycle on. */
+/** The answer to "what if", from a cycle on. */
 export interface Comparison {
   question: Question;
   cycle: number;
@@ -55,11 +55,11 @@ export type Report =
   | { kind: "time"; cycles: number; end: number; later: number }
   /** It is at another cycle, and so is its server, which knows nothing of later. */
   | { kind: "restarted" }
-  /** What was done until that cycle, as a link has it behind the #. */
+  /** The inputs until that cycle, as a link has them behind the #. */
   | { kind: "shared"; scene: string; inputs: number; cycle: number }
   | { kind: "unshared"; reason: string }
   | ({ kind: "compared" } & Comparison)
-  /** What the link says cannot be done, and nothing else is shown. */
+  /** The scene of the link cannot be played, and nothing else is shown. */
   | { kind: "refused"; reason: string }
   /** It does nothing more. */
   | { kind: "failed"; reason: string };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What would be if: another input at the moment at which time stands still.
+// A question "what if": another input at the moment at which time stands still.
 import { whatIf, type SceneRun } from "../what_if/scene_run.ts";
 import {
   readInput,

@@ -17,7 +17,7 @@ export interface RobotPort {
   postMessage(order: Order): void;
 }
 
-/** What people are told of it besides. Never changed, only replaced. */
+/** Further values that the page shows of it. Never changed, only replaced. */
 export interface RobotView {
   /** Null before it is started. */
   identity: Identity | null;
@@ -25,13 +25,13 @@ export interface RobotView {
   /** To which cycle one may go, and how many inputs are forgotten when time goes on from here. */
   end: number;
   later: number;
-  /** What was done until a cycle, or why it is not told. Null: nobody has asked. */
+  /** The inputs until a cycle, or why they are not given. Null: not asked for. */
   shared: Extract<Report, { kind: "shared" | "unshared" }> | null;
   /** The inputs that there are. */
   inputs: readonly string[];
   /** Null: nothing was asked. */
   compared: Comparison | null;
-  /** Of the world's time. */
+  /** Share of the world's time. */
   share: number;
   /** Why there is no robot any more. */
   failure: string | null;

@@ -39,7 +39,7 @@ addEventListener("message", ({ data }: MessageEvent<Order>) => {
   } else {
     desk?.then(
       (one) => one.take(data, performance.now()),
-      () => undefined, // It was told.
+      () => undefined, // It was reported.
     );
   }
 });

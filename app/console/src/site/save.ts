@@ -18,7 +18,7 @@ export function saveByTransport({ request }: Pick<Transport, "request">) {
       event.preventDefault();
       const [path = ""] = address.split("?");
       const name = link.download || path.slice(path.lastIndexOf("/") + 1);
-      void save(address, name).catch(() => undefined); // It is told beside.
+      void save(address, name).catch(() => undefined); // It is shown beside.
     }
   };
 }

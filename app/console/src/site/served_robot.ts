@@ -13,7 +13,7 @@ function inputOf(line: string): Input {
   return { cycle: Number(line.slice(0, colon)), words };
 }
 
-/** What the module exports. */
+/** The exports of the module. */
 interface Door extends HandModule {
   textSize(): number;
   answer(): number;
@@ -131,7 +131,7 @@ export class ServedRobot {
     this.call(() => this.door.step(cycles));
   }
 
-  /** As a browser asks, which keeps the cookie for itself. What waits for control lets cycles pass. */
+  /** As a browser asks, which keeps the cookie for itself. A request that waits for control lets cycles pass. */
   ask({ method, address, headers, body }: Asked): Answered {
     const bytes = new TextEncoder().encode(body ?? "");
     const fields = {
@@ -152,15 +152,15 @@ export class ServedRobot {
     return answer;
   }
 
-  /** What the stream has brought since the last time. */
+  /** Messages of the stream since the last time. */
   listen(): Told[] {
     const size = this.call(() => this.door.listen());
     return this.read(size).split("\n\n").slice(0, -1).map(readTold);
   }
 
   /**
-   * What its server has done to it since the last time; null: that is not known any more. Before the first cycle nobody
-   * asks: what the server does then every server does.
+   * Inputs of its server since the last time; null: they are not known any more. They are not asked for before the first
+   * cycle: each server gives the same ones then.
    */
   done(): Input[] | null {
     const place = this.door.journal();

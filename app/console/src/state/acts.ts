@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What became of the last acts of this page: told by the answer to it, or later by the stream, in whatever order they come.
+// Results of the last acts of this page: from the answer to each, or later from the stream, in any order.
 import type { Act, Path } from "@interface";
 import { refusalOf } from "./refusal";
 
@@ -13,10 +13,10 @@ export interface Outcome {
   reason: string | null;
 }
 
-/** Who is told how acts ended that had been begun. */
+/** A listener that is informed how acts ended that had been begun. */
 export interface ActListener {
   hearAct(act: Act): void;
-  /** The stream was interrupted: what ended meanwhile is not told again. */
+  /** The stream was interrupted: the ends of acts meanwhile are not reported again. */
   loseActs(): void;
 }
 
@@ -42,10 +42,10 @@ export class RecentActs implements ActListener {
     return () => this.listeners.delete(listener);
   };
 
-  /** Of the last one. */
+  /** Outcome of the last one. */
   readonly getOutcome = (): Outcome | null => this.outcomes[0] ?? null;
 
-  /** Of all that are kept, the newest first. */
+  /** Outcomes of all that are kept, the newest first. */
   readonly getOutcomes = (): readonly Outcome[] => this.outcomes;
 
   begin(id: number, path: Path, fields: object): void {
@@ -53,7 +53,7 @@ export class RecentActs implements ActListener {
     this.replace([begun, ...this.outcomes].slice(0, KEPT));
   }
 
-  /** The stream may have told its end before the answer says that it was begun. */
+  /** The stream may have reported its end before the answer states that it was begun. */
   answer(id: number, state: "accepted" | "done"): void {
     this.change((one) => one.id === id && one.state === "sent", { state });
   }

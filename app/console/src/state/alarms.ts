@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong, since when, and where the needle was known to stand last, in words.
+// Alarms, their age, and the last known position of the needle, in words.
 import type { Alarm, Status } from "@interface";
 import { formatDuration, formatValue } from "../words/format";
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the server answers when a panel asks.
+// Answers of the server to a panel.
 import { useEffect, useState } from "react";
 import type { Problem, Shape } from "@interface";
 import { refusalOf, type Address, type Method, type Page } from "./page";
 import { fitted } from "../words/shape";
 
-/** What is asked once is asked again so often until it is there. */
+/** A question that is asked once is repeated so often until it is answered. */
 export const RETRY_MS = 1000;
 
 /** Null when there is no answer, or none that this page can read. */
@@ -22,10 +22,10 @@ export async function ask<Answer>(
   }
 }
 
-/** What was answered to a change, or why it was refused. */
+/** The answer to a change, or the reason of its refusal. */
 export type Changed<Answer> = { answer: Answer } | { problem: string };
 
-/** Of a route that is no act: what is asked for may be asked for again. */
+/** Changes by a route that is no act: the same change may be asked for again. */
 export async function change<Answer>(
   page: Page,
   method: Method,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Authority of this page: it takes it, renews it by itself, and gives it up when nobody sees it any more. Which page it is
+// Authority of this page: it takes it, renews it by itself, and gives it up when no user sees it any more. Which page it is
 // stands in its memory alone, so a reload or another tab is another page.
 import type { Authority, Path } from "@interface";
 import type { Page } from "./page";
@@ -59,7 +59,7 @@ export class PageAuthority {
     );
   }
 
-  /** Takes what nobody has. */
+  /** Takes authority that no client has. */
   async take(): Promise<void> {
     if (await this.act(AUTHORITY_PATH, {})) {
       this.keep();
@@ -67,7 +67,7 @@ export class PageAuthority {
     }
   }
 
-  /** Asks for the button at the box. Who has authority then is told by the stream. */
+  /** Asks for the button at the box. The stream shows which client has authority then. */
   async ask(): Promise<void> {
     this.hasAsked = await this.act(REQUEST_PATH, { what: "TAKE" });
     this.leave();
@@ -119,7 +119,7 @@ export class PageAuthority {
     }
   }
 
-  /** A server that does not answer may do so the next time; one that refuses has given it to nobody or another. */
+  /** A server that does not answer may do so the next time; one that refuses has given it to no client or another. */
   private async renew(): Promise<void> {
     try {
       const response = await this.page.request("PUT", AUTHORITY_PATH);

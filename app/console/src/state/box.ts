@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// This page at the simulated box: what it orders there, and what it holds. Who holds says so again and again; the server
-// knows nobody who does not, and the box itself lets go then.
+// This page at the simulated box: its orders there, and the handles that it holds. A page that holds one repeats it; the
+// server forgets a page that does not, and the box itself lets go then.
 import { Box, type BoxOrderRequest, type Path, type Problem } from "@interface";
 import { refusalOf, type Method, type Page } from "./page";
 import { fitted } from "../words/shape";
@@ -80,7 +80,7 @@ export class BoxHands {
     return this.tell(await this.ask("POST", order));
   }
 
-  /** Holds it until `drop()`. Who has let go before the answer came does not hold what he gets. */
+  /** Holds it until `drop()`. A page that has let go before the answer came does not hold the handle. */
   async hold(handle: Handle, hold: "held" | "latched"): Promise<void> {
     if (this.view[handle] !== "none" || document.visibilityState === "hidden") {
       return;
@@ -145,7 +145,7 @@ export class BoxHands {
     }
   }
 
-  /** What was let go meanwhile stays so: nothing closes again by itself. */
+  /** A handle that was let go meanwhile stays so: nothing closes again by itself. */
   private async keep(): Promise<void> {
     if (this.isKeeping) {
       return;

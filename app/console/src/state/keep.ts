@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What somebody has chosen, for the next time. A browser may refuse its storage; then it lasts as long as the page.
+// Choices of the user, for the next time. A browser may refuse its storage; then it lasts as long as the page.
 
 export function recall(key: string): string | null {
   try {

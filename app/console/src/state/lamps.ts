@@ -163,7 +163,7 @@ export function lampsOf(
     : lamps;
 }
 
-/** What stands at an input is not known while it is not read. */
+/** The level of an input is not known while it is not read. */
 const notRead: LampState = { level: "fault", word: "NOT READ" };
 
 /** @satisfies SWR-CON-130 */

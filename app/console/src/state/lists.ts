@@ -10,7 +10,7 @@ import type { RequestOptions } from "./page";
 /** Control judges one row in a cycle: the longest list takes 5 s, in slow motion more. */
 const CHECK_TIMEOUT_MS = 60_000;
 
-/** What control has said of the list that was sent last. */
+/** Control's verdict on the list that was sent last. */
 export type Verdict =
   | { state: "checking" }
   | { state: "held"; checksum: number }
@@ -24,7 +24,7 @@ export interface HeldList<Answer> {
   verdict: Verdict | null;
   send(body: string, type?: string): void;
   empty(): void;
-  /** What was said is of another list than the one that is shown now. */
+  /** The verdict is about another list than the one that is shown now. */
   forget(): void;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command and the session that this page had and has lost, and why, until somebody has read it.
+// The command and the session that this page had and has lost, and why, until the user has read it.
 import type { LogEntry, Session, Status } from "@interface";
 import type { Operation } from "./operation";
 import { secondsLeft } from "./session";
@@ -71,7 +71,7 @@ export class Losses {
     this.tell();
   };
 
-  /** What the page sees now. */
+  /** Takes the present view of the page. */
   observe({ status, session, log }: Sight): void {
     const isAnew = this.boot !== "" && this.boot !== status.boot_id;
     this.boot = status.boot_id;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who operates this page, and by what it commands.
+// The user of this page, and its means to command.
 import {
   createContext,
   useContext,
@@ -21,7 +21,7 @@ export class Operation {
   readonly page = new Page(() => this.session.getView().session?.token ?? null);
   readonly authority = new PageAuthority(this.page);
   readonly losses = new Losses(this);
-  /** What was written in views that are not shown now. */
+  /** Inputs in views that are not shown now. */
   readonly kept = new Map<string, unknown>();
 }
 
@@ -62,7 +62,7 @@ export interface Commanding {
   obstacle: string | null;
   /** It may do what engineers may. */
   isEngineer: boolean;
-  /** What became of the last command of this page, whichever panel it came from. */
+  /** Result of the last command of this page, from any panel. */
   outcome: Outcome | null;
   /** The same, if it came from this panel. */
   own: Outcome | null;

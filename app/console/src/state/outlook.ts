@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may be commanded now, as the server says it. A refusal has the same name.
+// Commands that are allowed now, as the server reports them. A refusal has the same name.
 import { Modes, Robot } from "@interface";
 import type { Mode, Path, PoseName, Status } from "@interface";
 import { useAnswer } from "./answer";
@@ -50,7 +50,7 @@ export function reasonAgainstAxis(
   return found?.[`${way}_reason`] ?? null;
 }
 
-/** What does not change of the robot; null while it is not known. */
+/** The constant data of the robot; null while they are not known. */
 export function useRobot(page: Page, bootId: string): Robot | null {
   return useAnswer(page, ROBOT_PATH, Robot, null, bootId)[0];
 }

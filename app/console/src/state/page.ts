@@ -23,14 +23,14 @@ function drawNumber(): number {
   return number === 0 ? 1 : number;
 }
 
-/** What a request may have besides. */
+/** The options of a request. */
 export interface RequestOptions {
   body?: string;
   type?: string;
   timeoutMs?: number;
 }
 
-/** What the server says to a request that is no act: one of the two. */
+/** Answer of the server to a request that is no act: one of the two. */
 export interface Reply<Answer> {
   answer: Answer | null;
   problem: Partial<Problem> | null;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is drawn of the robot, in one frame: the scanner's where the robot is registered, its z-frame's otherwise.
+// Drawing of the robot, in one frame: the scanner's where the robot is registered, its z-frame's otherwise.
 import { drawings, type RobotDrawing } from "@drawings";
 import type { Robot, RobotState } from "@interface";
 import { originOf } from "../words/format";
@@ -13,7 +13,7 @@ export interface Line {
 
 export interface DrawnNeedle {
   treatment: Point;
-  /** Its ends; null while nobody knows how long it is. */
+  /** Its ends; null while its length is unknown. */
   rear: Point | null;
   tip: Point | null;
   /** In degrees, from where the target's needle points; null without a target. */

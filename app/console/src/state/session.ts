@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is logged in at the server. The cookie is out of reach of any script; the token is kept in this page's memory.
+// The user who is logged in at the server. The cookie is out of reach of any script; the token is kept in this page's memory.
 import { Session } from "@interface";
 import type { LoginRequest, Path, Problem } from "@interface";
 import { transport } from "@transport";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: data that stops coming is noticed within a second, whatever has stopped it.
+// Rule under test: data that stops coming is noticed within a second, for each cause.
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { LOG_LENGTH } from "../transport/transport";
 import { TelemetryStore } from "./store";

@@ -161,7 +161,7 @@ export class TelemetryStore implements StreamListener {
     this.replace({ isConnected: true, robot, ...this.judge(robot, true) });
   }
 
-  /** Of what cannot be read nothing is used. */
+  /** A message that cannot be read is not used at all. */
   private distrust(place: string): void {
     this.replace({ isOutdated: true, misfit: this.view.misfit ?? place });
   }

@@ -7,7 +7,7 @@ export interface Trust {
   isPlaced: boolean;
   /** In place of the number; null where the number is to be believed. */
   word: string | null;
-  /** What the number is all the same. */
+  /** Kind of the number that is shown all the same. */
   mark: string;
 }
 

@@ -13,7 +13,7 @@ import {
 import { Operation } from "../state/operation";
 import { makeAuthority, makeSession } from "./robot";
 
-/** What the tests say of the robot stands in its place. */
+/** Values that a test gives for the robot replace these. */
 export const plainRobot: Robot = {
   name: "neuro",
   checksum: "a78c5496",
@@ -31,13 +31,13 @@ export interface Commander {
   operation: Operation;
   /** It is this page that has authority. */
   authority: Authority;
-  /** What was commanded, in its order; questions are left out. */
+  /** The commands, in their order; questions are left out. */
   acts(): Asked[];
-  /** What was put in its place. */
+  /** The requests with PUT. */
   puts(): Asked[];
-  /** What was asked, with its query. */
+  /** The questions, with their queries. */
   questions(): string[];
-  /** What was deleted. */
+  /** The requests with DELETE. */
   deletions(): string[];
   /** The next answers at this path. */
   answers: Record<string, { status?: number; body: object }>;
@@ -90,7 +90,7 @@ const reason = "The present workphase does not allow it.";
 
 export const refusedHere = reason;
 
-/** What moves nothing. */
+/** Acts that move nothing. */
 export const plainActs = [
   "REGISTRATION",
   "TARGET",
@@ -103,7 +103,7 @@ export const plainActs = [
   "DISABLE_AXIS",
 ] as const;
 
-/** Of these workphases, modes and acts all are allowed that are named. */
+/** The named workphases, modes and acts are allowed, all others are not. */
 export function makeOutlook(...allowed: string[]): Modes {
   const judgement = (name: string) => {
     const isAllowed = allowed.includes(name);

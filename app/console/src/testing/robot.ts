@@ -125,7 +125,7 @@ export function makeCard(change: Partial<Card> = {}): Card {
   };
 }
 
-/** Of a thousand cycles most took 16 to 31 us, and one was longer than the last class is wide. */
+/** Most of a thousand cycles took 16 to 31 us, and one was longer than the last class is wide. */
 export function makeStage(name: Stage["name"]): Stage {
   return {
     name,
@@ -256,7 +256,7 @@ export function makeRobot(
   };
 }
 
-/** Somebody who is logged in. */
+/** A user who is logged in. */
 export function makeSession(role: Role): Session {
   return {
     is_open: true,
@@ -290,7 +290,7 @@ export function makeEntry(
   };
 }
 
-/** What the views are given. */
+/** Properties of the views. */
 export function makeViewProperties(
   operation: Operation,
   robot: RobotState,

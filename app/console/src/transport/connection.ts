@@ -50,8 +50,8 @@ export const browserNetwork: Network = {
 };
 
 /**
- * Opens the stream for the first tab, closes it after the last one, and tells who comes later what the others know.
- * The state is not among that: it may be old, and a new one comes at once.
+ * Opens the stream for the first tab, closes it after the last one, and gives a later tab the messages of the others.
+ * The state is not among them: it may be old, and a new one comes immediately.
  *
  * @satisfies SWR-CON-006
  */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: a stop first goes to the port that the page was told, by the protocol that the page came by.
+// Rule under test: a stop first goes to the port that the page names, by the protocol that the page came by.
 import { expect, test } from "vitest";
 import { stopAddresses } from "./http";
 

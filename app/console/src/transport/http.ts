@@ -6,7 +6,7 @@ import type { Transport } from "./transport";
 
 const STOP_PATH: Path = "/api/v1/stop";
 
-/** The port for stops, if the page was told one, is tried first: whatever the console's port suffers from cannot hold it up. */
+/** The port for stops, if the page names one, is tried first: trouble of the console's port cannot hold it up. */
 export function stopAddresses(
   page: Document,
   host: string,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one way from the console to its robot. What "@transport" names is the one that a build of the console has.
+// The one way from the console to its robot. The name "@transport" stands for the one that a build of the console has.
 
 /** Entries of the log that are kept. */
 export const LOG_LENGTH = 50;
@@ -7,7 +7,7 @@ export const LOG_LENGTH = 50;
 export const streamEvents = ["hello", "state", "log", "act"] as const;
 export type StreamEvent = (typeof streamEvents)[number];
 
-/** What a tab is told. */
+/** The messages to a tab. */
 export interface StreamListener {
   hear(type: StreamEvent, data: string): void;
   /** The stream has ended, for this reason if the server gave one. */

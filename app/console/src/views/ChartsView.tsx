@@ -3,7 +3,7 @@ import { Charts } from "../panels/system/Charts";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 
-/** What the charts are in. */
+/** The states of the charts. */
 export function ChartsView({ robot }: ViewProperties) {
   return (
     <Panel title="Charts" className="panel-wide">

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: who has come is told with what came and went, and sent away only on a second question, by who commands.
+// Rule under test: each client is shown with its traffic, and disconnected only on a second question, by a commanding page.
 import {
   act,
   cleanup,

@@ -10,7 +10,7 @@ import type { ViewProperties } from "./view";
 
 export const ASK_AGAIN_MS = 1000;
 
-/** Who is connected, and by what. */
+/** The connected clients, and their ports. */
 export function CommunicationView({ robot, operation }: ViewProperties) {
   const { page } = operation;
   const { obstacle } = useCommanding(operation, robot.status.authority);

@@ -25,7 +25,7 @@ function logOf(...entries: (typeof first)[]) {
   };
 }
 
-/** Of the server. */
+/** Reason given by the server. */
 const reason = "The role of this account does not allow it.";
 
 async function settle(): Promise<void> {

@@ -6,7 +6,7 @@ import { LogSearch } from "../panels/log/LogSearch";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 
-/** What has happened. */
+/** The events of the log. */
 export function LogView({ view, operation }: ViewProperties) {
   const { page } = operation;
   return (

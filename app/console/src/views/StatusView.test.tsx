@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: each slot is told with what was found in it, and each stage of the cycles with how long it took.
+// Rule under test: each slot is shown with its finding, and each stage of the cycles with its duration.
 import { cleanup, render, screen, within } from "@testing-library/react";
 import { afterEach, expect, test, vi } from "vitest";
 import { barOf, className } from "../panels/procedure/Stages";

@@ -8,7 +8,7 @@ import { System } from "../panels/system/System";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 
-/** What the robot is made of, and how it fares. */
+/** The parts of the robot, and their state. */
 export function StatusView({ robot, operation }: ViewProperties) {
   const { status } = robot;
   const told = useRobot(operation.page, status.boot_id);

@@ -4,13 +4,13 @@ import type { Operation } from "../state/operation";
 import type { ConsoleView } from "../state/store";
 import type { Trace } from "../words/trace";
 
-/** What each view is given. */
+/** Properties of each view. */
 export interface ViewProperties {
   view: ConsoleView;
   robot: RobotState;
   operation: Operation;
-  /** What may be commanded now, as the server says it; null while it is not known. */
+  /** Commands that are allowed now, as the server reports them; null while they are not known. */
   outlook: Modes | null;
-  /** What the axes have done lately. */
+  /** The last motions of the axes. */
   trace: Trace;
 }

@@ -7,7 +7,7 @@ import {
   type Vocabulary,
 } from "./scene_text.ts";
 
-/** What a module has that takes inputs; site/watch.h, and site/exports.h or site/served/served.h. */
+/** Exports of a module that takes inputs; site/watch.h, and site/exports.h or site/served/served.h. */
 export interface HandModule {
   memory: WebAssembly.Memory;
   text(): number;
@@ -21,7 +21,7 @@ export interface HandModule {
 const ID = 0;
 const PEER = 2;
 const KIND = 3;
-/** Who commands unless a scene says otherwise: a connection of OpenIGTLink. */
+/** The peer that commands unless a scene names another: a connection of OpenIGTLink. */
 const FIRST_PEER = 1;
 
 type Memory = Pick<HandModule, "memory">;
@@ -38,7 +38,7 @@ export function read({ memory }: Memory, place: number): string {
 
 export class SceneHand {
   readonly vocabulary: Vocabulary;
-  /** Of the robot since it was started. */
+  /** Commands to the robot since it was started. */
   commands = 0;
   private readonly module: HandModule;
 

@@ -3,7 +3,7 @@
 import { SceneHand, read, say, type HandModule } from "./scene_hand.ts";
 import type { Input, Scene, Vocabulary } from "./scene_text.ts";
 
-/** What is used of robot.wasm; site/exports.h and site/watch.h say what it is. */
+/** The exports of robot.wasm that are used; site/exports.h and site/watch.h describe them. */
 export interface RobotModule extends HandModule {
   start(seed: number): number;
   step(): void;
@@ -88,7 +88,7 @@ export class SceneRun {
     this.hand.commands = state.commands;
   }
 
-  /** What "TOPIC FIELD" is after the last cycle; null: there is none such. */
+  /** Value of "TOPIC FIELD" after the last cycle; null: it does not exist. */
   look(what: string): string | null {
     say(this.module, this.module.words(), what);
     return this.module.look() ? this.heard() : null;
@@ -113,7 +113,7 @@ export class SceneRun {
     this.module.compareBegin();
   }
 
-  /** What in the last cycle is for the first time other than in `other`, in words. */
+  /** Values of the last cycle that differ for the first time from those of `other`, in words. */
   compare(other: SceneRun): string[] {
     const { memory, other: place, outputsSize } = this.module;
     new Uint8Array(memory.buffer, place(), outputsSize()).set(other.outputs);
@@ -127,8 +127,8 @@ export class SceneRun {
 }
 
 /**
- * What would be if `changed` were done now instead of `inputs`: `other` goes on from where `run` is, both side by side for
- * at most so many cycles. Returns in words the first cycle in which they differ; none: nothing does.
+ * The effect of `changed` in place of `inputs`: `other` continues from where `run` is, both side by side for at most so
+ * many cycles. Returns in words the first cycle in which they differ; none: nothing does.
  *
  * @satisfies SWR-SITE-018
  */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is done to a robot, as a text that fits the fragment of a link:
+// Inputs of a robot, as a text that fits the fragment of a link:
 //
 //   robot=neuro&seed=7&inputs=100:WORKPHASE,workphase=START_UP;200:pedal,press
 //
@@ -29,7 +29,7 @@ export interface Vocabulary {
   /** The patterns of orders, by words. */
   orders: string[][];
   commands: Map<string, number>;
-  /** Of all commands by "FIELD", of one kind by "KIND.FIELD". */
+  /** Fields of all commands by "FIELD", of one kind by "KIND.FIELD". */
   fields: Map<string, Field>;
   /** Numbers of the words of a field, by "FIELD WORD". */
   words: Map<string, number>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: every chart is read from the stream by the names that it has for its states, and a change is told
+// Rule under test: every chart is read from the stream by the names that it has for its states, and a change is shown
 // with the transitions of the chart that may have made it, and with no others.
 import { charts, type ChartName } from "@charts";
 import { expect, test } from "vitest";

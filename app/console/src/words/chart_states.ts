@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which states of the charts are active, as the stream shows them, and how they have changed while somebody looked.
+// Which states of the charts are active, as the stream shows them, and how they have changed since a page looked.
 import type { Chart, ChartName, ChartTransition } from "@charts";
 import type { Axis, Card, RobotState } from "@interface";
 import { words } from "./format";
@@ -32,7 +32,7 @@ const ofCards = (
     leaves: leaves(card),
   }));
 
-/** A chart that nobody reads does not compile. */
+/** A chart without a reader does not compile. */
 export const readers: Readonly<
   Record<ChartName, (robot: RobotState) => Instance[]>
 > = {
@@ -55,7 +55,7 @@ export interface Change {
   at: Date;
 }
 
-/** What was seen last of each region of each instance, and its last change. */
+/** The last state of each region of each instance, and its last change. */
 export type Seen = Readonly<
   Record<string, { leaf: string; change: Change | null }>
 >;

@@ -56,7 +56,7 @@ export function formatMinutes(minutes: number): string {
   return hours === 0 ? `${minutes} min` : `${hours} h ${minutes % 60} min`;
 }
 
-/** Behind what somebody has sent; nothing when it is not known who. */
+/** The text behind a value that a client has sent; "" when its origin is unknown. */
 export function formatOrigin(origin: Origin | null): string {
   if (origin === null) {
     return "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: the log is read as the server searches it, each event once, and follows what the stream tells of.
+// Rule under test: the log is read as the server searches it, each event once, and follows the events of the stream.
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { Log, LogEntry } from "@interface";
 import { LogReader, MOST_ENTRIES } from "./log_reader";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The log as the server searches it. What the stream brings only says that there is more to ask for.
+// The log as the server searches it. An event of the stream only shows that there is more to ask for.
 import { Log, type EventSeverity, type LogEntry } from "@interface";
 import { ask } from "../state/answer";
 import type { Address, Page } from "../state/page";
@@ -50,7 +50,7 @@ export class LogReader {
   private filter: LogFilter = { level: "INFORMATION", text: "" };
   /** Number of the event that is to be asked for; null before the first answer. */
   private next: number | null = null;
-  /** The newest that the stream has told of. */
+  /** The newest that the stream has reported. */
   private newest = -1;
   private isAsking = false;
 

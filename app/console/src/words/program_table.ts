@@ -33,7 +33,7 @@ function isStep(one: unknown): one is Step {
   );
 }
 
-/** Of a file {"steps": [...]}; null if it is none. */
+/** Steps of a file {"steps": [...]}; null if it is none. */
 export function readProgram(text: string): StepText[] | null {
   try {
     const { steps } = JSON.parse(text) as { steps?: unknown };

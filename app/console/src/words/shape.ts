@@ -49,8 +49,8 @@ function isPlain(value: unknown, kind: string): boolean {
 }
 
 /**
- * Where the value is not of the kind, as a JSON pointer; null where it is. What is missing is undefined. A member that the
- * kind does not know harms nobody.
+ * Where the value is not of the kind, as a JSON pointer; null where it is. A missing value is undefined. A member that the
+ * kind does not know is ignored.
  */
 export function misfitOf(value: unknown, kind: Kind): string | null {
   if (typeof kind === "string") {
@@ -81,14 +81,14 @@ export class Misfit extends Error {}
 type Watcher = (place: string) => void;
 const watchers = new Set<Watcher>();
 
-/** Tells of each misfit; returns what ends that. */
+/** Informs of each misfit; returns the function that ends that. */
 export function watchMisfits(watcher: Watcher): () => void {
   watchers.add(watcher);
   return () => watchers.delete(watcher);
 }
 
 /**
- * The value as this message. Throws a misfit when it is none, and tells who watches; `name` is that of the message.
+ * The value as this message. Throws a misfit when it is none, and informs the watchers; `name` is that of the message.
  *
  * @satisfies SWR-CON-039
  * @satisfies SWR-CON-045

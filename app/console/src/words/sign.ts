@@ -33,7 +33,7 @@ const words: Readonly<Record<SignKind, string>> = {
   absent: "NO DATA",
 };
 
-/** What each reason makes of a robot that it keeps from moving. The most pressing first, as the server tells them. */
+/** The sign of each reason that keeps a robot from moving. The most pressing first, as the server reports them. */
 const kinds: Readonly<Record<PermitReason, SignKind>> = {
   MEMORY: "fault",
   INPUTS_UNREAD: "fault",
@@ -81,7 +81,7 @@ function namesOf(axes: readonly Axis[]): string {
   return axes.map(({ name }) => name).join(", ");
 }
 
-/** What is over stands until START_UP, and is no fault any more. */
+/** An alarm that is over stands until START_UP, and is no fault any more. */
 function isOver(alarms: readonly Alarm[], reason: PermitReason): boolean {
   const own = alarms.filter((alarm) => alarm.reason === reason);
   return own.length > 0 && own.every(({ is_over }) => is_over);

@@ -6,7 +6,7 @@ import { isKnown } from "../state/trust";
 export const TRACE_S = 30;
 const US_PER_S = 1e6;
 
-/** Of an axis, in this order. */
+/** Quantities of an axis, in this order. */
 export const quantities = [
   "setpoint",
   "position",
@@ -22,7 +22,7 @@ type Values = Readonly<Record<Quantity, number>> & {
 };
 
 interface Row {
-  /** Of control since the first row. */
+  /** Time of control since the first row. */
   timeS: number;
   /** By axis; null: for a while nothing came. */
   axes: ReadonlyMap<string, Values> | null;
@@ -93,7 +93,7 @@ export class Trace {
     return copy;
   }
 
-  /** What there was of it, and not yet forgotten, after its first so many rows. */
+  /** Its rows that were there, and not yet forgotten, after its first so many rows. */
   until(length: number): Trace {
     const past = new Trace();
     past.rows = this.rows.slice(0, length);
@@ -119,7 +119,7 @@ export class Trace {
     });
   }
 
-  /** What was `agoS` seconds before the last row, or nearest to that; null in a gap. */
+  /** Values `agoS` seconds before the last row, or nearest to that; null in a gap. */
   at(axis: string, agoS: number): (Values & { agoS: number }) | null {
     const end = this.endS();
     const distance = (row: Row) => Math.abs(end - row.timeS - agoS);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a table of a trajectory looks like, for a look at it before it is sent. Whether it is right the server says.
+// Preview of a table of a trajectory, before it is sent. The server judges whether it is right.
 import type { GraphPoint } from "../parts/drawn/Graph";
 
 export interface AxisWay {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: the drawer orders at the simulated box what a person could do there, and holds pedal and button as long
-// as somebody does who sees the page.
+// Rule under test: the drawer gives the simulated box the orders of a person there, and holds pedal and button as long as a
+// user does who sees the page.
 import {
   act,
   cleanup,

@@ -123,7 +123,7 @@ function orderBy({ hands, isDisabled }: WorkProperties) {
   );
 }
 
-/** What is either so or so, and what changes it. */
+/** States with two values, and the buttons that change them. */
 function Levels(properties: WorkProperties) {
   const { box } = properties;
   const order = orderBy(properties);
@@ -160,7 +160,7 @@ function litOf(box: BoxState): string {
   return lit.length === 0 ? "dark" : lit.join(", ");
 }
 
-/** What few need. */
+/** The parts that few users need. */
 function Treatment(properties: WorkProperties) {
   const { box } = properties;
   const isFree = box.probe === "free";
@@ -242,7 +242,7 @@ function Open({
 }
 
 /**
- * What a person does at the simulated box, as a drawer at the lower edge.
+ * The acts of a person at the simulated box, as a drawer at the lower edge.
  *
  * @satisfies SWR-CON-040
  */

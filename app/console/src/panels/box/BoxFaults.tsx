@@ -6,7 +6,7 @@ import type { BoxHands } from "../../state/box";
 type Part = "card_fault" | "encoder_fault" | "motor_fault" | "switch_fault";
 type Plug = NonNullable<BoxOrderRequest["plug"]>;
 
-/** What can be wrong, as people say it. */
+/** The faults that can be set, in plain words. */
 const faults: { [P in Part]: Record<BoxSlot[P], string> } = {
   card_fault: {
     normal: "works",
@@ -142,7 +142,7 @@ function Choices({ slot }: { slot: BoxSlot }) {
   );
 }
 
-/** What is wrong at the simulated box, and what can be made so. */
+/** The faults of the simulated box, and those that can be set. */
 export function BoxFaults({ hands, box, isDisabled }: FaultsProperties) {
   const { slots } = box;
   const [number, setNumber] = useState(

@@ -126,7 +126,7 @@ export function LogSearch({
   newest,
 }: {
   page: Page;
-  /** Of the stream. */
+  /** The newest entry of the stream. */
   newest: LogEntry | undefined;
 }) {
   const [filter, setFilter] = useState<LogFilter>({

@@ -18,7 +18,7 @@ import type { ModePanelProperties } from "./mode_panel";
 
 const PATH: Path = "/api/v1/sweep";
 const CSV_PATH: Path = "/api/v1/sweep.csv";
-/** What the log says of the present sweep; all of one is fewer. */
+/** Entries of the log about the present sweep; a whole sweep has fewer. */
 const LOG_PATH = "/api/v1/log?text=SWEEP_&limit=200" as Path;
 
 const states: Readonly<Record<Kept["state"], string>> = {
@@ -194,7 +194,7 @@ function runCurves(runs: readonly SweepRun[], axis: Axis): Curve[] {
   ];
 }
 
-/** What runs is told by the log; its speeds are known once it is done. */
+/** The log reports the present run; its speeds are known once it is done. */
 function PresentSweep({ page, axis }: { page: Page; axis: Axis }) {
   const [log] = useAnswer(page, LOG_PATH, Log, ASK_AGAIN_MS);
   const entries = log?.entries ?? [];
@@ -267,7 +267,7 @@ function SweepOrder({
 }
 
 /**
- * The speeds of an axis by frequency: measured once somebody has said that it is free, and shown as they come.
+ * The speeds of an axis by frequency: measured once the user has confirmed that it is free, and shown as they come.
  *
  * @satisfies SWR-CON-035
  */

@@ -16,7 +16,7 @@ interface AxisSpeed {
   unit: Axis["unit"];
 }
 
-/** What is missing before it can be commanded, or null. Limits are the server's to judge. */
+/** The input that is missing before it can be commanded, or null. Limits are the server's to judge. */
 function missingOf(
   speeds: readonly AxisSpeed[],
   bound: Bound,

@@ -2,7 +2,7 @@
 import type { Modes, RobotState } from "@interface";
 import type { Commanding, Operation } from "../../state/operation";
 
-/** What the panel of each mode is given. */
+/** Properties of the panel of each mode. */
 export interface ModePanelProperties {
   robot: RobotState;
   operation: Operation;

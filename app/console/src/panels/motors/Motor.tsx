@@ -16,7 +16,7 @@ import { Slider } from "../../parts/Slider";
 import { Twice } from "../../parts/Twice";
 import { stateOf } from "../procedure/Axes";
 
-/** What is done to one axis, as people call it. */
+/** Acts on one axis, by their labels. */
 export const acts = {
   JOG: "Jog",
   HOME_AXIS: "Home",
@@ -29,7 +29,7 @@ export const acts = {
 
 export type ActName = keyof typeof acts;
 
-/** Why not; told once for all axes. */
+/** Reasons of refusals; shown once for all axes. */
 export type Refusals = Readonly<Record<ActName, string | null>>;
 
 /** Why not this axis, by the way of a jog. */
@@ -62,7 +62,7 @@ function SwitchLamp({ axis, end }: { axis: Axis; end: "lower" | "upper" }) {
   );
 }
 
-/** An axis that is not homed has counted its ticks, but nobody knows from where. */
+/** An axis that is not homed has counted its ticks, but from an unknown place. */
 function Position({ axis }: { axis: Axis }) {
   const value = formatValue(axis.position, axis.unit);
   return isKnown(axis) ? (

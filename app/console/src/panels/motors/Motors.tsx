@@ -24,7 +24,7 @@ import "./Motors.css";
 
 const steps = ["0.1", "1", "5", "10"];
 
-/** What this page has asked for last. */
+/** The last motion that this page has asked for. */
 interface Asked {
   axis: string;
   position: number;
@@ -60,7 +60,7 @@ function RefusalList({ refusals }: { refusals: Refusals }) {
   );
 }
 
-/** What was asked for stands until control has done it or given it up. */
+/** A motion that was asked for stands until control has done it or given it up. */
 function useAsked(robot: RobotState, commanding: Commanding) {
   const [asked, setAsked] = useState<Asked | null>(null);
   const { order, mode } = robot.status;

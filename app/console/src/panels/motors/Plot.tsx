@@ -95,7 +95,7 @@ function scaleOf([low, high]: Range, [from, to]: Range) {
     tenths(from + ((value - low) / (high - low)) * (to - from));
 }
 
-/** What is null interrupts it; what is known for a moment is a point. */
+/** A null interrupts it; a value that is known for a moment is a point. */
 function pathOf(xs: readonly number[], ys: Column): string {
   return ys
     .map((y, index) => {
@@ -108,7 +108,7 @@ function pathOf(xs: readonly number[], ys: Column): string {
     .join("");
 }
 
-/** Of the element on the screen. */
+/** Width of the element on the screen. */
 function useWidth() {
   const [width, setWidth] = useState(WIDTH);
   const place = useRef<SVGSVGElement>(null);

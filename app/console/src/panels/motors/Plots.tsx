@@ -9,7 +9,7 @@ import "./Plots.css";
 
 const CURSOR_STEP_S = 0.05;
 
-/** What the plot shows at the cursor, or at its end, in numbers. */
+/** The values of the plot at the cursor, or at its end, in numbers. */
 function Reading({
   axis,
   trace,
@@ -19,7 +19,7 @@ function Reading({
   axis: Axis;
   trace: Trace;
   agoS: number;
-  /** What the end of the plot is. */
+  /** Name of the end of the plot. */
   end: string;
 }) {
   const values = trace.at(axis.name, agoS);

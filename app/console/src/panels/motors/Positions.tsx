@@ -230,7 +230,7 @@ function Preview({
   );
 }
 
-/** What a file would restore, and what is said of the last attempt. */
+/** The positions that a file would restore, and the note on the last attempt. */
 function usePreview(operation: Operation) {
   const [preview, setPreview] = useState<Seen | null>(null);
   const [note, setNote] = useState<string | null>(null);

@@ -30,7 +30,7 @@ interface AimProperties {
   commanding: Commanding;
 }
 
-/** Nothing stands there until somebody writes it: where the robot is, nobody guesses. */
+/** The field is empty until the user writes into it: the place of the robot is not guessed. */
 function Registration({ outlook, commanding }: AimProperties) {
   const [text, setText] = useState("");
   const [ignores, setIgnores] = useState(false);
@@ -77,7 +77,7 @@ function whatIsSaid(preview: TargetPreview): string {
       });
 }
 
-/** What would become of the target; asked once nothing has been typed for a moment. */
+/** Preview of the target; asked for once nothing has been typed for a moment. */
 function usePreview(page: Page, text: string, cause: string): string | null {
   const [said, setSaid] = useState<string | null>(null);
   useEffect(() => {
@@ -197,7 +197,7 @@ function ProposedRegistration({ robot, outlook, commanding }: AimProperties) {
   );
 }
 
-/** What a navigation program proposes, to be accepted as it is shown. */
+/** The proposal of a navigation program, to be accepted as it is shown. */
 function ProposedEntry({ robot, outlook, commanding }: AimProperties) {
   const { entry_mm: point, entry_by: by } = robot.targeting.proposals;
   if (point === null) {

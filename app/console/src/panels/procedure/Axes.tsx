@@ -44,7 +44,7 @@ export function stateOf(axis: Axis): { level: Level; text: string } {
   return { level: axis.is_driven ? "active" : "normal", text };
 }
 
-/** The reasons that stand for every axis; they are told once, above the table. */
+/** The reasons that stand for every axis; they are shown once, above the table. */
 export function sharedReasons(axes: readonly Axis[]): Named[] {
   const [first, ...others] = axes.map((axis) => axis.permit.reasons);
   return (first ?? []).filter(({ name }) =>

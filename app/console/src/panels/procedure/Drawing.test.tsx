@@ -12,7 +12,7 @@ import { plainRobot } from "../../testing/commander";
 import { Drawing } from "./Drawing";
 
 const axes = ["head", "feet", "lateral", "insertion"];
-/** Of the NeuroRobot at home: N01 of core/robot/neuro/test/golden_neuro.h. */
+/** Pose of the NeuroRobot at home: N01 of core/robot/neuro/test/golden_neuro.h. */
 const home = [-1, 0, 0, 18.32, 0, 0, -1, 209.89, 0, -1, 0, 72.91, 0, 0, 0, 1];
 const probe = { treatment_to_tip: 10, robot_to_treatment: 41 };
 /** The scanner's axes are the z-frame's, 100 mm away along S. */

@@ -20,7 +20,7 @@ const MARGIN = 34;
 const HIGHEST = 380;
 /** Before the page says how wide it is. */
 const USUAL_WIDTH = 480;
-/** What is drawn is rounded up to so many millimetres, so that the scale seldom changes. */
+/** The size of the drawing is rounded up to so many millimetres, so that the scale seldom changes. */
 const STEP_MM = 20;
 const BAR_LENGTHS_MM = [200, 100, 50, 20, 10, 5];
 const BAR_SHARE = 0.3;
@@ -52,7 +52,7 @@ function rounded(points: readonly Point[]): Box {
   return { low: [low(0), low(1), low(2)], high: [high(0), high(1), high(2)] };
 }
 
-/** What has been drawn keeps its room, so that the drawing does not breathe. */
+/** Points that have been drawn keep their room, so that the size of the drawing does not change to and fro. */
 function useBox(points: readonly Point[]): Box {
   const [box, setBox] = useState(() => rounded(points));
   const wanted = rounded([...points, box.low, box.high]);

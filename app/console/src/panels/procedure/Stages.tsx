@@ -3,7 +3,7 @@ import type { Stage } from "@interface";
 import { WideTable } from "../../parts/WideTable";
 import "./Stages.css";
 
-/** Of a class of times; each is twice as wide as the one before. */
+/** Name of a class of times; each is twice as wide as the one before. */
 export function className(index: number, count: number): string {
   const from = index === 0 ? 0 : 2 ** (index - 1);
   if (index === count - 1) {

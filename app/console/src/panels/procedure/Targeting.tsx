@@ -32,7 +32,7 @@ function proposalText({ proposals }: TargetingData): string {
   return `${formatPoint(proposals.target_mm)} (${reach})${formatOrigin(proposals.target_by)}`;
 }
 
-/** What decides how deep the needle goes: until one is commanded or accepted, nobody's point. */
+/** The point that decides how deep the needle goes; none until one is commanded or accepted. */
 function entryText({ entry_mm: entry, entry_by: by }: TargetingData): string {
   return entry === null
     ? "none"
@@ -43,7 +43,7 @@ function targetText({ target, target_by: by }: TargetingData): string {
   return pointText(target, "none") + formatOrigin(by);
 }
 
-/** What counts of the registration. */
+/** The essentials of the registration. */
 function registrationText(targeting: TargetingData): string {
   if (targeting.registration === null) {
     return "none";
@@ -90,7 +90,7 @@ function Matrices({ targeting }: { targeting: TargetingData }) {
 }
 
 /**
- * Points are in mm, in scanner coordinates where the robot is registered. Who sent what, and when.
+ * Points are in mm, in scanner coordinates where the robot is registered. The sender and the age of each are shown.
  *
  * @satisfies SWR-CON-106
  * @satisfies SWR-IGTL-072

@@ -13,7 +13,7 @@ function absence(view: ConsoleView): string {
   return view.refusal ?? "The server cannot be reached.";
 }
 
-/** Readers of screens are told the sign and what stands beside it whenever it changes; `more` they find. */
+/** Screen readers announce the sign and the text beside it whenever it changes; `more` they find. */
 function Frame({
   sign,
   more,
@@ -52,7 +52,7 @@ function StaleBanner({ view, sign }: { view: ConsoleView; sign: Sign }) {
   );
 }
 
-/** Whom to ask. */
+/** The client to ask for authority. */
 function whoCommands({ state, name, age_s }: Authority): string {
   if (name !== null) {
     return `Commanded by ${name} for ${Math.floor(age_s)} s`;
@@ -65,7 +65,7 @@ function whoCommands({ state, name, age_s }: Authority): string {
     : "Nobody commands";
 }
 
-/** What a press of the button would mean. */
+/** Meaning of a press of the button. */
 function meaningOf(robot: RobotState): string {
   const { request, request_axis } = robot.status.authority;
   switch (request) {
@@ -100,7 +100,7 @@ function CommandRow({ robot }: { robot: RobotState }) {
 }
 
 /**
- * What happens is in no file, and only here can one know it in time.
+ * Unrecorded cycles are in no file, and only this banner shows that in time.
  *
  * @satisfies SWR-SUP-012
  */
@@ -137,7 +137,7 @@ const stages: Record<Status["loop"]["late_stage"]["name"], string> = {
 };
 
 /**
- * What has stopped a loop that was late too often.
+ * The cause of the stop of a loop that was late too often.
  *
  * @satisfies SWR-CON-090
  */
@@ -175,7 +175,7 @@ function Others({ alarms }: { alarms: readonly Alarm[] }) {
   );
 }
 
-/** Its age grows: readers of screens find it, and are not told each second. */
+/** Its age grows: screen readers find it, and do not announce it each second. */
 function Needle({ status }: { status: Status }) {
   const text = needleText(status);
   return text === null ? null : (

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: a page takes, asks for and gives up authority by its own number, renews it by itself, and has none when
-// nobody sees it.
+// no user sees it.
 import {
   act,
   cleanup,
@@ -39,7 +39,7 @@ const fetched = vi.fn((path: string, options: RequestInit) =>
 );
 let role: Role;
 
-/** What the page has asked for, in short. */
+/** The requests of the page, in short. */
 function acts(): string[] {
   return fetched.mock.calls
     .filter(([path]) => path !== "/api/v1/session")

@@ -122,7 +122,7 @@ function Nobody({ session, store }: { session: Session; store: SessionStore }) {
 }
 
 /**
- * Who is logged in, and the way in and out.
+ * The user who is logged in, and the way in and out.
  *
  * @satisfies SWR-SESS-010
  */

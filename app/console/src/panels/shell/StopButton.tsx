@@ -78,8 +78,8 @@ function Failure({ reason }: { reason: string }) {
 }
 
 /**
- * Asks for no confirmation. Works with stale data too: the request may get through where the stream does not. What it
- * says of control comes from the data of this moment (`view`, null: there is none).
+ * Asks for no confirmation. Works with stale data too: the request may get through where the stream does not. Its
+ * words about control come from the data of this moment (`view`, null: there is none).
  *
  * @satisfies SWR-CON-007
  * @satisfies SWR-CON-008

@@ -76,7 +76,7 @@ function Health({ card }: { card: Card }) {
 }
 
 /**
- * What each card that was heard measures and counts of itself.
+ * The measurements and counts of each card that was heard.
  *
  * @satisfies SWR-CARD-014
  * @satisfies SWR-LINK-041

@@ -53,7 +53,7 @@ function Chooser({ label, names, chosen, choose }: ChooserProperties) {
 export interface SeenSource {
   /** From when on. */
   since: string;
-  /** Whose clock it was. */
+  /** Name of the clock that it is from. */
   clock: string;
 }
 
@@ -62,7 +62,7 @@ const liveSource: SeenSource = {
   clock: "this computer",
 };
 
-/** What every change of the stream shows since this view was opened. */
+/** The states and changes of the stream since this view was opened. */
 function useSeen(robot: RobotState): Seen {
   const [seen, setSeen] = useState<Seen>(() => observe({}, robot, new Date()));
   useEffect(() => {
@@ -148,7 +148,7 @@ interface PictureProperties {
   region: string;
 }
 
-/** What the chart compiler has drawn; it is put in anew only when it is marked otherwise. */
+/** The drawing of the chart compiler; it is put in anew only when it is marked otherwise. */
 const Lines = memo(function Lines({ html }: { html: string }) {
   // eslint-disable-next-line no-restricted-syntax -- made with this page, no text of the network
   return <g dangerouslySetInnerHTML={{ __html: html }} />;

@@ -24,7 +24,7 @@ const columns = [
   "End",
 ];
 
-/** Of one connection. */
+/** An act on one connection. */
 type Act = (method: Method, what: string, body?: object) => void;
 
 function Traffic({ messages, bytes }: { messages: number; bytes: number }) {
@@ -105,7 +105,7 @@ export function Connections({
   page: Page;
   /** Why nothing can be changed from here, or null. */
   obstacle: string | null;
-  /** What the server answers to a change. */
+  /** Takes the server's answer to a change. */
   tell: (communication: Communication) => void;
 }) {
   const [problem, setProblem] = useState<string | null>(null);

@@ -24,7 +24,7 @@ function timeText({
 }
 
 /**
- * What the computer lacks for a punctual loop, with what to do.
+ * The lacks of the computer for a punctual loop, with their remedies.
  *
  * @satisfies SWR-CON-036
  */

@@ -7,7 +7,7 @@ import { WideTable } from "../../parts/WideTable";
 const columns = ["Account", "Commands", { number: "Here for" }];
 
 /**
- * The pages of the console that somebody is logged in at.
+ * The pages of the console at which a user is logged in.
  *
  * @satisfies SWR-CON-037
  */

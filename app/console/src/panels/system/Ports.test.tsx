@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: each port of OpenIGTLink is told with its state, and what is wrong with it.
+// Rule under test: each port of OpenIGTLink is shown with its state and its trouble.
 import { cleanup, render, screen } from "@testing-library/react";
 import { afterEach, expect, test } from "vitest";
 import { makePort } from "../../testing/robot";

@@ -7,7 +7,7 @@ function runs(isRunning: boolean): string {
 }
 
 /**
- * What runs here, and since when.
+ * The running program, and the time since its start.
  *
  * @satisfies SWR-CON-036
  * @satisfies SWR-PACK-011

@@ -11,7 +11,7 @@ export interface Curve {
 }
 
 export interface GraphProperties {
-  /** What is drawn, for who does not see it; the numbers stand elsewhere. */
+  /** Name of the drawing, for a user who does not see it; the numbers stand elsewhere. */
   label: string;
   curves: readonly Curve[];
   /** Ends of the axes in words. */

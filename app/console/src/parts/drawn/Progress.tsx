@@ -2,7 +2,7 @@
 import type { Status } from "@interface";
 import "./Progress.css";
 
-/** What the share is of; of the others, of their present leg. */
+/** The whole that the share is of; for the other modes it is their present leg. */
 const shares: Readonly<Partial<Record<Status["mode"]["name"], string>>> = {
   HOMING: "of the axes",
   TRAJECTORY: "of its time",

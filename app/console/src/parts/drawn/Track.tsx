@@ -13,7 +13,7 @@ export function percentOf(axis: Axis, value: number): number {
   return range > 0 ? ((value - axis.minimum) / range) * 100 : 0;
 }
 
-/** Percent of the drawing. What is too far outside for it stands at its end, with an arrow. */
+/** Percent of the drawing. A value that is too far outside stands at its end, with an arrow. */
 function placeOf(axis: Axis, value: number): { x: number; beyond: number } {
   const x = ROOM + (percentOf(axis, value) * (100 - 2 * ROOM)) / 100;
   const shown = Math.min(100, Math.max(0, x));
@@ -73,7 +73,7 @@ function Marks({ axis }: { axis: Axis }) {
 
 /**
  * The axis between its soft limits: circle for the set-point, diamond for the position, a short bar for the end of
- * the armed motion. Where it stands is not drawn while nobody knows it.
+ * the armed motion. Its position is not drawn while it is unknown.
  *
  * @satisfies SWR-CON-021
  */
