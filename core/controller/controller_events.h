@@ -6,13 +6,13 @@
 
 #include "controller/controller.h"
 
-/** What the parts of one cycle share. */
+/** Data that the parts of one cycle share. */
 typedef struct {
     const robot_t *robot;
     const controller_inputs_t *inputs;
     controller_outputs_t *outputs;
-    event_cause_t cause; /**< Of what is noted with it. */
-    uint32_t peer;       /**< Of the cause, as event_t. */
+    event_cause_t cause; /**< Cause of the events noted with it. */
+    uint32_t peer;       /**< Peer of the cause, as event_t. */
 } cycle_t;
 
 /**

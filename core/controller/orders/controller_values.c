@@ -33,7 +33,7 @@ static void note_rotation(controller_t *self, const cycle_t *cycle, uint32_t fir
     }
 }
 
-/* Those of an accepted probe are told with it. */
+/* Lengths of a refused probe; those of an accepted one are noted with it. */
 static void note_lengths(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
     const command_probe_t *const sent = command_as_probe(command);

@@ -20,7 +20,7 @@ static inline named_step_t controller_step_only(next_step_t step)
 }
 
 /**
- * Where START_UP is wanted.
+ * Next step where START_UP is wanted.
  *
  * @return the first obstacle to it: the computer, the black box, a card, the pedal, heat, a
  * position to be confirmed, a fault that came back in LIMIT_SERVICE_START_UPS tries; without one
@@ -39,7 +39,7 @@ static inline named_step_t controller_step_only(next_step_t step)
 named_step_t controller_ready(const controller_t *self, const cycle_t *cycle);
 
 /**
- * Where a move is wanted.
+ * Next step where a move is wanted.
  *
  * @return MOVE, or SERVICE with what has ended LIMIT_SERVICE_MOVES of them
  *
