@@ -21,7 +21,7 @@ static bool needs_table(uint32_t kind, uint32_t asked)
     return (kind == (uint32_t)COMMAND_WORKPHASE) ? is_start_up(kind, asked) : !is_of_authority;
 }
 
-/* What lets drives be driven: the loop must be able to stop them in time. */
+/* Commands that let drives be driven: the loop must be able to stop them in time. */
 static bool enables(uint32_t kind, uint32_t asked)
 {
     return is_start_up(kind, asked) || (kind == (uint32_t)COMMAND_ENABLE_AXIS);
