@@ -14,12 +14,12 @@
 typedef struct {
     char resource[ADDRESS_RESOURCE_SIZE]; /**< As NI names it: RIO0. */
     char bitfile[ADDRESS_PATH_SIZE];
-    char accepted[BSP_ACCEPTED_SIZE]; /**< "": nobody does. */
+    char accepted[BSP_ACCEPTED_SIZE]; /**< "": not accepted. */
 } address_t;
 
 /**
  * Reads `nifpga:RIO0,/path/x.lvbitx`, after which `,accepted=` and a name with a date (2026-11-23)
- * may follow; "-" is nobody, and anything else is refused.
+ * may follow; "-" is none, and anything else is refused.
  *
  * @return false: `error` says in one sentence what is wrong
  *

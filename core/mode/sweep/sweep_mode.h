@@ -69,7 +69,8 @@ static inline bool sweep_mode_has_begun(const sweep_mode_t *self)
     return self->stage != 0U;
 }
 
-/** Request of a command SWEEP.
+/**
+ * Request of a command SWEEP.
  *
  * @return bit n: axis n
  */

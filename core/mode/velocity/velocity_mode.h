@@ -55,7 +55,8 @@ bool velocity_mode_runs(const velocity_mode_t *self);
 void velocity_mode_step(velocity_mode_t *self, leg_t *leg, const mode_frame_t *frame,
                         mode_result_t *result);
 
-/** Request of a command VELOCITY.
+/**
+ * Request of a command VELOCITY.
  *
  * @return bit n: axis n
  */
