@@ -57,7 +57,7 @@ bool bsp_bench_is_offered(void);
 bool bsp_bench_look(const char *name, bsp_bench_t *seen);
 
 /** Gives the box `name` one order, as boresight-simctl does, and waits up to a second for its
- * answer. Any thread; one order at a time is under way, the others wait for it. */
+ * answer. Any thread; one order at a time is under way, and the others wait for it. */
 bsp_bench_result_t bsp_bench_order(const char *name, const char *order);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Which FPGA with which bitfile, and who accepts what its cards lack. */
+/** @file The FPGA and its bitfile, and the person who accepts the lacks of its cards. */
 #ifndef BORESIGHT_ADDRESS_H
 #define BORESIGHT_ADDRESS_H
 

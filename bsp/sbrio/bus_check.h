@@ -28,13 +28,13 @@ typedef struct {
     bus_check_answer_t answer;
     uint32_t shift_bits; /**< With BUS_CHECK_SHIFTED. */
     uint32_t heartbeat;  /**< With BUS_CHECK_ALIVE. */
-    uint32_t slot;       /**< With BUS_CHECK_OTHER: whose report it is. */
+    uint32_t slot;       /**< With BUS_CHECK_OTHER: slot of the report. */
 } bus_check_seen_t;
 
 /** The wire stood still: all bytes are 0x00, or all 0xFF. */
 bool bus_check_stands_still(const uint8_t bytes[CARD_FRAME_BYTES]);
 
-/** Looks at what came back from `slot`. */
+/** Looks at the answer from `slot`. */
 bus_check_seen_t bus_check_look(uint32_t slot, const uint8_t bytes[CARD_FRAME_BYTES]);
 
 /**

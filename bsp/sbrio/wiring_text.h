@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The words of a wiring's text: parts, numbers and paths, and what is said of a wrong one.
+/** @file The words of a wiring's text: parts, numbers and paths, and the error for a wrong one.
  */
 #ifndef BORESIGHT_WIRING_TEXT_H
 #define BORESIGHT_WIRING_TEXT_H

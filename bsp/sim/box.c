@@ -30,8 +30,8 @@ static void init_axis(box_axis_t *self, const robot_t *robot, uint32_t index, si
     sim_card_init(&self->card, config, &self->encoder, self->limit_switch.is_active, 0U);
 }
 
-/* A load cell at rest on two converters, as the platform has it: what the hand pushes, and what the
- * needle meets. */
+/* A load cell at rest on two converters, as the platform has it: the force of the hand, and the
+ * force on the needle. */
 static void init_sensor(box_sensor_t *self, uint32_t slot, uint32_t card_type, uint32_t time_us)
 {
     const axis_config_t config = {.slot = (uint8_t)slot, .card_type = (uint8_t)card_type};

@@ -163,7 +163,7 @@ bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_siz
 const char *box_orders(void);
 
 /** Puts a card of `card_type`, which nothing is connected to, into `slot`, which no axis has;
- * CARD_TYPE_NONE takes out what is there. */
+ * CARD_TYPE_NONE takes out the card that is there. */
 void box_plug(box_t *self, uint32_t slot, uint32_t card_type);
 
 /**
@@ -181,7 +181,7 @@ void box_press(box_t *self, box_held_t what, bool is_pressed);
  * holds it, and nothing has changed. */
 bool box_hold(box_t *self, box_held_t what, uint32_t who);
 
-/** Renews what `who` holds; what he does not hold any more stays open. */
+/** Renews the inputs that `who` holds; one that is not held any more stays open. */
 void box_keep(box_t *self, uint32_t who);
 
 /** Releases pedal or button if `who` holds it. */

@@ -109,7 +109,7 @@ void wire_store_time(wire_t *wire, uint64_t time_us);
 /** Informs the box that there is something to do. */
 void wire_wake_box(wire_t *wire);
 
-/** Stores `value` and wakes who sleeps on `word`. */
+/** Stores `value` and wakes the process that sleeps on `word`. */
 void wire_announce(uint32_t *word, uint32_t value);
 
 /** Sleeps while `*word` is `value`, at most `timeout_us`; may return early. */

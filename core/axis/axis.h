@@ -3,7 +3,7 @@
  * @file
  * One robot axis: its encoder, its enabling and homing (statecharts/axis.scxml), its supervision
  * and its servo. Each cycle: axis_check(), axis_observe(), then one of axis_rest(), axis_follow(),
- * axis_home() for a drive request, then axis_supervise() with what the permit made of it.
+ * axis_home() for a drive request, then axis_supervise() with the permit's decision on it.
  */
 #ifndef BORESIGHT_AXIS_H
 #define BORESIGHT_AXIS_H

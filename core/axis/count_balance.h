@@ -31,8 +31,8 @@ typedef struct {
     int32_t counted_ticks; /**< In the direction of the drive. */
     int64_t least_e2_q16;  /**< The least of it that must be counted, times 100. */
     int64_t most_e2_q16;   /**< The most, times 100. */
-    int64_t short_e2_q16;  /**< Sum of what was missing, times 100. */
-    int64_t over_e2_q16;   /**< Sum of what was too much, times 100. */
+    int64_t short_e2_q16;  /**< Sum of missing counts, times 100. */
+    int64_t over_e2_q16;   /**< Sum of surplus counts, times 100. */
     int32_t direction;     /**< 1, or -1, of the last drive; 0: none yet. */
     uint32_t run_us;       /**< Driven this way for so long without a pause, saturates. */
     uint32_t rest_us;      /**< Not driven for so long, saturates. */

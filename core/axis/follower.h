@@ -25,7 +25,7 @@ bool follower_has_one(const robot_t *robot, uint32_t leader);
  * it */
 bool follower_is_in_block(const robot_t *robot, uint32_t index);
 
-/** @return with which axis axis `index` travels now: the one that homes and that it follows;
+/** @return the axis with which axis `index` travels now: the one that homes and that it follows;
  * itself when there is none */
 uint32_t follower_leader(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index);
 

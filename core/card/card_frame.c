@@ -101,7 +101,7 @@ static inline uint32_t four_words(const uint8_t bytes[CARD_FRAME_BYTES], uint32_
     return two_words(bytes, first) + two_words(bytes, first + 2U);
 }
 
-/* The sum of a frame whose reserved words are zero: of all others. */
+/* The sum of a frame whose reserved words are zero: that of all other words. */
 static uint32_t command_sum(const uint8_t bytes[CARD_FRAME_BYTES])
 {
     return four_words(bytes, CARD_BOTH_START) + four_words(bytes, CARD_COMMAND_SYSTEM) +

@@ -155,8 +155,8 @@ bool link_was_only_silent(const link_t *self);
  */
 bool link_has_broken(link_t *self, uint32_t missed_cycles);
 
-/** The card answers, and for so long always by the same report: its program stands, and who knows
- * what it counts. */
+/** The card answers, and for so long always by the same report: its program stands, and its counts
+ * are unknown. */
 static inline bool link_is_standing(const link_t *self)
 {
     return (self->last_error == (uint16_t)CARD_FRAME_REPEATED) &&

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file What the cards say in this cycle, and what follows when one is lost. */
+/** @file Reports of the cards in this cycle, and the consequences when one is lost. */
 #ifndef BORESIGHT_CONTROLLER_CARDS_H
 #define BORESIGHT_CONTROLLER_CARDS_H
 
@@ -16,8 +16,8 @@ typedef enum {
 } card_loss_t;
 
 /**
- * The card of axis `index` was lost, and with it the order; `loss` says what of its reference and
- * of the target.
+ * The card of axis `index` was lost, and with it the order; `loss` states the effect on its
+ * reference and on the target.
  *
  * @satisfies SWR-CARD-015
  */

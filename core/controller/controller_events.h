@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file What the controller notes in a cycle, and what all parts of a cycle share. For the files
- * of this folder only, as are the headers of the other parts. */
+/** @file Events that the controller notes in a cycle, and data that all parts of a cycle share. For
+ * the files of this folder only, as are the headers of the other parts. */
 #ifndef BORESIGHT_CONTROLLER_EVENTS_H
 #define BORESIGHT_CONTROLLER_EVENTS_H
 

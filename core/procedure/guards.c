@@ -12,7 +12,7 @@ static bool is_start_up(uint32_t kind, uint32_t asked)
     return (kind == (uint32_t)COMMAND_WORKPHASE) && (asked == (uint32_t)WORKPHASE_START_UP);
 }
 
-/* Changes of the workphase that drive nothing do without the robot's table, and what is of
+/* Changes of the workphase that drive nothing do without the robot's table, and so do commands of
  * authority. */
 static bool needs_table(uint32_t kind, uint32_t asked)
 {

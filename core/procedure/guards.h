@@ -41,9 +41,9 @@
  * COMMAND_WORKPHASE asks for.
  *
  * @return STATUS_OK; STATUS_MEMORY_DAMAGED while the robot's table is, unless the command changes
- * the workphase alone or is of authority; STATUS_COMPUTER_UNFIT for what enables axes;
- * STATUS_NO_BLACK_BOX for START_UP alone while GUARD_NO_BOX stands;
- * STATUS_MOVED_IN_VAIN for what homes them while GUARD_SPENT stands
+ * the workphase alone or is of authority; STATUS_COMPUTER_UNFIT for commands that enable axes;
+ * STATUS_NO_BLACK_BOX for START_UP alone while GUARD_NO_BOX stands; STATUS_MOVED_IN_VAIN for those
+ * that home them while GUARD_SPENT stands
  *
  * @satisfies SWR-LOOP-006
  * @satisfies SWR-MEMORY-004

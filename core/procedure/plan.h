@@ -2,7 +2,7 @@
 /**
  * @file
  * The plan: what the robot carries (probe), where it stands in the scanner (registration), where
- * its needle shall enter and where it shall go (entry point, target), and what others propose.
+ * its needle shall enter and where it shall go (entry point, target), and the proposals of others.
  * Proposals are shown and decide nothing.
  */
 #ifndef BORESIGHT_PLAN_H
@@ -32,7 +32,7 @@ typedef struct {
     point_t proposed_entry; /**< Scanner coordinates, like everything proposed. */
     point_t proposed_target;
     rigid_t scanner_desired;               /**< The pose the proposals ask for. */
-    plan_proposer_t registration_proposer; /**< As the next two valid with what was proposed. */
+    plan_proposer_t registration_proposer; /**< As the next two valid with its proposal. */
     plan_proposer_t entry_proposer;
     plan_proposer_t target_proposer;
     int32_t desired_ticks[ROBOT_AXIS_MAX];
@@ -79,8 +79,8 @@ void plan_init(plan_t *self, const robot_t *robot);
 bool plan_forget(plan_t *self);
 
 /**
- * Takes a probe that probe_judge() has passed: target, entry point and what was proposed on the way
- * are forgotten; the registration stands.
+ * Takes a probe that probe_judge() has passed: target, entry point and the proposals on the way are
+ * forgotten; the registration stands.
  *
  * @satisfies SWR-PROBE-003
  */

@@ -173,7 +173,7 @@ static uint32_t leaving_axes(reach_t *self, uint32_t driven)
 }
 
 /* Another axis of the limit goes the same way as axis `index`, which homes or is about to: the
- * whole block does then, and what is between its axes stays. */
+ * whole block does then, and the distances between its axes stay. */
 static bool is_in_block(const robot_t *robot, const coupled_limit_t *limit,
                         const axis_t axes[ROBOT_AXIS_MAX], uint32_t index, bool is_beginning)
 {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The firmware of a daughter card, as the simulated box runs it, and the reference for anyone who
- * makes a card (docs/card-protocol.md): takes commands, drives the motor, watches over both,
- * reports. It believes only whole frames whose sequence number is one of the next; after a start or
- * a trip only one that clears the fault with the drive off begins a new sequence.
+ * The firmware of a daughter card, as the simulated box runs it, and the reference for the maker of
+ * a card (docs/card-protocol.md): takes commands, drives the motor, watches over both, reports. It
+ * believes only whole frames whose sequence number is one of the next; after a start or a trip only
+ * one that clears the fault with the drive off begins a new sequence.
  */
 #ifndef BORESIGHT_SIM_CARD_H
 #define BORESIGHT_SIM_CARD_H

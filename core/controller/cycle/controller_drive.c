@@ -175,7 +175,7 @@ static void send_to_others(controller_t *self, const cycle_t *cycle, uint32_t st
     }
 }
 
-/* All in one go: an encoder writes only what is not zero. */
+/* All in one go: an encoder writes only the words that are not zero. */
 static void clear_frames(const cycle_t *cycle)
 {
     controller_outputs_t *const outputs = cycle->outputs;

@@ -396,7 +396,7 @@ static bool is_confirmation_barred(const controller_t *self, const cycle_t *cycl
     return is_barred;
 }
 
-/* The operator confirms what is shown; what is shown of a silent card is old. */
+/* The operator confirms the positions that are shown; that of a silent card is old. */
 static void confirm(controller_t *self, const cycle_t *cycle)
 {
     for (uint32_t i = 0U; i < self->axis_count; i++) {

@@ -22,7 +22,8 @@ static void note_taken(controller_t *self, const cycle_t *cycle)
                     (int32_t)self->authority.holder.source);
 }
 
-/* The order of who has lost it is discarded: the pedal must be pressed anew for another one. */
+/* The order of the party that has lost it is discarded: the pedal must be pressed anew for another
+ * one. */
 static void lose(controller_t *self, const cycle_t *cycle, authority_loss_t loss)
 {
     const uint32_t peer = self->authority.holder.peer;

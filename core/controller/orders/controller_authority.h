@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Who may command: the part of a cycle in which authority is taken, lost and asked for. */
+/** @file Authority to command: the part of a cycle in which it is taken, lost and asked for. */
 #ifndef BORESIGHT_CONTROLLER_AUTHORITY_H
 #define BORESIGHT_CONTROLLER_AUTHORITY_H
 
@@ -8,7 +8,8 @@
 #include <stdbool.h>
 
 /**
- * Takes authority from who does not answer any more, and gives it to who was granted it.
+ * Takes authority from a party that does not answer any more, and gives it to one that was granted
+ * it.
  *
  * @satisfies SWR-AUTH-005
  * @satisfies SWR-AUTH-010
@@ -68,7 +69,7 @@ static inline bool controller_awaits_grant(const controller_t *self)
 }
 
 /**
- * The button was pressed for who asked for authority.
+ * The button was pressed for the party that asked for authority.
  *
  * @satisfies SWR-AUTH-008
  */

@@ -114,7 +114,7 @@ static void note_shared_limit(controller_t *self, const cycle_t *cycle, const an
     }
 }
 
-/* Anybody may send what is refused, as often as he likes. */
+/* Any peer may send numbers that are refused, as often as it likes. */
 static bool is_time(controller_t *self)
 {
     const bool is_one = (self->cycle - self->refused_cycle) >= LIMIT_REFUSED_VALUES_MS;

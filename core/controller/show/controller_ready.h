@@ -5,7 +5,7 @@
 
 #include "controller/controller_events.h"
 
-/** A next step, and what it names. */
+/** A next step, and the axis, card or event that it names. */
 typedef struct {
     next_step_t step;
     uint32_t axis;  /**< ROBOT_AXIS_MAX: none. */
@@ -41,7 +41,7 @@ named_step_t controller_ready(const controller_t *self, const cycle_t *cycle);
 /**
  * Next step where a move is wanted.
  *
- * @return MOVE, or SERVICE with what has ended LIMIT_SERVICE_MOVES of them
+ * @return MOVE, or SERVICE with the cause that has ended LIMIT_SERVICE_MOVES of them
  *
  * @satisfies SWR-NEXT-036
  */

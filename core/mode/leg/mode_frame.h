@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * All that a mode has to do with the rest: the cycle as it sees it, and what it says of it. No mode
- * sees the controller.
+ * The interface of a mode to the rest: the cycle as it sees it, and its result. No mode sees the
+ * controller.
  */
 #ifndef BORESIGHT_MODE_FRAME_H
 #define BORESIGHT_MODE_FRAME_H
@@ -20,7 +20,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** One for each axis, and one for what makes it fail. */
+/** One for each axis, and one for the fault that makes it fail. */
 #define MODE_NOTES (ROBOT_AXIS_MAX + 1U)
 #define MODE_NO_AXIS ROBOT_AXIS_MAX
 

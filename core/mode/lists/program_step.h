@@ -24,7 +24,7 @@ uint32_t program_step_turning_axis(const robot_t *robot);
 /** CRC-32C of a step: depth, angle, dwell, gate, as they lie in memory. */
 uint32_t program_step_crc(const program_step_t *step);
 
-/** The step is what was taken. */
+/** The step is as it was taken. */
 bool program_step_is_whole(const program_step_t *step);
 
 /** Checksum of a list that was `crc` (0 of none) with one step more: CRC-32C of that and of the

@@ -4,8 +4,8 @@
  * The trajectory that is held: rows of time, positions and speeds, which come one by one and are
  * judged as they come, each against the one before. So a whole list is one that may be driven:
  * between two rows each axis goes on a cubic (motion/cubic.h), within its soft limits, its speed
- * and acceleration and what it shares with others. The caller owns head and rows; the rows lie
- * outside of what it seals, each with a checksum of its own.
+ * and acceleration and the limits that it shares with others. The caller owns head and rows; the
+ * rows lie outside of what it seals, each with a checksum of its own.
  */
 #ifndef BORESIGHT_TRAJECTORY_LIST_H
 #define BORESIGHT_TRAJECTORY_LIST_H

@@ -187,7 +187,8 @@ static bool find_entry_depth(const needle_t *self, const point_t *entry, int64_t
     return fixed_length(off_nm) <= (int64_t)LIMIT_ENTRY_ON_AXIS_NM;
 }
 
-/* The smallest margin of what the depth moves, as soon as it is not above `least_q56`. */
+/* The smallest margin of the joints that the depth moves, as soon as it is not above `least_q56`.
+ */
 static margin_t margin_at_depth(const needle_t *self, const joint_limits_t *limits,
                                 int64_t depth_nm, int64_t least_q56)
 {
