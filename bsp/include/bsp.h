@@ -18,7 +18,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What a board can do beside exchanging frames and sampling inputs. */
+/** Abilities of a board beside exchanging frames and sampling inputs. */
 #define BSP_HAS_EDGE_LATCH 0x1U /**< `dropped` holds pulses shorter than a cycle. */
 #define BSP_HAS_DRIVES_OFF 0x2U /**< A line of its own takes the power of all drives. */
 #define BSP_HAS_WATCHDOG 0x4U   /**< Something acts when bsp_kick() stays away. */
@@ -28,29 +28,30 @@
 #define BSP_FIRMWARE_SIZE 40U
 #define BSP_ACCEPTED_SIZE 64U
 
-/** What was opened, and what stays as it is until it is closed. */
+/** Identity of the board that was opened; it stays as it is until the board is closed. */
 typedef struct {
     char board[BSP_NAME_SIZE];        /**< As its folder is called. */
-    char firmware[BSP_FIRMWARE_SIZE]; /**< Version of what runs in it; "" when it has none. */
+    char firmware[BSP_FIRMWARE_SIZE]; /**< Version of its firmware; "" when it has none. */
     uint32_t abilities;               /**< BSP_HAS_ bits. */
     /** Another number each time the box is switched on; never 0. */
     uint32_t power_on;
-    /** Frames were exchanged in this power-on before bsp_open(), or nobody knows: axes may have
+    /** Frames were exchanged in this power-on before bsp_open(), or that is unknown: axes may have
      * moved. */
     bool was_used;
-    /** CRC of the description of the robot that the box belongs to; 0 when it cannot tell. */
+    /** CRC of the description of the robot that the box belongs to; 0 when that is unknown. */
     uint32_t robot_crc;
-    /** It waits for control: a cycle passes when control asks for the next one, so nobody is late
+    /** It waits for control: a cycle passes when control asks for the next one, so no cycle is late
      * because the machine paused. Never on a real board. */
     bool is_elastic;
-    bool is_simulated; /**< No robot is connected: nobody is hurt by a late cycle. */
+    bool is_simulated; /**< No robot is connected: a late cycle hurts no person. */
     uint32_t slowness; /**< Its time passes so many times slower, at best; 1 on a real board. */
     uint32_t speedup;  /**< And up to so many times faster; 1 on a real board. */
     uint32_t dialect;  /**< card_dialect_t of all cards. */
     /** Most by which the time between two samples of a card may be wrong, as the board measures
      * it. */
     uint32_t sample_error_us;
-    /** Who accepts what cards of another dialect than our own lack, and when; "": nobody does. */
+    /** Name of the person who accepts the lacks of cards of another dialect than our own, and the
+     * date; "": not accepted. */
     char accepted[BSP_ACCEPTED_SIZE];
 } bsp_identity_t;
 
@@ -73,7 +74,7 @@ typedef struct {
     uint32_t valid;
 } bsp_inputs_t;
 
-/** What became of one slot's frame. */
+/** Result of one slot's frame. */
 typedef enum {
     BSP_SLOT_NOT_SENT = 0,
     /** 256 bytes came back; whether they are a report is not the board's business. */
@@ -82,15 +83,16 @@ typedef enum {
     BSP_SLOT_NO_ANSWER = 2,
     BSP_SLOT_LATE = 3,     /**< Not back at the deadline. */
     BSP_SLOT_NOT_IDLE = 4, /**< The exchange before was still under way: not sent. */
-    BSP_SLOT_BUS_ERROR = 5 /**< The transport failed; `error` of the exchange tells. */
+    BSP_SLOT_BUS_ERROR = 5 /**< The transport failed; see `error` of the exchange. */
 } bsp_slot_result_t;
 
-/** What became of one exchange. */
+/** Result of one exchange. */
 typedef struct {
     uint64_t started_ns;  /**< bsp_now_ns() of bsp_start(); 0 when there was none. */
-    uint64_t finished_ns; /**< When the last frame was back, or the deadline. */
-    uint32_t received;    /**< Bit n: received[n] holds what came back from slot n. */
-    uint64_t sampled_ns[CARD_SLOT_COUNT]; /**< Of these: bsp_now_ns() when the card was selected. */
+    uint64_t finished_ns; /**< Time when the last frame was back, or the deadline. */
+    uint32_t received;    /**< Bit n: received[n] holds the answer of slot n. */
+    uint64_t sampled_ns[CARD_SLOT_COUNT]; /**< Times of these: bsp_now_ns() when the card was
+                                             selected. */
     uint8_t results[CARD_SLOT_COUNT];     /**< bsp_slot_result_t of each slot. */
     int32_t error;                        /**< errno, or the transport's own number; 0: none. */
 } bsp_exchange_t;
@@ -102,8 +104,8 @@ typedef struct {
 #define BSP_LAMP_FAULT 0x8U    /**< Motion is refused by a fault or the e-stop. */
 
 /**
- * Opens the board at `address` and tells what it is. `error` receives one sentence that says what
- * to do.
+ * Opens the board at `address` and states its identity. `error` receives one sentence that says
+ * what to do.
  *
  * @return false when the board is not there or cannot do what the cycle needs
  *
@@ -131,7 +133,8 @@ void bsp_start(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_B
 /**
  * Ends the exchange begun last: waits for it until `deadline_ns` at most. received[n] is written
  * where result->received has bit n. May be called once for each bsp_start(); otherwise no slot was
- * sent. What comes back after the deadline is never taken for the answer of a later exchange.
+ * sent. A frame that comes back after the deadline is never taken for the answer of a later
+ * exchange.
  */
 void bsp_finish(uint64_t deadline_ns, uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
                 bsp_exchange_t *result);
@@ -155,7 +158,7 @@ void bsp_set_lamps(uint32_t lamps);
  */
 void bsp_drives_off(void);
 
-/** Tells the watchdogs that a whole, punctual cycle has passed. */
+/** Informs the watchdogs that a whole, punctual cycle has passed. */
 void bsp_kick(void);
 
 /** The board's monotonic time, ns. Elastic time stands still between two sleeps. */
@@ -168,8 +171,8 @@ uint64_t bsp_reached_ns(void);
 void bsp_sleep_until_ns(uint64_t deadline_ns);
 
 /**
- * Where the board is elastic: lets `world_ns` of the world's time pass, or less, in which that of
- * the board stands still, and tells the board that control lives. Nothing on any other board.
+ * On an elastic board: lets `world_ns` of the world's time pass, or less, in which that of the
+ * board stands still, and informs the board that control lives. Nothing on any other board.
  *
  * @satisfies SWR-BOX-007
  */

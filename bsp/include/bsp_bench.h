@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What is in a slot. Faults are numbered as the words of the order that causes them; 0: none. */
+/** State of a slot. Faults are numbered as the words of the order that causes them; 0: none. */
 typedef struct {
     uint8_t card_type; /**< card_type_t; CARD_TYPE_NONE: the slot is empty. */
     uint8_t has_axis;  /**< 1: an axis is connected to the card; 0: none, and no fault of it. */
@@ -23,9 +23,9 @@ typedef struct {
     uint8_t switch_fault;
 } bsp_bench_slot_t;
 
-/** What there is to see at the box. */
+/** Visible state of the box. */
 typedef struct {
-    uint32_t pedal_holder;  /**< Who holds the pedal from afar; 0: nobody. */
+    uint32_t pedal_holder;  /**< Holder of the pedal from afar; 0: none. */
     uint32_t button_holder; /**< The same of the button. */
     uint32_t gate;          /**< 0: says nothing, 1: dose reached, 2: stop. */
     uint32_t is_probe_free; /**< 1: it is not coupled to the needle's axis. */
@@ -47,7 +47,7 @@ typedef enum {
 } bsp_bench_result_t;
 
 /**
- * Whether this board takes orders.
+ * This board takes orders.
  *
  * @satisfies SWR-BOX-021
  */
@@ -57,7 +57,7 @@ bool bsp_bench_is_offered(void);
 bool bsp_bench_look(const char *name, bsp_bench_t *seen);
 
 /** Gives the box `name` one order, as boresight-simctl does, and waits up to a second for its
- * answer. Any thread; one order at a time is under way, the others wait for it. */
+ * answer. Any thread; one order at a time is under way, and the others wait for it. */
 bsp_bench_result_t bsp_bench_order(const char *name, const char *order);
 
 #endif

@@ -28,7 +28,7 @@ static bool take(char *to, size_t size, const char *text, const char *end)
     return fits;
 }
 
-/* Where `what` stands last: a path in which it stands too names no file. */
+/* Last place of `what` in `text`: a path in which it stands too names no file. */
 static const char *last(const char *text, const char *what)
 {
     const char *found = NULL;

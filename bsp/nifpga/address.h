@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Which FPGA with which bitfile, and who accepts what its cards lack. */
+/** @file The FPGA and its bitfile, and the person who accepts the lacks of its cards. */
 #ifndef BORESIGHT_ADDRESS_H
 #define BORESIGHT_ADDRESS_H
 
@@ -14,12 +14,12 @@
 typedef struct {
     char resource[ADDRESS_RESOURCE_SIZE]; /**< As NI names it: RIO0. */
     char bitfile[ADDRESS_PATH_SIZE];
-    char accepted[BSP_ACCEPTED_SIZE]; /**< "": nobody does. */
+    char accepted[BSP_ACCEPTED_SIZE]; /**< "": not accepted. */
 } address_t;
 
 /**
  * Reads `nifpga:RIO0,/path/x.lvbitx`, after which `,accepted=` and a name with a date (2026-11-23)
- * may follow; "-" is nobody, and anything else is refused.
+ * may follow; "-" is none, and anything else is refused.
  *
  * @return false: `error` says in one sentence what is wrong
  *

@@ -31,7 +31,7 @@ static const char *find(span_t within, const char *what)
     return NULL;
 }
 
-/* What the first element `tag` holds. */
+/* Content of the first element `tag`. */
 static bool element(span_t within, const char *tag, span_t *inside)
 {
     char mark[TAG_SIZE];

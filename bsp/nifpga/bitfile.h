@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a bitfile of LabVIEW FPGA (.lvbitx, XML) says of its registers. Read tolerantly: only the
- * elements asked for must be there, in any order and with any others between them.
+ * Registers by a bitfile of LabVIEW FPGA (.lvbitx, XML). Read tolerantly: only the elements asked
+ * for must be there, in any order and with any others between them.
  */
 #ifndef BORESIGHT_BITFILE_H
 #define BORESIGHT_BITFILE_H
@@ -12,7 +12,7 @@
 #include <stdint.h>
 
 #define BITFILE_SIGNATURE_SIZE 40U
-/** Of an address: the register is in another clock domain. */
+/** Bit of an address: the register is in another clock domain. */
 #define BITFILE_MAY_TIME_OUT 0x80000000U
 
 /** Types of registers that a box has. */
@@ -22,7 +22,7 @@ typedef enum {
     BITFILE_STATE = 2   /**< An enumeration of 16 bits. */
 } bitfile_type_t;
 
-/** What is asked for. */
+/** Register that is asked for. */
 typedef struct {
     const char *name;
     bitfile_type_t type;
@@ -68,7 +68,7 @@ bitfile_answer_t bitfile_find(const bitfile_t *self, const bitfile_query_t *quer
                               uint32_t *address);
 
 /**
- * Which number the value `label` of the enumeration `name` has.
+ * Number of the value `label` of the enumeration `name`.
  *
  * @return false if it has no such value
  */

@@ -61,7 +61,7 @@ static bool write_bit(uint32_t bit, bool is_set)
            (fpga.calls.write_bool(fpga.session, fabric.bits[bit], is_set ? 1U : 0U) >= 0);
 }
 
-/* Nobody knows when the box was switched on: no axis is where it was believed to be. */
+/* The time at which the box was switched on is unknown: no axis is where it was believed to be. */
 static void identify(bsp_identity_t *identity, const address_t *address, const bitfile_t *bitfile)
 {
     *identity = (bsp_identity_t){.board = "nifpga",
@@ -120,7 +120,7 @@ bool bsp_open(const char *address, bsp_identity_t *identity, char *error, uint32
     return is_found;
 }
 
-/* What the trials have seen of all slots. */
+/* Results of the trials in all slots. */
 typedef struct {
     uint32_t valid[CARD_SLOT_COUNT];
     uint32_t damaged[CARD_SLOT_COUNT];
@@ -284,7 +284,7 @@ void bsp_sleep_until_ns(uint64_t deadline_ns)
 
 void bsp_stand_still_ns(uint64_t world_ns)
 {
-    (void)world_ns; /* It waits for nobody. */
+    (void)world_ns; /* It does not wait for control. */
 }
 
 void bsp_close(void)

@@ -17,7 +17,7 @@ static const char *const types[] = {[BITFILE_BOOLEAN] = "Boolean",
                                     [BITFILE_PACKET] = "array of 32 U32",
                                     [BITFILE_STATE] = "enumeration (U16)"};
 
-/* Who looks, and where it says what is wrong. */
+/* The bitfile that is searched, and the text for an error. */
 typedef struct {
     const bitfile_t *bitfile;
     char *error;

@@ -25,7 +25,7 @@ typedef struct {
     uint32_t incoming;
     uint32_t transact;
     uint32_t state;
-    uint16_t idle; /**< What `state` reads when nothing is under way. */
+    uint16_t idle; /**< Value of `state` when nothing is under way. */
 } fabric_card_t;
 
 typedef struct {

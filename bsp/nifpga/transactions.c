@@ -60,7 +60,7 @@ static bool is_good(transactions_t *self, uint32_t slot, int32_t status)
     return status >= 0;
 }
 
-/* What the state of a card says; it is not believed when it could not be read. */
+/* The state of a card is idle; it is not believed when it could not be read. */
 static bool is_idle(transactions_t *self, uint32_t slot)
 {
     const fabric_card_t *const card = &self->fabric->cards[slot];

@@ -29,7 +29,7 @@ static uint32_t slowness = 1U;
 static volatile sig_atomic_t is_open;
 static volatile sig_atomic_t is_cut; /* The power of the drives, until the board is opened again. */
 
-/* Nobody knows when the box was switched on: no axis is where it was believed to be. */
+/* The time at which the box was switched on is unknown: no axis is where it was believed to be. */
 static void identify(bsp_identity_t *identity)
 {
     const uint32_t watchdog_ability = (wiring.watchdog[0] != '\0') ? BSP_HAS_WATCHDOG : 0U;
@@ -165,7 +165,7 @@ void bsp_sleep_until_ns(uint64_t deadline_ns)
 
 void bsp_stand_still_ns(uint64_t world_ns)
 {
-    (void)world_ns; /* It waits for nobody. */
+    (void)world_ns; /* It does not wait for control. */
 }
 
 /* Lines go last: with them the kernel may let go of the power's line. */

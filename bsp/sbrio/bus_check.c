@@ -73,7 +73,7 @@ bus_check_seen_t bus_check_look(uint32_t slot, const uint8_t bytes[CARD_FRAME_BY
     return seen;
 }
 
-/* What is wrong with an answer that came with frames far apart. */
+/* Reports the fault of an answer that came with frames far apart. */
 static bool judge_apart(const wiring_spi_t *wiring, uint32_t slot, const bus_check_seen_t *seen,
                         char *error, uint32_t error_size)
 {

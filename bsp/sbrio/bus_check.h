@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the answers of a slot say about its wires: judged in the self test, where frames are first
- * exchanged far apart and then as they always will be.
+ * Check of a slot's wires by its answers: judged in the self test, where frames are first exchanged
+ * far apart and then as they always will be.
  */
 #ifndef BORESIGHT_BUS_CHECK_H
 #define BORESIGHT_BUS_CHECK_H
@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What came back from a slot. */
+/** Kind of an answer from a slot. */
 typedef enum {
     BUS_CHECK_EMPTY = 0,   /**< The wire stood still: only zeros or only ones. */
     BUS_CHECK_ALIVE = 1,   /**< A whole report of the card in this slot. */
@@ -23,18 +23,18 @@ typedef enum {
     BUS_CHECK_NOISE = 5    /**< No start word. */
 } bus_check_answer_t;
 
-/** What was seen of one slot. */
+/** Answer that was seen from one slot. */
 typedef struct {
     bus_check_answer_t answer;
     uint32_t shift_bits; /**< With BUS_CHECK_SHIFTED. */
     uint32_t heartbeat;  /**< With BUS_CHECK_ALIVE. */
-    uint32_t slot;       /**< With BUS_CHECK_OTHER: whose report it is. */
+    uint32_t slot;       /**< With BUS_CHECK_OTHER: slot of the report. */
 } bus_check_seen_t;
 
-/** Whether the wire stood still: all bytes are 0x00, or all 0xFF. */
+/** The wire stood still: all bytes are 0x00, or all 0xFF. */
 bool bus_check_stands_still(const uint8_t bytes[CARD_FRAME_BYTES]);
 
-/** Looks at what came back from `slot`. */
+/** Looks at the answer from `slot`. */
 bus_check_seen_t bus_check_look(uint32_t slot, const uint8_t bytes[CARD_FRAME_BYTES]);
 
 /**

@@ -93,7 +93,7 @@ void card_buses_start(card_buses_t *self, uint32_t send,
     }
 }
 
-/* What became of a slot whose exchange has ended. */
+/* Result of a slot whose exchange has ended. */
 static bsp_slot_result_t result_of(const spi_bus_t *bus, uint32_t slot)
 {
     if (spi_bus_error(bus, slot) != 0) {
@@ -118,7 +118,7 @@ static void collect(card_buses_t *self, const spi_bus_t *bus,
             self->begun.sampled_ns[slot] = bus->sampled_ns[slot];
             (void)memcpy(received[slot], bus->received[slot], CARD_FRAME_BYTES);
         } else {
-            /* Nobody is there. */
+            /* No card is there. */
         }
     }
 }

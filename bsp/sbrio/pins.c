@@ -90,7 +90,7 @@ bool pins_open(pins_t *self, const wiring_t *wiring, char *error, uint32_t error
     return true;
 }
 
-/* @return how many edges there were since this was asked last; -1: nobody knows */
+/* @return number of edges since this was asked last; -1: unknown */
 static int take_edges(struct gpiod_line *line)
 {
     struct gpiod_line_event edges[KEPT_EDGES];

@@ -20,7 +20,7 @@ typedef struct {
     uint32_t lamps;                         /**< BSP_LAMP_ bits that are lit. */
 } pins_t;
 
-/** What the inputs were: bit n is input n of the wiring, as BSP_IN_. */
+/** Sample of the inputs: bit n is input n of the wiring, as BSP_IN_. */
 typedef struct {
     uint32_t levels;
     uint32_t dropped; /**< Was 0 at any time since the sample before. */
@@ -39,8 +39,8 @@ typedef struct {
 bool pins_open(pins_t *self, const wiring_t *wiring, char *error, uint32_t error_size);
 
 /**
- * Reads all inputs. An edge, whichever, means that its input was 0. Where the kernel's memory of
- * edges may have overflowed, all inputs count as dropped.
+ * Reads all inputs. An edge, whichever, means that its input was 0. All inputs count as dropped
+ * where the kernel's memory of edges may have overflowed.
  *
  * @satisfies SWR-GPIO-001
  * @satisfies SWR-GPIO-002

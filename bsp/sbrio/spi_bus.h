@@ -16,7 +16,7 @@
 
 /** State of one bus. */
 typedef struct {
-    uint32_t number; /**< Of the wiring. */
+    uint32_t number; /**< Bus number of the wiring. */
     uint32_t slots;  /**< Bit n: slot n is behind it. */
     spi_device_t devices[CARD_SLOT_COUNT];
     uint32_t device_count;
@@ -32,7 +32,7 @@ typedef struct {
     pthread_t thread;
 } spi_bus_t;
 
-/** What an exchange of all devices of bus `number` takes, us. */
+/** Time of an exchange of all devices of bus `number`, us. */
 uint32_t spi_bus_time_us(const wiring_t *wiring, uint32_t number);
 
 /**

@@ -80,7 +80,8 @@ static bool set_clock(const spi_device_t *self, char *error, uint32_t error_size
     return true;
 }
 
-/* The kernel takes only so many bytes in one message. Who has no such file has no such limit. */
+/* The kernel takes only so many bytes in one message. A kernel without such a file has no such
+ * limit. */
 static bool fits_kernel(const spi_device_t *self, char *error, uint32_t error_size)
 {
     const unsigned needed =

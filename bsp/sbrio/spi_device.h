@@ -24,7 +24,7 @@ typedef struct {
 /** Bit n: slot n is behind the device. */
 uint32_t spi_device_slots(const wiring_spi_t *wiring);
 
-/** What a transfer of all its frames takes, with the pauses of the chip select, us. */
+/** Time of a transfer of all its frames, with the pauses of the chip select, us. */
 uint32_t spi_device_time_us(const wiring_spi_t *wiring);
 
 /**
@@ -39,7 +39,7 @@ bool spi_device_open(spi_device_t *self, const wiring_spi_t *wiring, char *error
 
 /**
  * Transfers the frames of all its slots and waits for that: as one message with the chip select
- * released between frames or, with a gap, each frame by itself. Then `error` tells, and
+ * released between frames or, with a gap, each frame by itself. Then `error` holds the result, and
  * `sampled_ns` when each card was selected.
  *
  * @satisfies SWR-SPI-003

@@ -11,7 +11,7 @@
 #define APART_US 100U
 #define TOGETHER 5U /* Exchanges. */
 
-/* What came back in one exchange, as bus_check.h judges it. */
+/* Answers in one exchange, as bus_check.h judges them. */
 typedef struct {
     bus_check_seen_t seen[CARD_SLOT_COUNT];
 } look_t;

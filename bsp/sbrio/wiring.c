@@ -86,7 +86,7 @@ static uint32_t slots_of(const wiring_spi_t *spi)
     return ((1U << spi->slot_count) - 1U) << spi->first_slot;
 }
 
-/* What the device says of itself is whole, and no slot is behind two. */
+/* The description of the device is whole, and no slot is behind two. */
 static bool check_spi(const wiring_reader_t *reader, const wiring_t *wiring,
                       const wiring_spi_t *spi)
 {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * How a box is wired, read from a text: which slots are behind which SPI device, which line of
- * which GPIO chip is what, and the watchdog. docs/board-sbrio.md describes the text. Slots need no
- * order; what is not said is not there.
+ * Wiring of a box, read from a text: which slots are behind which SPI device, which line of which
+ * GPIO chip is what, and the watchdog. docs/board-sbrio.md describes the text. Slots need no order;
+ * a part that is not named is not there.
  */
 #ifndef BORESIGHT_WIRING_H
 #define BORESIGHT_WIRING_H
@@ -34,11 +34,11 @@ typedef enum {
 /** One SPI device. */
 typedef struct {
     char path[WIRING_PATH_SIZE];
-    uint32_t bus; /**< Of "spidevBUS.SELECT": devices of one bus take turns. */
+    uint32_t bus; /**< BUS of "spidevBUS.SELECT": devices of one bus take turns. */
     uint32_t first_slot;
     uint32_t slot_count; /**< More than one: a multiplexer leads from slot to slot. */
     uint32_t clock_hz;
-    uint32_t mode;   /**< Of SPI, 0..3. */
+    uint32_t mode;   /**< Mode of SPI, 0..3. */
     uint32_t gap_us; /**< 0: one message; otherwise each frame by itself, so far apart. */
 } wiring_spi_t;
 
@@ -46,7 +46,7 @@ typedef struct {
 typedef struct {
     bool is_there;
     uint32_t chip;      /**< Place in `chips`. */
-    uint32_t offset;    /**< Of the line in its chip. */
+    uint32_t offset;    /**< Number of the line in its chip. */
     bool is_active_low; /**< A contact to ground: the line is 1 while it is pulled down. */
 } wiring_line_t;
 

@@ -61,7 +61,7 @@ bool wiring_path(const wiring_reader_t *reader, const char *text, char path[WIRI
     return true;
 }
 
-/* How many bytes it has, or more than fit; -1 of what is no file. */
+/* Number of its bytes, or more than fit; -1 for anything that is no file. */
 static ssize_t read_file(int file, char text[WIRING_TEXT_SIZE])
 {
     struct stat about;

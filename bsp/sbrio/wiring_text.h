@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The words of a wiring's text: parts, numbers and paths, and what is said of a wrong one.
+/** @file The words of a wiring's text: parts, numbers and paths, and the error for a wrong one.
  */
 #ifndef BORESIGHT_WIRING_TEXT_H
 #define BORESIGHT_WIRING_TEXT_H
@@ -10,9 +10,9 @@
 #define WIRING_PATH_SIZE 64U
 #define WIRING_TEXT_SIZE 4096U
 
-/** Where in a text one is. */
+/** Place of a reader in a text. */
 typedef struct {
-    char *rest;    /**< What is not read yet; NULL at the end. */
+    char *rest;    /**< Rest that is not read yet; NULL at the end. */
     uint32_t line; /**< From 1 on. */
     char *error;
     uint32_t error_size;
@@ -31,7 +31,7 @@ bool wiring_number(const char *text, uint32_t least, uint32_t most, uint32_t *nu
 /** Takes an absolute path, or refuses it. */
 bool wiring_path(const wiring_reader_t *reader, const char *text, char path[WIRING_PATH_SIZE]);
 
-/** Reads a regular file whole, waiting for nobody; without it `error` is a sentence.
+/** Reads a regular file whole, without waiting; without it `error` is a sentence.
  *
  * @satisfies SWR-NI-020
  */

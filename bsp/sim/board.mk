@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # The simulated control box; included by the Makefile.
 
-# What control is linked with.
+# Sources of control.
 BOARD_SOURCES := bsp/sim/bsp_sim.c bsp/sim/wire.c
 
-# What http is linked with, for the orders that it may give.
+# Sources of http, for the orders that it may give.
 BOARD_BENCH := bsp/sim/bench_sim.c bsp/sim/bench_levels.c bsp/sim/wire.c
 
 # Control's box is another process, and simctl gives it orders.

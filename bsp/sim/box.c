@@ -9,7 +9,7 @@
 #define NEAR_WRAP_READING (INT32_MAX - 100)
 #define CORRUPT_BYTE 40U
 #define FOREIGN_FIRMWARE (SIM_CARD_FIRMWARE + 1U)
-#define NOISE 50U /* Of so many commands a noisy wire damages one. */
+#define NOISE 50U /* A noisy wire damages one in so many commands. */
 #define WARM_C 62.0
 #define HOT_C 70.0
 #define LOW_MV 18000U
@@ -30,8 +30,8 @@ static void init_axis(box_axis_t *self, const robot_t *robot, uint32_t index, si
     sim_card_init(&self->card, config, &self->encoder, self->limit_switch.is_active, 0U);
 }
 
-/* A load cell at rest on two converters, as the platform has it: what the hand pushes, and what the
- * needle meets. */
+/* A load cell at rest on two converters, as the platform has it: the force of the hand, and the
+ * force on the needle. */
 static void init_sensor(box_sensor_t *self, uint32_t slot, uint32_t card_type, uint32_t time_us)
 {
     const axis_config_t config = {.slot = (uint8_t)slot, .card_type = (uint8_t)card_type};
@@ -75,7 +75,7 @@ void box_init(box_t *self, const robot_t *robot, uint32_t seed)
     }
 }
 
-/* What the card measures of itself while it has this fault. */
+/* Sets the card's measurements of itself while it has this fault. */
 static void feign(sim_card_t *card, box_card_fault_t fault)
 {
     card->firmware = (fault == BOX_CARD_FOREIGN) ? FOREIGN_FIRMWARE : SIM_CARD_FIRMWARE;
@@ -152,7 +152,7 @@ void box_push(box_t *self, double mm)
     self->probe.to_go_ticks = ticks_of_nm(&self->robot->axes[self->robot->needle_axis], mm * 1e6);
 }
 
-/* What the hand pushes in this step, ticks. */
+/* Way that the hand pushes in this step, ticks. */
 static double step_hand(box_t *self)
 {
     const axis_config_t *const needle = &self->robot->axes[self->robot->needle_axis];

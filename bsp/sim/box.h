@@ -28,11 +28,11 @@
 #define BOX_PEDAL_CLOSE_SPREAD_US 4000U /**< `press`: channel A follows channel B. */
 #define BOX_PEDAL_OPEN_SPREAD_US 2000U  /**< `release`: channel B follows channel A. */
 #define BOX_PULSE_US 300U               /**< `pulse`: open for this time. */
-#define BOX_HAND_NM_PER_S 5000000U      /**< How fast a hand pushes the probe. */
+#define BOX_HAND_NM_PER_S 5000000U      /**< Speed at which a hand pushes the probe. */
 #define BOX_PUSH_MOST_MM 200            /**< The longest push, in or out. */
-#define BOX_HAND_CONVERTER 1U           /**< Of a card without an axis: what the hand pushes, */
-#define BOX_NEEDLE_CONVERTER 2U         /**< and what the needle meets. */
-#define BOX_HAND_AT_REST 1970U          /**< What they read then. */
+#define BOX_HAND_CONVERTER 1U   /**< Converter of a card without an axis: force of the hand, */
+#define BOX_NEEDLE_CONVERTER 2U /**< and force on the needle. */
+#define BOX_HAND_AT_REST 1970U  /**< Their readings at rest. */
 #define BOX_NEEDLE_AT_REST 1780U
 #define BOX_FORCE_MOST 4095U /**< Their greatest reading, of 12 bits. */
 #define BOX_REPLY_SIZE 2048U /**< Room for any reply. */
@@ -70,8 +70,8 @@ typedef struct {
 /** The probe, and the hand that pushes it along its line. */
 typedef struct {
     bool is_free;       /**< It is not coupled to the needle's axis: that stays where it is. */
-    double free_ticks;  /**< Free: how far it was pushed in, in ticks of that axis. */
-    double to_go_ticks; /**< What a push has left, the same; below 0 outwards. */
+    double free_ticks;  /**< Free: way that it was pushed in, in ticks of that axis. */
+    double to_go_ticks; /**< Rest of a push, the same; below 0 outwards. */
 } box_probe_t;
 
 /** A contact that may have a change under way. */
@@ -81,17 +81,17 @@ typedef struct {
     uint32_t delay_us; /**< 0: nothing under way. */
 } box_contact_t;
 
-/** What can be held from afar. */
+/** Inputs that can be held from afar. */
 typedef enum { BOX_HELD_PEDAL = 0, BOX_HELD_BUTTON = 1 } box_held_t;
 #define BOX_HOLDS 2U
 
-/** Who holds one of them from afar. */
+/** Holder of one of them from afar. */
 typedef struct {
-    uint32_t holder;   /**< 0: nobody. */
-    uint32_t renewals; /**< Grows each time he says that he does. */
+    uint32_t holder;   /**< 0: none. */
+    uint32_t renewals; /**< Grows each time the holder renews it. */
 } box_hold_t;
 
-/** What the gate of the treatment says. */
+/** State of the gate of the treatment. */
 typedef enum { BOX_GATE_OFF = 0, BOX_GATE_DOSE = 1, BOX_GATE_STOP = 2 } box_gate_t;
 
 /** State of the box; owned by the caller, written by this module only. */
@@ -108,7 +108,7 @@ typedef struct {
     bool scanner_active;
     bool button_pressed;         /**< The operator's, for confirming positions. */
     box_hold_t holds[BOX_HOLDS]; /**< By box_held_t. */
-    box_gate_t gate;             /**< Of the treatment. */
+    box_gate_t gate;             /**< Gate of the treatment. */
     bool is_off;                 /**< The amplifier-off line is set: no drive has power. */
     uint32_t lamps;              /**< BSP_LAMP_ bits that are lit. */
     uint32_t dropped;            /**< BSP_IN_ bits that were 0 in the last sample or since. */
@@ -140,8 +140,8 @@ void box_advance(box_t *self, uint32_t us);
 /** Levels of the digital inputs now: BSP_IN_ bits. */
 uint32_t box_inputs(const box_t *self);
 
-/** The same, and what was 0 at any time since the last call, that included: an opened contact is
- * seen, however short. All are valid; the time is not told. */
+/** The same, and the inputs that were 0 at any time since the last call, that included: an opened
+ * contact is seen, however short. All are valid; the time is not given. */
 bsp_inputs_t box_sample(box_t *self);
 
 /** True positions, in ticks, in axis order; entries beyond the robot's axes are 0. */
@@ -163,26 +163,25 @@ bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_siz
 const char *box_orders(void);
 
 /** Puts a card of `card_type`, which nothing is connected to, into `slot`, which no axis has;
- * CARD_TYPE_NONE takes out what is there. */
+ * CARD_TYPE_NONE takes out the card that is there. */
 void box_plug(box_t *self, uint32_t slot, uint32_t card_type);
 
 /**
  * A hand pushes the probe by `mm`, outwards below 0: one that is free alone, one that is coupled
- * with the needle's axis, whatever the motor there does. What an earlier push had left is
- * forgotten.
+ * with the needle's axis, whatever the motor there does. The rest of an earlier push is forgotten.
  *
  * @satisfies SWR-BOX-012
  */
 void box_push(box_t *self, double mm);
 
-/** Presses or releases pedal or button for good; nobody holds it from afar then. */
+/** Presses or releases pedal or button for good; it is not held from afar then. */
 void box_press(box_t *self, box_held_t what, bool is_pressed);
 
 /** Presses pedal or button for `who`, not 0, who must renew it; see box_grip.h. False: another one
  * holds it, and nothing has changed. */
 bool box_hold(box_t *self, box_held_t what, uint32_t who);
 
-/** Renews what `who` holds; what he does not hold any more stays open. */
+/** Renews the inputs that `who` holds; one that is not held any more stays open. */
 void box_keep(box_t *self, uint32_t who);
 
 /** Releases pedal or button if `who` holds it. */

@@ -5,7 +5,7 @@
  * time it follows the world's clock. In elastic time it goes on when control asks for an exchange,
  * just as far as control has come; control keeps the pace, which may be fast. Left alone for
  * LIMIT_ELASTIC_ANSWER_CLOCK_US it goes on by itself, so that the cards notice that control is
- * stuck or gone; control that waits tells it so. No I/O; the world's time is handed in.
+ * stuck or gone; control that waits sends it a sign of that. No I/O; the world's time is handed in.
  */
 #ifndef BORESIGHT_BOX_CLOCK_H
 #define BORESIGHT_BOX_CLOCK_H
@@ -22,7 +22,7 @@
  * world, too. */
 #define BOX_CLOCK_STRIDE_US 2000U
 
-/** How the box's time passes beside the world's. */
+/** Pace of the box's time beside the world's. */
 typedef struct {
     bool is_elastic;   /**< It waits for control. */
     uint32_t slowness; /**< It passes so many times slower, at best. */
@@ -34,7 +34,7 @@ typedef struct {
     box_time_t time;
     uint64_t now_us;       /**< The box's time. */
     uint64_t looked_us;    /**< World time of the last look. */
-    uint32_t lonely_looks; /**< In a row, in which nobody asked. */
+    uint32_t lonely_looks; /**< Looks in a row without a request. */
 } box_clock_t;
 
 /** Starts at `now_us`, except in real time, which is the world's divided by the slowness. */

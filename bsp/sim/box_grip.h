@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * A pedal or button that somebody holds from afar, such as a page of the console, opens by itself
- * unless he says again and again that he still does. It is counted in the world's time, where he
- * lives: the box's may pass slowly, or stand.
+ * A pedal or button that is held from afar, such as by a page of the console, opens by itself
+ * unless its holder renews that again and again. It is counted in the world's time, which is the
+ * holder's: the box's may pass slowly, or stand.
  */
 #ifndef BORESIGHT_BOX_GRIP_H
 #define BORESIGHT_BOX_GRIP_H
@@ -14,8 +14,8 @@
 
 /** All zero at first. */
 typedef struct {
-    uint32_t renewals[BOX_HOLDS]; /**< Of the box, when it was looked at last. */
-    uint64_t until_us[BOX_HOLDS]; /**< When it opens. */
+    uint32_t renewals[BOX_HOLDS]; /**< Those of the box, when it was looked at last. */
+    uint64_t until_us[BOX_HOLDS]; /**< Time at which it opens. */
 } box_grip_t;
 
 /**

@@ -169,7 +169,7 @@ static void hear_control(const wire_t *wire, box_clock_t *clock, uint32_t *waits
     }
 }
 
-/* What is held from afar opens in the cycle in which its time is over. */
+/* An input held from afar opens in the cycle in which its time is over. */
 static void loosen(wire_t *wire, box_grip_t *grip)
 {
     const uint32_t pedal = box.holds[BOX_HELD_PEDAL].holder;
@@ -189,7 +189,7 @@ static void take_outputs(const wire_t *wire)
     box.lamps = wire_load(&wire->lamps);
 }
 
-/* What control asks for comes in this order: an exchange, then a call to a later time. */
+/* Requests of control come in this order: an exchange, then a call to a later time. */
 static void look_around(wire_t *wire, box_clock_t *clock, box_grip_t *grip)
 {
     const uint32_t call = wire_load(&wire->call);

@@ -211,7 +211,7 @@ static int number_of(const char *const words[], const char *word)
     return -1;
 }
 
-/* What of an axis an order speaks of, and the words for its faults. */
+/* The words for the faults of the part of an axis that an order names. */
 static const char *const *words_of(const order_t *order)
 {
     const char *const *words = NULL;
@@ -254,7 +254,7 @@ static bool order_sensor(const order_t *order, box_sensor_t *sensor)
     return true;
 }
 
-/* What the load cell of each card without an axis reads. */
+/* Sets the reading of the load cell of each card without an axis. */
 static bool order_force(box_t *self, const order_t *order)
 {
     const bool is_hand = is_word(order, 1U, "hand");

@@ -78,7 +78,7 @@ static void show_probe(const box_t *self, box_reply_t *reply)
                   nm / 1e6);
 }
 
-/* What control has set. */
+/* Outputs that control has set. */
 static void show_outputs(const box_t *self, box_reply_t *reply)
 {
     static const char *const words[] = {"alive", "may-move", "moving", "fault"};

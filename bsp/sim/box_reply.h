@@ -34,10 +34,10 @@ static inline bool box_has_sensor(const box_t *self, uint32_t slot)
 void box_reply_say(box_reply_t *reply, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/** Tells all that there is to see at the box. */
+/** States all that there is to see at the box. */
 void box_reply_show(box_reply_t *reply, const box_t *self);
 
-/** Tells that no card is in the slot that `word` names, and where there are cards. */
+/** States that no card is in the slot that `word` names, and where there are cards. */
 void box_reply_no_slot(box_reply_t *reply, const box_t *self, const char *word);
 
 #endif

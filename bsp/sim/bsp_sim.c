@@ -64,9 +64,9 @@ bool bsp_open(const char *address, bsp_identity_t *identity, char *error, uint32
 }
 
 /*
- * Where nobody is late, as in elastic time, the box may take long: it is given up after so many
- * looks, of which a pause of the machine is one. A box that was given up is not waited for any
- * longer than in real time.
+ * In elastic time no side is late, and the box may take long: it is given up after so many looks,
+ * of which a pause of the machine is one. A box that was given up is not waited for any longer than
+ * in real time.
  */
 static bool await_patiently(const uint32_t *word, uint32_t number)
 {
@@ -282,7 +282,7 @@ static uint32_t call_box(uint64_t time_us)
     return number;
 }
 
-/* The world's clock only sets the pace. Who comes more than one sleep late begins anew: time never
+/* The world's clock only sets the pace. A call more than one sleep late begins anew: time never
  * hurries to catch up. */
 static void keep_pace(uint64_t sleep_ns)
 {

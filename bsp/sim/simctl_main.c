@@ -70,7 +70,7 @@ static int send_order(wire_t *wire, const char *order, const char *name)
     return is_done ? 0 : 2;
 }
 
-/* What it is asked for first. */
+/* Box by the option that comes first. */
 static void choose_box(const char *const values[], char *name, size_t size)
 {
     const char *const otherwise = getenv(WIRE_NAME_VARIABLE);

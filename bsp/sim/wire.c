@@ -182,7 +182,7 @@ static bool lock_end(int file, wire_end_t end)
     return fcntl(file, F_OFD_SETLK, &lock) == 0;
 }
 
-/* Whether a living process holds `end`. */
+/* A living process holds `end`. */
 static bool is_held(const wire_port_t *port, wire_end_t end)
 {
     struct flock lock = {

@@ -2,9 +2,9 @@
 /**
  * @file
  * The wire between the simulated control box (a process) and those who use it: a shared-memory
- * segment with one frame exchange, the input levels and one order under way. Who holds which end is
- * told by locks on the segment that the kernel drops with their process, so a killed one leaves
- * nothing to clean up.
+ * segment with one frame exchange, the input levels and one order under way. The holders of its
+ * ends show by locks on the segment that the kernel drops with their process, so a killed one
+ * leaves nothing to clean up.
  */
 #ifndef BORESIGHT_WIRE_H
 #define BORESIGHT_WIRE_H
@@ -39,7 +39,7 @@ typedef struct {
     uint32_t pace;       /**< 1 .. speedup: how many times faster time passes now, at most. */
     uint32_t power_on;   /**< As bsp_identity_t. */
     uint32_t is_used;    /**< 1 after the first exchange that may have moved something. */
-    uint32_t robot_crc;  /**< Of the description of the robot that is simulated. */
+    uint32_t robot_crc;  /**< CRC of the description of the robot that is simulated. */
     uint32_t openings;   /**< Grows when control takes its end. */
     uint32_t inputs;     /**< BSP_IN_ bits. */
     uint32_t dropped;    /**< BSP_IN_ bits that were 0 since control took them. */
@@ -60,10 +60,10 @@ typedef struct {
     char order[WIRE_ORDER_SIZE];
     char answer[BOX_REPLY_SIZE];
     uint32_t bench_edition; /**< Grows before and after the next is written: odd meanwhile. */
-    bsp_bench_t bench;      /**< What orders have made of the box. */
+    bsp_bench_t bench;      /**< State of the box after the orders. */
 } wire_t;
 
-/** The ends of the wire; each can be held by one process. Who only looks takes none. */
+/** The ends of the wire; each can be held by one process. A process that only looks takes none. */
 typedef enum {
     WIRE_END_BOX = 0,
     WIRE_END_CONTROL = 1,
@@ -90,7 +90,7 @@ bool wire_serve(wire_port_t *port, const char *name, box_time_t time, char *erro
 bool wire_attach(wire_port_t *port, const char *name, wire_end_t end, char *error,
                  uint32_t error_size);
 
-/** Whether a living process holds the box's end. */
+/** A living process holds the box's end. */
 bool wire_is_served(const wire_port_t *port);
 
 /** Lets go; the box's end also removes the name. */
@@ -106,10 +106,10 @@ uint32_t wire_take(uint32_t *word);
 uint64_t wire_load_time(const wire_t *wire);
 void wire_store_time(wire_t *wire, uint64_t time_us);
 
-/** Tells the box that there is something to do. */
+/** Informs the box that there is something to do. */
 void wire_wake_box(wire_t *wire);
 
-/** Stores `value` and wakes who sleeps on `word`. */
+/** Stores `value` and wakes the process that sleeps on `word`. */
 void wire_announce(uint32_t *word, uint32_t value);
 
 /** Sleeps while `*word` is `value`, at most `timeout_us`; may return early. */

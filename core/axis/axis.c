@@ -13,7 +13,7 @@ static int32_t error_ticks(const axis_t *self)
     return fixed_saturate((int64_t)self->setpoint_ticks - (int64_t)self->encoder.position_ticks);
 }
 
-/* What the axis may lag grows with how fast it is to be. */
+/* The permitted following error grows with the speed of the set-point. */
 static inline int32_t following_error_ticks(const axis_t *self, const axis_config_t *config)
 {
     const int64_t speed_q8 = fixed_magnitude((int64_t)self->setpoint_speed_ticks_per_s_q8);
@@ -97,7 +97,7 @@ void axis_refuse_parking(axis_t *self)
     self->place = axis_is_as_parked(self) ? AXIS_PLACE_BROKEN : self->place;
 }
 
-/* The axis is in trouble: the `found` faults, if any, are told to its chart. */
+/* Reports the `found` faults, if any, to the chart of the axis, and distrusts its counts. */
 static uint32_t fail(axis_t *self, uint32_t found)
 {
     if (found != 0U) {
@@ -353,7 +353,7 @@ static uint32_t audit(axis_t *self, const axis_config_t *config, int64_t way, bo
 uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,
                         const axis_sample_t *sample)
 {
-    /* Before START_UP and after a fault nobody relies on where it is: hands may move it. */
+    /* Before START_UP and after a fault no check needs the position: hands may move the axis. */
     const bool is_relied_on = axis_is_enabled(self) || axis_is_homed(self) || is_unverified(self);
     const axis_reference_t leg = self->chart.reference;
     const card_drive_t asked = {.mode = 0U, .direction = self->servo.direction, .duty = 0U};

@@ -3,7 +3,7 @@
  * @file
  * One robot axis: its encoder, its enabling and homing (statecharts/axis.scxml), its supervision
  * and its servo. Each cycle: axis_check(), axis_observe(), then one of axis_rest(), axis_follow(),
- * axis_home() for a drive request, then axis_supervise() with what the permit made of it.
+ * axis_home() for a drive request, then axis_supervise() with the permit's decision on it.
  */
 #ifndef BORESIGHT_AXIS_H
 #define BORESIGHT_AXIS_H
@@ -35,9 +35,9 @@ typedef struct {
     homing_t homing;
     drift_audit_t drift;
     int32_t home_correction_ticks; /**< Shift of the position at the last homing. */
-    uint32_t place;                /**< What its counts say of where it is: AXIS_PLACE_ bits. */
-    int32_t elsewhere_ticks; /**< How far it was shifted against what its counts knew, until that
-                                is resolved. */
+    uint32_t place;              /**< Trust in the place that its counts give: AXIS_PLACE_ bits. */
+    int32_t elsewhere_ticks;     /**< Shift against the place that its counts had, until that is
+                                    resolved. */
     int32_t contradiction_ticks; /**< From home to where the counts were at a fault of the two, for
                                     the record. */
     int32_t setpoint_ticks;
@@ -45,10 +45,10 @@ typedef struct {
     supervision_t supervision;
 } axis_t;
 
-/** What the card of an axis says of the way up to its report. */
+/** Report of an axis' card on the time since its last one. */
 typedef struct {
     const card_drive_t *applied; /**< Its drive since the sample before. */
-    uint32_t elapsed_us;         /**< Since then; 0: there is no report in this cycle. */
+    uint32_t elapsed_us;         /**< Time since then; 0: there is no report in this cycle. */
     bool is_timed;               /**< By its own clock, since the cycle before. */
 } axis_sample_t;
 
@@ -95,14 +95,16 @@ void axis_lose_reference(axis_t *self);
 void axis_doubt(axis_t *self);
 
 /**
- * A fresh axis stands at `position_ticks`, as somebody remembers: unverified. Otherwise nothing.
+ * A fresh axis stands at `position_ticks`, as was kept from before the start: unverified. Otherwise
+ * nothing.
  *
  * @satisfies SWR-REF-003
  */
 void axis_restore(axis_t *self, const axis_config_t *config, int32_t position_ticks);
 
 /**
- * The axis stands at `position_ticks`, as somebody has saved or says: unverified, whatever it was.
+ * The axis stands at `position_ticks`, as was saved or as the operator states: unverified, whatever
+ * it was.
  *
  * @satisfies SWR-STORE-020
  */
@@ -115,7 +117,7 @@ void axis_place(axis_t *self, const axis_config_t *config, int32_t position_tick
  */
 void axis_forget(axis_t *self);
 
-/** What is lost would stand at `position_ticks` by its counts: homing compares it with that. */
+/** A lost axis would stand at `position_ticks` by its counts: homing compares it with that. */
 void axis_remember(axis_t *self, int32_t position_ticks);
 
 /**
@@ -129,8 +131,8 @@ void axis_remember(axis_t *self, int32_t position_ticks);
 bool axis_confirm(axis_t *self, const axis_config_t *config);
 
 /**
- * What it remembers was damaged: all but its chart, which has its own complement, starts anew; the
- * axis is faulty and lost, also if it was fresh.
+ * Its memory was damaged: all but its chart, which has its own complement, starts anew; the axis is
+ * faulty and lost, also if it was fresh.
  */
 void axis_distrust(axis_t *self);
 
@@ -148,7 +150,7 @@ void axis_stop_homing(axis_t *self);
  */
 uint32_t axis_begin_homing(axis_t *self, const axis_config_t *config);
 
-/** What was known of where it is does not hold any more, whatever it counts from here on. */
+/** The place that was known does not hold any more, whatever the axis counts from here on. */
 void axis_break_place(axis_t *self);
 
 /** It does not stand as it was parked. */
@@ -218,7 +220,7 @@ static inline bool axis_is_fresh(const axis_t *self)
 
 /**
  * Its counts say where it is, also if that is not trusted: homed, unverified, or lost by a command
- * and counted ever since. Of all others only their travel and the limits that they share are known.
+ * and counted ever since. All others are known only by their travel and the limits that they share.
  *
  * @satisfies SWR-AXIS-053
  */
@@ -237,7 +239,7 @@ bool axis_needs_confirmation(const axis_t *self, const axis_config_t *config);
  * homing that meets the switch where they had it homes it, or the operator's confirmation. */
 bool axis_is_contradicted(const axis_t *self);
 
-/** Lost or unverified, and counting: nobody can compare where it is. */
+/** Lost or unverified, and counting: its position cannot be compared. */
 bool axis_is_moving_in_doubt(const axis_t *self);
 
 static inline bool axis_is_homing(const axis_t *self)

@@ -15,11 +15,11 @@
 
 /* All in percent. */
 typedef struct {
-    uint32_t least; /* Of the model's way, in a window. */
+    uint32_t least; /* Share of the model's way, in a window. */
     uint32_t most;
-    uint32_t shown_least; /* In the time of calibration. */
+    uint32_t shown_least; /* The same in the time of calibration. */
     uint32_t shown_most;
-    uint32_t kept; /* Of what was shown then, in a window. */
+    uint32_t kept; /* Share of the speed shown then, in a window. */
     uint32_t more;
 } regime_facts_t;
 
@@ -106,8 +106,8 @@ static void clear_calibration(count_calibration_t *shown)
     shown->time_us = 0U;
 }
 
-/* A motor that has shown for a while how fast it is must stay so. What no motor of the table shows
- * is a fault, and nothing to go by. */
+/* A motor that has shown for a while how fast it is must stay so. A speed that no motor of the
+ * table shows is a fault, and nothing to go by. */
 static bool narrow(count_calibration_t *shown, const regime_facts_t *facts)
 {
     const int32_t counted =
@@ -160,8 +160,8 @@ static bool calibrate(count_balance_t *self, uint32_t way_q16, int32_t counted_t
     return !is_calibrated(shown) || narrow(shown, &regimes[self->regime]);
 }
 
-/* What is too little counts in full, what is more than enough gives back only a part: a fault that
- * comes and goes is not made good by the time between. */
+/* A shortfall counts in full, a surplus gives back only a part: a fault that comes and goes is not
+ * made good by the time between. */
 static int64_t summed(int64_t sum_e2_q16, int64_t missing_e2_q16)
 {
     const int64_t more_e2_q16 =

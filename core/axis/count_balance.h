@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Counts against drive words, added up. What the counts of an axis fall short of its motor's way,
- * or exceed it, is kept until its next reference or fault, so that no pause and no slowness hides
- * it. The supervision of an axis owns one.
+ * Counts against drive words, added up. The shortfall of an axis' counts against its motor's way,
+ * or their excess, is kept until its next reference or fault, so that no pause and no slowness
+ * hides it. The supervision of an axis owns one.
  */
 #ifndef BORESIGHT_COUNT_BALANCE_H
 #define BORESIGHT_COUNT_BALANCE_H
@@ -13,16 +13,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** How the motor runs: gaining speed, for a model knows less of that, or steadily. */
+/** Regime of the motor: gaining speed, for a model knows less of that, or steady. */
 typedef enum { COUNT_REGIME_RISING = 0, COUNT_REGIME_STEADY = 1, COUNT_REGIMES = 2 } count_regime_t;
 
-/** What the motor has shown of itself in a regime. */
+/** Speed that the motor has shown in a regime. */
 typedef struct {
     int64_t model_q16;     /**< Way of the model, until it has been compared. */
     int32_t counted_ticks; /**< In the direction of the drive. */
     uint32_t time_us;
-    uint32_t least_percent; /**< Of the model's way, that must be counted. */
-    uint32_t most_percent;  /**< That may be counted. */
+    uint32_t least_percent; /**< Least share of the model's way to be counted. */
+    uint32_t most_percent;  /**< Largest share that may be counted. */
 } count_calibration_t;
 
 typedef struct {
@@ -31,8 +31,8 @@ typedef struct {
     int32_t counted_ticks; /**< In the direction of the drive. */
     int64_t least_e2_q16;  /**< The least of it that must be counted, times 100. */
     int64_t most_e2_q16;   /**< The most, times 100. */
-    int64_t short_e2_q16;  /**< Sum of what was missing, times 100. */
-    int64_t over_e2_q16;   /**< Sum of what was too much, times 100. */
+    int64_t short_e2_q16;  /**< Sum of missing counts, times 100. */
+    int64_t over_e2_q16;   /**< Sum of surplus counts, times 100. */
     int32_t direction;     /**< 1, or -1, of the last drive; 0: none yet. */
     uint32_t run_us;       /**< Driven this way for so long without a pause, saturates. */
     uint32_t rest_us;      /**< Not driven for so long, saturates. */
@@ -43,22 +43,22 @@ typedef struct {
     count_calibration_t calibrations[COUNT_REGIMES];
 } count_balance_t;
 
-/** What a cycle shows of the axis. */
+/** Motion of the axis in a cycle. */
 typedef struct {
     int64_t model_q16; /**< Way that the model made with the applied drive, in ticks. */
     int64_t counted_ticks;
     uint32_t due_q16; /**< Way of the model from the count before these to the newest of them,
-                         without sign; 0: none came, or nobody knows. */
+                         without sign; 0: none came, or that is unknown. */
     uint32_t elapsed_us;
 } count_cycle_t;
 
 /** Nothing is known of the motor. */
 void count_balance_init(count_balance_t *self);
 
-/** The position is sure: both sums are empty. What the motor has shown of itself stays. */
+/** The position is sure: both sums are empty. The speeds that the motor has shown stay. */
 void count_balance_settle(count_balance_t *self);
 
-/** Nobody knows how fast the motor is: nothing is compared for LIMIT_RISING_TIME_US of drive, or
+/** The speed of the motor is unknown: nothing is compared for LIMIT_RISING_TIME_US of drive, or
  * until it is off. */
 void count_balance_doubt(count_balance_t *self);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What an axis counts while its motor is off: it should stand, so each count is one of doubt. The
+ * Counts of an axis while its motor is off: it should stand, so each count is one of doubt. The
  * axis owns one.
  */
 #ifndef BORESIGHT_DRIFT_AUDIT_H
@@ -18,7 +18,7 @@
 typedef struct {
     uint32_t off_us;         /**< Off for so long, saturates. */
     int32_t idle_ticks;      /**< Net counts while off since the last reference. */
-    int32_t confirmed_ticks; /**< Those of them that the operator has confirmed. */
+    int32_t confirmed_ticks; /**< The part of them that the operator has confirmed. */
     int32_t scan_ticks;      /**< Net counts while off since the scanner began to acquire. */
 } drift_audit_t;
 
@@ -38,12 +38,12 @@ static inline void drift_audit_step(drift_audit_t *self, int64_t way, bool is_of
     }
 }
 
-/** Where the axis stands is sure: a new account begins. */
+/** The position of the axis is sure: a new account begins. */
 void drift_audit_settle(drift_audit_t *self);
 
 /**
- * The operator has confirmed where the axis stands. What is not far from the last reference stays
- * in the account until the next one.
+ * The operator has confirmed where the axis stands. An account that is not far,
+ * drift_audit_is_far(), stays until the next reference.
  *
  * @satisfies SWR-AXIS-054
  */
@@ -53,8 +53,8 @@ void drift_audit_confirm(drift_audit_t *self, const axis_config_t *config);
 void drift_audit_begin_scan(drift_audit_t *self);
 
 /**
- * What is not confirmed is beyond LIMIT_DRIFT_WAY_NM or LIMIT_DRIFT_WAY_BAM, and of an axis that
- * turns the needle about its line beyond LIMIT_DRIFT_FLOOR_TICKS.
+ * The unconfirmed counts are beyond LIMIT_DRIFT_WAY_NM or LIMIT_DRIFT_WAY_BAM, and on an axis that
+ * turns the needle about its line also beyond LIMIT_DRIFT_FLOOR_TICKS.
  *
  * @satisfies SWR-AXIS-022
  */

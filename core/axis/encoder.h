@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define ENCODER_AGE_UNKNOWN UINT32_MAX /**< The card does not tell when an edge came. */
+#define ENCODER_AGE_UNKNOWN UINT32_MAX /**< The card does not report when an edge came. */
 
 typedef struct {
     int32_t reading; /**< Last believed counter value. */

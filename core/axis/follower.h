@@ -3,8 +3,8 @@
  * @file
  * Axes that carry one linkage home as a block: while one homes by its switch, those that follow it
  * (axis_config_t.leaders) go the same way, each at the distance from it that they had when that
- * homing began. No length between them changes while nobody knows yet where they are. Without state
- * but homing_t.start_ticks of each axis, which its owner seals.
+ * homing began. No length between them changes while their positions are not known yet. Without
+ * state but homing_t.start_ticks of each axis, which its owner seals.
  */
 #ifndef BORESIGHT_FOLLOWER_H
 #define BORESIGHT_FOLLOWER_H
@@ -25,7 +25,7 @@ bool follower_has_one(const robot_t *robot, uint32_t leader);
  * it */
 bool follower_is_in_block(const robot_t *robot, uint32_t index);
 
-/** @return with which axis axis `index` travels now: the one that homes and that it follows;
+/** @return the axis with which axis `index` travels now: the one that homes and that it follows;
  * itself when there is none */
 uint32_t follower_leader(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index);
 

@@ -15,7 +15,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What a cycle of homing shows. */
+/** Sight of the switch in a cycle of homing. */
 typedef enum {
     HOMING_NOTHING = 0,
     HOMING_SWITCH = 1, /**< The switch is active. */
@@ -26,11 +26,11 @@ typedef enum {
 typedef struct {
     int64_t setpoint_q8; /**< Ticks. */
     int32_t speed_ticks_per_s_q8;
-    int32_t start_ticks; /**< Where this homing began, or that of the axis which it follows. */
+    int32_t start_ticks; /**< Start of this homing, or of that of the axis it follows. */
     /** Nearest place to the switch in all homing since the last reference. */
     int32_t nearest_ticks;
-    int32_t edge_ticks;   /**< Where the approach met the switch. */
-    int32_t switch_ticks; /**< Where the switch was last seen active. */
+    int32_t edge_ticks;   /**< Position at which the approach met the switch. */
+    int32_t switch_ticks; /**< Last position with an active switch. */
     uint32_t leg;         /**< axis_reference_t of the last cycle. */
     uint32_t ramp;        /**< Leg that the speed belongs to; AXIS_REFERENCE_FRESH: none. */
     uint32_t leg_us;      /**< Driven time of this leg. */
@@ -58,7 +58,7 @@ static inline int64_t homing_way_from_switch(const axis_config_t *config, int32_
     return homing_way(config, config->home_ticks, position_ticks);
 }
 
-/** Homing begins at `position_ticks`. What earlier attempts used of the way is not given back. */
+/** Homing begins at `position_ticks`. The way that earlier attempts used is not given back. */
 void homing_begin(homing_t *self, int32_t position_ticks);
 
 /** The leg goes on in other company, at another speed: its time counts from here on. */

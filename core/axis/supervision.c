@@ -17,7 +17,7 @@
 #define DRIVE_DOWN 2U
 #define DRIVE_UP 4U
 
-/* How far the axis is from its set-point. */
+/* Distance of the axis from its set-point. */
 static uint32_t error_ticks(const supervision_view_t *view)
 {
     return (view->setpoint_ticks < view->position_ticks)
@@ -141,8 +141,8 @@ static uint32_t watch_counts(supervision_t *self, const axis_config_t *config,
                                                              : AXIS_NOTE_WRONG_SPEED;
 }
 
-/* Mean speed of the last `age_us` of a cycle at the start of which it had another one. What changes
- * by less than a 32nd in a cycle is steady. */
+/* Mean speed of the last `age_us` of a cycle at the start of which it had another one. A speed that
+ * changes by less than a 32nd in a cycle is steady. */
 static int64_t mean_after(int64_t before_q8, int64_t speed_q8, uint32_t age_us, uint32_t elapsed_us)
 {
     const int64_t gained_q8 = speed_q8 - before_q8;
@@ -287,7 +287,7 @@ void supervision_shift(supervision_t *self, int32_t ticks)
     self->highest_ticks = shifted(self->highest_ticks, ticks);
 }
 
-/* What the motor made of its drive, against what was counted. */
+/* Compares the way that the motor made with its drive with the counts. */
 static uint32_t watch_motor(supervision_t *self, const axis_config_t *config,
                             const supervision_view_t *view)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Does the axis do what its drive should make it do? The checks of one axis in each cycle, one
+ * Checks that the axis does what its drive should make it do: those of one axis in each cycle, one
  * after the other. The axis owns one.
  */
 #ifndef BORESIGHT_SUPERVISION_H
@@ -36,7 +36,7 @@
 /** Places that are remembered of an axis that is off: those of the last second. */
 #define SUPERVISION_PLACES 11U
 
-/** What a cycle shows of the axis. */
+/** View of the axis in a cycle. */
 typedef struct {
     int32_t position_ticks;
     int32_t setpoint_ticks;
@@ -44,31 +44,31 @@ typedef struct {
     bool is_driven;                /**< The permit allowed the axis and a motion runs. */
     bool is_upwards;               /**< Direction of the last drive that was asked for. */
     bool is_relied_on;    /**< Enabled, homed or unverified: off, it is to stay where it is. */
-    card_drive_t drive;   /**< What the card applied up to this position. */
+    card_drive_t drive;   /**< Drive that the card applied up to this position. */
     uint32_t lost_q16;    /**< Share of its speed that the motor has lost, being warm. */
-    uint32_t edge_age_us; /**< Of its newest edge, as encoder_t: unknown, evenness is not judged. */
+    uint32_t edge_age_us; /**< Age of its newest edge; unknown: evenness is not judged. */
     uint32_t elapsed_us;  /**< Since the report before; 0: there is none in this cycle. */
 } supervision_view_t;
 
 typedef struct {
-    int32_t rest_ticks;      /**< supervision_rest_ticks(), from the first cycle on. */
-    int32_t mark_ticks;      /**< Position at the last progress in the direction of the drive. */
-    uint16_t is_upwards;     /**< Direction of the last drive that was asked for: 0 or 1. */
-    uint16_t drives;         /**< What the card may have done since the last report, as bits; 0:
-                                none was missed. */
-    int32_t backwards_ticks; /**< How far it has gone against its drive, for the record. */
+    int32_t rest_ticks;  /**< supervision_rest_ticks(), from the first cycle on. */
+    int32_t mark_ticks;  /**< Position at the last progress in the direction of the drive. */
+    uint16_t is_upwards; /**< Direction of the last drive that was asked for: 0 or 1. */
+    uint16_t drives; /**< Drives that the card may have applied since the last report, as bits; 0:
+                        none was missed. */
+    int32_t backwards_ticks;                  /**< Way against its drive, for the record. */
     int32_t places_ticks[SUPERVISION_PLACES]; /**< While off, one each tenth of a second. */
-    int32_t lowest_ticks;                     /**< Of these places. */
+    int32_t lowest_ticks;                     /**< Lowest of these places. */
     int32_t highest_ticks;
     uint32_t place;         /**< Index of the newest one. */
     uint32_t place_us;      /**< Its age. */
     uint32_t off_us;        /**< Off for so long, saturates. */
     int32_t off_ticks;      /**< Way while off, for the record. */
-    int32_t position_ticks; /**< Of the cycle before. */
+    int32_t position_ticks; /**< Position of the cycle before. */
     motor_model_t model;
     int64_t due_q16;       /**< Way of the model since the last count in its direction. */
     uint32_t silent_us;    /**< Since LIMIT_SILENT_TICKS were due without any. */
-    int32_t missing_ticks; /**< What was due of them at a fault, for the record. */
+    int32_t missing_ticks; /**< Ticks that were due at a fault, for the record. */
     count_balance_t account;
     edge_spacing_t pace;
     stall_watchdog_chart_t stall;
@@ -100,9 +100,9 @@ void supervision_settle(supervision_t *self);
 void supervision_shift(supervision_t *self, int32_t ticks);
 
 /**
- * One cycle. Where reports were missed and the drive changed meanwhile, nobody knows when, and what
- * a drive does that lasts no longer than LIMIT_BRIEF_DRIVE_US, nobody knows either: the way of that
- * time is left out.
+ * One cycle. Where reports were missed and the drive changed meanwhile, the time of the change is
+ * unknown, and so is the way of a drive that lasts no longer than LIMIT_BRIEF_DRIVE_US: the way of
+ * that time is left out.
  *
  * @return AXIS_NOTE_ bits of the checks that failed
  *

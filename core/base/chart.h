@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What every compiled statechart has: the trace of the transitions it took, and the contracts of
- * its queue of raised events.
+ * Common parts of every compiled statechart: the trace of the transitions it took, and the
+ * contracts of its queue of raised events.
  */
 #ifndef BORESIGHT_CHART_H
 #define BORESIGHT_CHART_H

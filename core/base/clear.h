@@ -31,8 +31,8 @@ static inline void clear_words(uint8_t *bytes, size_t length)
     }
 }
 
-/** The same of an address that is a multiple of 4, too, as those of our structures are: so told,
- * the compiler writes two words at once. */
+/** The same for an address that is a multiple of 4, too, as those of our structures are: with that
+ * known, the compiler writes two words at once. */
 static inline void clear_aligned_words(uint8_t *bytes, size_t length)
 {
     clear_words((uint8_t *)__builtin_assume_aligned(bytes, 4U), length);

@@ -209,7 +209,7 @@ uint32_t crc32c(const uint8_t *bytes, size_t length)
     return ~state;
 }
 
-/* How many zeros are passed unread. */
+/* Number of zeros that are passed unread. */
 typedef enum { ZEROS_28 = 0, ZEROS_132 = 1, ZEROS_172 = 2 } zeros_t;
 
 /* Zeros change the state linearly: each of its eight half bytes has its own share in the result. */

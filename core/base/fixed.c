@@ -35,7 +35,7 @@ static uint64_t multiply_q32(uint64_t a, uint64_t b)
     return (a * b) >> 32U;
 }
 
-/* Of two numbers of 32 bits it is a quarter of the instructions. */
+/* Two numbers of 32 bits need a quarter of the instructions. */
 static uint32_t multiply_short_q32(uint32_t a, uint32_t b)
 {
     return (uint32_t)(((uint64_t)a * b) >> 32U);
@@ -172,8 +172,8 @@ fixed_direction_t fixed_direction(int32_t angle_bam)
     return direction;
 }
 
-/* How many sixteenths of `larger`, which has 31 bits, are in `smaller`; `above`: sixteen times what
- * is left. */
+/* Number of sixteenths of `larger`, which has 31 bits, in `smaller`; `above`: sixteen times the
+ * rest. */
 static uint32_t count_sixteenths(uint32_t smaller, uint32_t larger, uint32_t *above)
 {
     uint32_t count = 0U;
@@ -307,7 +307,7 @@ int32_t fixed_multiply_q30(int32_t a, int32_t b_q30)
 typedef struct {
     uint64_t size[3];
     uint32_t length; /* Bits of the widest coordinate before. */
-    uint64_t norm;   /* Of the scaled vector. */
+    uint64_t norm;   /* Norm of the scaled vector. */
 } scaled_t;
 
 static void scale(const int64_t vector[3], scaled_t *scaled)

@@ -14,7 +14,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Where a seal begins; so that memory that was cleared, and its seal with it, is damaged. */
+/** Start value of a seal; so that memory that was cleared, and its seal with it, is damaged. */
 #define SEAL_START 0x5EA1ED00U
 
 /** One word more, read from 4 bytes. For this file only, as seal_of_four(). */

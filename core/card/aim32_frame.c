@@ -24,7 +24,7 @@
 #define WORD_ENCODER 3U
 #define WORD_ADC 7U
 
-/* Of the states, the high half: low while the switch is active. */
+/* Bit in the high half of the states: low while the switch is active. */
 #define PAIR_SWITCH 0x00080000U
 
 #define DOWNWARDS 0x80000000U
@@ -33,7 +33,7 @@
 #define LARGEST_DUTY 0x7FFFFFU
 #define LARGEST_AMPLITUDE 0xFFU
 
-/* What word 31 must be. */
+/* Value that word 31 must have. */
 static uint32_t sum_of(const uint8_t bytes[CARD_FRAME_BYTES])
 {
     uint32_t sum = 0U;

@@ -27,7 +27,7 @@ void aim32_frame_encode_command(const card_command_t *command, uint8_t bytes[CAR
 
 /**
  * Reads a report; fields of `report` without a word of their own are not touched. The card's one
- * switch is told as CARD_LIMIT_LOWER, whichever end it is at.
+ * switch is reported as CARD_LIMIT_LOWER, whichever end it is at.
  *
  * @return CARD_FRAME_OK, CARD_FRAME_BAD_START or CARD_FRAME_BAD_CRC (the sum is wrong); `report` is
  * unchanged but on the first

@@ -4,11 +4,11 @@
 #define BORESIGHT_CARD_H
 
 #define CARD_SLOT_COUNT 10U    /**< Card slots of the control box. */
-#define CARD_TYPES 6U          /**< How many values card_type_t has. */
+#define CARD_TYPES 6U          /**< Number of values of card_type_t. */
 #define CARD_ADC_WORDS 2U      /**< Words of its converters in a report, two in each. */
 #define CARD_EVERY_SLOT 0x3FFU /**< Their bits. */
 
-/** What is in a slot. */
+/** Type of the card in a slot. */
 typedef enum {
     CARD_TYPE_NONE = 0, /**< Nothing. */
     /** Speed by a duty word of 23 bits, of which its axis may use fewer. */

@@ -18,7 +18,7 @@
 #define LARGEST_8_BIT 0xFFU
 #define LARGEST_16_BIT 0xFFFFU
 #define LARGEST_24_BIT 0xFFFFFFU
-/* One bit less than a report has for it: a larger one is told as one that is too large. */
+/* One bit less than a report has for it: a report shows a larger one as too large. */
 #define LARGEST_DUTY 0x7FFFFFU
 #define WAVE_WORDS 4U
 #define DRIVE_MODES 5U
@@ -83,7 +83,7 @@ static inline bool has_bits(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t firs
     return bits != 0U;
 }
 
-/* How the checksum of a direction begins: that of the first two words, by slot. */
+/* Start of the checksum of a direction: that of the first two words, by slot. */
 static const uint32_t command_heads[CARD_SLOT_COUNT] = {
     0x79B02BB9U, 0xDCF1B9C7U, 0x36DF79B4U, 0x939EEBCAU, 0xE76E8FA3U,
     0x422F1DDDU, 0xA801DDAEU, 0x0D404FD0U, 0x41E1157CU, 0xE4A08702U};
@@ -101,7 +101,7 @@ static inline uint32_t four_words(const uint8_t bytes[CARD_FRAME_BYTES], uint32_
     return two_words(bytes, first) + two_words(bytes, first + 2U);
 }
 
-/* The sum of a frame whose reserved words are zero: of all others. */
+/* The sum of a frame whose reserved words are zero: that of all other words. */
 static uint32_t command_sum(const uint8_t bytes[CARD_FRAME_BYTES])
 {
     return four_words(bytes, CARD_BOTH_START) + four_words(bytes, CARD_COMMAND_SYSTEM) +
@@ -131,8 +131,8 @@ static inline bool is_report_quiet(const uint8_t bytes[CARD_FRAME_BYTES])
     return !has_bits(bytes, CARD_REPORT_WAVES, CARD_REPORT_TRIPS);
 }
 
-/* Of a frame with the start word and a header of its direction, whose reserved words are zero, and
- * whose quiet words are if it `is_quiet`. */
+/* CRC of a frame with the start word and a header of its direction, whose reserved words are zero,
+ * and whose quiet words are if it `is_quiet`. */
 static inline uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t type, bool is_quiet)
 {
     const uint32_t slot = bytes[(CARD_BOTH_HEADER * 4U) + 1U];
@@ -191,7 +191,7 @@ static inline void seal(const writer_t *self, uint32_t type, bool is_quiet)
     frame_word_put(self->bytes, CARD_BOTH_CRC, crc_of(self->bytes, type, is_quiet));
 }
 
-/* What a direction makes of the bytes, whatever they are. */
+/* View of the bytes by the layout of a direction, whatever they hold. */
 typedef struct {
     uint32_t type;
     bool has_reserved_bits;
@@ -229,7 +229,7 @@ static bool is_drive_off(const card_drive_t *drive)
     return drive->mode == (uint32_t)CARD_DRIVE_OFF;
 }
 
-/* What the drives of a mode may hold. */
+/* Ranges of the drives of a mode. */
 typedef struct {
     uint32_t least_duty;
     uint32_t most_duty;

@@ -65,7 +65,7 @@ typedef enum {
 #define CARD_LIMIT_LOWER 0x01U /**< At the lower end. */
 #define CARD_LIMIT_UPPER 0x02U /**< At the upper end. */
 
-/** What a card is asked to do with its motor. All zero is "off". */
+/** Drive that a card is asked to apply to its motor. All zero is "off". */
 typedef struct {
     uint32_t mode;      /**< card_drive_mode_t. */
     uint32_t direction; /**< 0 or 1; the meaning is the robot's. */
@@ -115,7 +115,7 @@ typedef struct {
     uint32_t current_ma;
     uint32_t adc_words[CARD_ADC_WORDS]; /**< Converters 1 and 2, 3 and 4; 16 bits each, the first
                                            one high. */
-    card_drive_t applied;               /**< What the card's driver applies now. */
+    card_drive_t applied;               /**< Drive that the card's driver applies now. */
     uint32_t rx_crc_errors;
     uint32_t sequence_gaps;
     uint32_t watchdog_trips;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * How a card is that still answers: supply, temperature of its driver, commands that it refuses,
+ * Health of a card that still answers: supply, temperature of its driver, commands that it refuses,
  * trips of its watchdog. The controller owns one per slot and looks at one slot a cycle. It counts
- * only: damaged, it tells something once too often, or once too late.
+ * only: damaged, it reports something once too often, or once too late.
  */
 #ifndef BORESIGHT_CARD_HEALTH_H
 #define BORESIGHT_CARD_HEALTH_H
@@ -19,7 +19,7 @@ typedef struct {
     uint32_t troubles;     /**< Bits of card_trouble_t that stand. */
     uint32_t odd_looks;    /**< In a row at a supply out of its range. */
     uint32_t refused;      /**< Commands that the card had refused at the last look. */
-    uint32_t trips;        /**< Of its watchdog until then. */
+    uint32_t trips;        /**< Trips of its watchdog until then. */
     uint32_t calm_refused; /**< Looks since one was refused. */
     uint32_t calm_trips;   /**< Looks since one came. */
     uint32_t has_looked;   /**< 0 or 1. */

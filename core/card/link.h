@@ -2,7 +2,7 @@
 /**
  * @file
  * The controller's view of one daughter card: is it alive, what did it say last, does it do as
- * told. The controller owns one per slot and steps it every cycle. Behaviour:
+ * commanded. The controller owns one per slot and steps it every cycle. Behaviour:
  * statecharts/card_link.scxml.
  */
 #ifndef BORESIGHT_LINK_H
@@ -23,16 +23,16 @@ typedef struct {
     uint32_t sampled_us;     /**< When that was sampled, as the board has it. */
     uint32_t reported_us;    /**< From the sample before to that of this cycle; 0: none came. */
     uint32_t is_timed;       /**< The card's clock says so, and no cycle was missed: 0 or 1. */
-    uint32_t lost_heartbeat; /**< Of the last valid report since it was lost, or until then. */
-    uint32_t frames_out_of_order; /**< Of those discarded, by their heartbeat; saturates. */
+    uint32_t lost_heartbeat; /**< Heartbeat of the last valid report, at the loss or since then. */
+    uint32_t frames_out_of_order; /**< Frames discarded for their heartbeat; saturates. */
     uint32_t frames_missed;       /**< Cycles without a frame while it was usable; saturates. */
     uint16_t last_error;          /**< card_frame_result_t of this cycle's frame. */
     uint16_t is_fresh;            /**< A valid frame arrived in this cycle: 0 or 1. */
     card_drive_t sent;            /**< Drive of the last command. */
-    card_drive_t sent_before;     /**< Of the one before: the one that a report speaks of. */
+    card_drive_t sent_before;     /**< Drive of the command before: the one that a report shows. */
     uint32_t sent_sequence;
     uint32_t sent_sequence_before;
-    uint32_t card_type; /**< What the card must be. */
+    uint32_t card_type; /**< Type that the card must have. */
     uint32_t firmware;
     uint32_t age_cycles;      /**< Since the last valid frame, saturates. */
     uint32_t frame_errors;    /**< Frames discarded, saturates. */
@@ -41,9 +41,9 @@ typedef struct {
     uint16_t cause;           /**< link_cause_t of the last loss. */
 } link_t;
 
-/** When the frames of a cycle were sampled by their cards, as the board measures it. */
+/** Times at which the cards sampled the frames of a cycle, as the board measures them. */
 typedef struct {
-    uint32_t sampled_us[CARD_SLOT_COUNT]; /**< By slot, wraps; as the last one: nobody knows. */
+    uint32_t sampled_us[CARD_SLOT_COUNT]; /**< By slot, wraps; as the last one: unknown. */
     uint32_t error_us; /**< Two of one slot are apart by so much more or less at most. */
 } card_samples_t;
 
@@ -77,7 +77,7 @@ void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, const card_sam
                uint32_t elapsed_us);
 
 /** From the last valid report to one of `sampled_us`, by the board's clock; `elapsed_us` before the
- * first one, and when nobody knows. */
+ * first one, and when that is unknown. */
 static inline uint32_t link_measured_us(const link_t *self, uint32_t sampled_us,
                                         uint32_t elapsed_us)
 {
@@ -92,7 +92,7 @@ static inline bool link_is_usable(const link_t *self)
            (self->chart.state == CARD_LINK_STATE_LATE);
 }
 
-/** No frame came in this cycle. What is not used yet, or not any more, is missed by nobody. */
+/** No frame came in this cycle. It counts as missed only while the card is usable. */
 static inline void link_note_missed(link_t *self)
 {
     if (link_is_usable(self) && (self->frames_missed < UINT32_MAX)) {
@@ -100,15 +100,16 @@ static inline void link_note_missed(link_t *self)
     }
 }
 
-/** What link_step() does for every dialect: time passes, before the report of the cycle is read. */
+/** First part of link_step() for every dialect: time passes, before the report of the cycle is
+ * read. */
 void link_advance(link_t *self, uint32_t elapsed_us);
 
 /** The same, after it: the cycle had a report to count on, or had none, and none for too long. */
 void link_judge(link_t *self, bool is_good);
 
 /**
- * What the card applied up to the sample of this cycle: by its own word, for it may have refused
- * what was sent. A card that has tripped does not tell what it did until then.
+ * Drive that the card applied up to the sample of this cycle: by its own report, for it may have
+ * refused the one that was sent. A card that has tripped does not report what it did until then.
  *
  * @satisfies SWR-LINK-013
  */
@@ -135,7 +136,7 @@ static inline void link_note_sent(link_t *self, uint32_t sequence, const card_dr
  */
 void link_reset(link_t *self);
 
-/** What it remembers was damaged: all but its chart, which has its own complement, starts anew as
+/** Its memory was damaged: all but its chart, which has its own complement, starts anew as
  * link_init(); a card in use is given up. */
 void link_distrust(link_t *self, uint32_t card_type, uint32_t firmware);
 
@@ -154,8 +155,8 @@ bool link_was_only_silent(const link_t *self);
  */
 bool link_has_broken(link_t *self, uint32_t missed_cycles);
 
-/** The card answers, and for so long always by the same report: its program stands, and who knows
- * what it counts. */
+/** The card answers, and for so long always by the same report: its program stands, and its counts
+ * are unknown. */
 static inline bool link_is_standing(const link_t *self)
 {
     return (self->last_error == (uint16_t)CARD_FRAME_REPEATED) &&

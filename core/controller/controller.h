@@ -53,7 +53,7 @@ typedef struct {
     uint32_t confirm_pressed;   /**< It is pressed: 0 or 1. */
     uint32_t dose_reached;      /**< The gate of the treatment says so: 0 or 1. */
     uint32_t treatment_stopped; /**< The same. */
-    uint32_t unread;            /**< Bits of box_input_t: what of these inputs was not read. */
+    uint32_t unread; /**< Bits of box_input_t: those of these inputs that were not read. */
     /** Bit n: the process of command_source_t n has given no sign of life for
      * LIMIT_AUTHORITY_SILENT_US. */
     uint32_t silent_sources;
@@ -69,12 +69,13 @@ typedef struct {
      * no recorder. */
     uint32_t recording_left_min;
     uint32_t dialect; /**< card_dialect_t of all cards. */
-    /** Somebody accepts in writing what cards of another dialect than ours lack: 0 or 1. */
+    /** A named person accepts in writing the lacks of cards of another dialect than ours: 0 or 1.
+     */
     uint32_t is_dialect_accepted;
     uint32_t frames_received; /**< Bit n: frames[n] was received in this cycle. */
     uint32_t frames_late;     /**< Bit n: it was not there in time. */
     uint32_t frames_failed;   /**< Bit n: the bus has failed. */
-    card_samples_t samples;   /**< Of frames[]. */
+    card_samples_t samples;   /**< Times of frames[]. */
     uint32_t command_count;   /**< 0..CONTROLLER_COMMANDS. */
     command_t commands[CONTROLLER_COMMANDS];
     uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
@@ -101,13 +102,13 @@ typedef struct {
     uint32_t is_waiting; /**< 0 or 1. */
 } pending_command_t;
 
-/** What was decided about an axis in the last cycle, and told. */
+/** Decisions and reports on an axis of the last cycle. */
 typedef struct {
     speed_cap_t speed_cap;
     reason_hold_t reason_hold;
-    uint32_t permit_since_cycle; /**< Of the reasons that are shown. */
+    uint32_t permit_since_cycle; /**< Cycle of the last change of shown reasons. */
     uint32_t speed_cap_percent;  /**< permit_t's: 0 when it was not allowed. */
-    uint32_t grade;              /**< axis_reference_t, as told. */
+    uint32_t grade;              /**< axis_reference_t, as reported. */
 } axis_record_t;
 
 /** Sections of the state, each under its seal: axes, their cards, those without an
@@ -115,7 +116,7 @@ typedef struct {
 #define CONTROLLER_SECTIONS ((2U * ROBOT_AXIS_MAX) + 4U)
 
 /** All state of the controller; holds no pointer, so that it can be stored and compared as bytes.
- * What it has once is divided into the sections of event_memory_t. */
+ * Members that it has once are divided into the sections of event_memory_t. */
 typedef struct {
     link_t links[CARD_SLOT_COUNT]; /**< By slot. */
     pedal_gate_t pedal;
@@ -133,41 +134,42 @@ typedef struct {
     uint32_t awaited;      /**< Axes of kept that have not been compared; 0: it counts no more. */
     uint32_t has_arrived;  /**< The last order led to the target, or through a program, and ended as
                               asked. */
-    uint32_t vain_start_ups; /**< Those that an axis or a card has ended since one was done. */
+    uint32_t vain_start_ups; /**< START_UPs that an axis or a card has ended since one was done. */
     uint32_t vain_moves;     /**< The same of MOVE_TO_TARGET; START_UP after service ends it too. */
-    uint32_t vain_axis;      /**< Of the last of both; ROBOT_AXIS_MAX: it was a card. */
-    uint32_t vain_card;      /**< Its slot; CARD_SLOT_COUNT: it was an axis. */
-    uint32_t vain_event;     /**< event_id_t that ended it. */
-    uint32_t account_state;  /**< homing_account_state_t: of account. */
+    uint32_t vain_axis;     /**< Axis that ended the last of both; ROBOT_AXIS_MAX: it was a card. */
+    uint32_t vain_card;     /**< Its slot; CARD_SLOT_COUNT: it was an axis. */
+    uint32_t vain_event;    /**< event_id_t that ended it. */
+    uint32_t account_state; /**< homing_account_state_t: of account. */
     uint32_t is_box_settled; /**< START_UP waits for no recording any more: 0 or 1. */
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
     uint32_t unexpected_cards; /**< Bit n: a card that the robot does not name is in slot n. */
     uint32_t table_damage;     /**< As robot_damage() ever said: nothing moves any more. */
-    uint32_t has_started;      /**< cycle, which wraps, does not tell. */
-    uint32_t axis_count;       /**< Of the robot, as its undamaged table said last; at most
+    uint32_t has_started;      /**< The first cycle has begun: 0 or 1. */
+    uint32_t axis_count;       /**< Axes of the robot, as its undamaged table said last; at most
                                   ROBOT_AXIS_MAX. */
-    uint32_t cycle;            /**< This and what follows counts only: any value is as good. */
+    uint32_t cycle;            /**< This and the members below only count: any value is as good. */
     uint32_t time_us;
-    uint32_t sequence; /**< Of the outgoing frames. */
+    uint32_t sequence; /**< Number of the outgoing frames. */
     uint32_t events;   /**< Number of the next event. */
     uint32_t events_lost;
     uint32_t seals[CONTROLLER_SECTIONS];
     card_health_t health[CARD_SLOT_COUNT]; /**< By slot; counts, too. */
-    uint32_t cycles_lost;                  /**< Of the inputs before; counts, too, */
+    uint32_t cycles_lost;                  /**< Those of the inputs before; counts, too, */
     uint32_t unrecorded;                   /**< and those of them in the present gap. */
-    uint32_t recording_left_min;           /**< Of the inputs before. */
-    uint32_t is_end_told;                  /**< That it ends soon: 0 or 1. */
-    uint32_t unread;                       /**< Of the inputs before. */
-    uint32_t is_estop_told;                /**< That it was pulled: 0 or 1. */
-    robot_cards_t cards;      /**< Of the robot, as its undamaged table says in each cycle. */
+    uint32_t recording_left_min;           /**< That of the inputs before. */
+    uint32_t is_end_told;                  /**< Its near end was reported: 0 or 1. */
+    uint32_t unread;                       /**< That of the inputs before. */
+    uint32_t is_estop_told;                /**< Its pull was reported: 0 or 1. */
+    robot_cards_t cards;      /**< Cards of the robot, as its undamaged table says in each cycle. */
     target_way_t way;         /**< As it is shown; has a seal of its own. */
     program_list_t program;   /**< The treatment program that is held; has checksums of its own. */
     homing_account_t account; /**< Has a seal of its own. */
     uint32_t last_event;    /**< event_id_t of the one noted last; it counts only, with the next. */
     uint32_t refused_cycle; /**< When the numbers of something refused were noted; the same. */
-    /** Of mode.list; each has a checksum. The last member, as they are too many to be copied with
-     * the rest: what comes before is a checkpoint, to which those that the list has belong. */
+    /** Rows of mode.list; each has a checksum. The last member, as they are too many to be copied
+     * with the rest: the members before are a checkpoint, to which those that the list has belong.
+     */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
 } controller_t;
 
@@ -192,7 +194,7 @@ void controller_restore(controller_t *self, const kept_positions_t *kept);
 
 /**
  * Takes a trajectory of `count` rows of a file, once, between controller_init() and the first cycle
- * (contract 102), which tells the log. Nothing is held of one that is refused.
+ * (contract 102), which notes it in the log. Nothing is held of one that is refused.
  *
  * @param row  the one that was refused
  * @return as mode/lists/trajectory_list.h says

@@ -19,25 +19,25 @@ static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
            (link->sent_before.mode == (uint32_t)CARD_DRIVE_OFF);
 }
 
-/* Cards of another dialect do not tell whether they have begun to count anew. */
+/* Cards of another dialect do not report whether they have begun to count anew. */
 static bool tells_new_beginning(const cycle_t *cycle)
 {
     return cycle->inputs->dialect == (uint32_t)CARD_DIALECT_OWN;
 }
 
-/* What its counter did while it was not heard, its next report shows, unless its program stood. */
+/* The next report shows the way of its counter while it was not heard, unless its program stood. */
 static card_loss_t judge_loss(const controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const link_t *const link = controller_link(self, index);
     card_loss_t loss = CARD_LOSS_LOSES;
     if (!link_was_only_silent(link)) {
-        /* What its counts are worth is not known. */
+        /* The worth of its counts is not known. */
     } else if (tells_new_beginning(cycle) && !link_is_standing(link)) {
         loss = CARD_LOSS_KEEPS;
     } else if (is_only_out_of_sight(self, index)) {
         loss = CARD_LOSS_DOUBTS;
     } else {
-        /* What it did last was not seen. */
+        /* Its last motion was not seen. */
     }
     return loss;
 }
@@ -48,7 +48,8 @@ static bool is_loop_late(const link_t *link)
            (link->reported_us > LIMIT_LOOP_SILENT_US);
 }
 
-/* Why the card was lost; of one that was not heard also what became of its frame in this cycle. */
+/* Notes the cause of the loss; for a card that was not heard also the fate of its frame in this
+ * cycle. */
 static void note_loss(controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
     const link_t *const link = &self->links[slot];
@@ -100,7 +101,7 @@ void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t ind
     controller_fail_order(self, cycle, EVENT_CAUSE_CARD, slot);
 }
 
-/* What came from `slot` in this cycle, in the dialect of the cards. */
+/* Reads the frame from `slot` in this cycle, in the dialect of the cards. */
 static inline void hear(link_t *link, const cycle_t *cycle, uint32_t slot)
 {
     const controller_inputs_t *const inputs = cycle->inputs;
@@ -113,7 +114,7 @@ static inline void hear(link_t *link, const cycle_t *cycle, uint32_t slot)
     }
 }
 
-/* What the step of a cycle made of a link. */
+/* Result of a link's step in a cycle. */
 typedef struct {
     bool is_lost;
     bool is_damaged; /* Its chart was. */
@@ -174,7 +175,7 @@ void controller_observe_card(controller_t *self, const cycle_t *cycle, uint32_t 
     }
 }
 
-/* Cards without an axis: one that is lost is told of, and nothing else. */
+/* Cards without an axis: the loss of one is reported, and nothing else. */
 static void observe_sensors(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t slots = self->cards.sensor_slots;
@@ -185,8 +186,8 @@ static void observe_sensors(controller_t *self, const cycle_t *cycle)
     }
 }
 
-/* A card that the robot does not name: what comes from there may be noise, so that only its first
- * valid frame is told of. Once it is silent its slot is empty again. */
+/* A card that the robot does not name: the bytes from there may be noise, so that only its first
+ * valid frame is reported. Once it is silent its slot is empty again. */
 static void observe_stranger(controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
     const uint32_t bit = (uint32_t)1U << slot;
@@ -234,7 +235,7 @@ static void note_troubles(controller_t *self, const cycle_t *cycle, uint32_t slo
     }
 }
 
-/* Where the axis is does not depend on its driver. */
+/* The position of the axis does not depend on its driver. */
 static void spare_driver(controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
     for (uint32_t i = 0U; i < self->axis_count; i++) {
@@ -252,7 +253,7 @@ void controller_watch_card(controller_t *self, const cycle_t *cycle)
     const uint32_t slot = self->cycle % CARD_SLOT_COUNT;
     const link_t *const link = &self->links[slot];
     card_health_t *const health = &self->health[slot];
-    /* Those of another dialect do not tell. */
+    /* Cards of another dialect do not report their health. */
     if ((link->is_fresh == 0U) || (cycle->inputs->dialect != (uint32_t)CARD_DIALECT_OWN)) {
         return;
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file What the cards say in this cycle, and what follows when one is lost. */
+/** @file Reports of the cards in this cycle, and the consequences when one is lost. */
 #ifndef BORESIGHT_CONTROLLER_CARDS_H
 #define BORESIGHT_CONTROLLER_CARDS_H
 
@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What becomes of the trust in a position with its card. */
+/** Effect of the loss of a card on the trust in a position. */
 typedef enum {
     CARD_LOSS_KEEPS = 0, /**< It stays, as does the target. */
     CARD_LOSS_DOUBTS = 1,
@@ -16,8 +16,8 @@ typedef enum {
 } card_loss_t;
 
 /**
- * The card of axis `index` was lost, and with it the order; `loss` says what of its reference and
- * of the target.
+ * The card of axis `index` was lost, and with it the order; `loss` states the effect on its
+ * reference and on the target.
  *
  * @satisfies SWR-CARD-015
  */
@@ -47,7 +47,7 @@ void controller_observe_card(controller_t *self, const cycle_t *cycle, uint32_t 
 void controller_observe_other_cards(controller_t *self, const cycle_t *cycle);
 
 /**
- * How the card of one slot is, after all were observed; each slot has its turn within
+ * Health of the card of one slot, after all were observed; each slot has its turn within
  * CARD_SLOT_COUNT cycles.
  *
  * @satisfies SWR-CARD-011

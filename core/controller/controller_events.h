@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file What the controller notes in a cycle, and what all parts of a cycle share. For the files
- * of this folder only, as are the headers of the other parts. */
+/** @file Events that the controller notes in a cycle, and data that all parts of a cycle share. For
+ * the files of this folder only, as are the headers of the other parts. */
 #ifndef BORESIGHT_CONTROLLER_EVENTS_H
 #define BORESIGHT_CONTROLLER_EVENTS_H
 
 #include "controller/controller.h"
 
-/** What the parts of one cycle share. */
+/** Data that the parts of one cycle share. */
 typedef struct {
     const robot_t *robot;
     const controller_inputs_t *inputs;
     controller_outputs_t *outputs;
-    event_cause_t cause; /**< Of what is noted with it. */
-    uint32_t peer;       /**< Of the cause, as event_t. */
+    event_cause_t cause; /**< Cause of the events noted with it. */
+    uint32_t peer;       /**< Peer of the cause, as event_t. */
 } cycle_t;
 
 /**

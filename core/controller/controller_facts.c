@@ -29,7 +29,7 @@ static uint32_t facts_against_card(const link_t *link)
     return against;
 }
 
-/* What START_UP clears must be clear before a motion is armed. */
+/* The faults that START_UP clears must be clear before a motion is armed. */
 static bool is_clear(const controller_t *self)
 {
     return (self->estop.state == ESTOP_LATCH_STATE_CLEAR) &&

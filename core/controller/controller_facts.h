@@ -40,7 +40,7 @@ static inline bool controller_is_spent(const controller_t *self)
 /** Every axis is homed. */
 bool controller_is_homed(const controller_t *self);
 
-/** Where the axes are; beyond those of the robot nothing is written. */
+/** Positions of the axes; beyond those of the robot nothing is written. */
 static inline void controller_positions(const controller_t *self, int32_t ticks[ROBOT_AXIS_MAX])
 {
     for (uint32_t i = 0U; i < self->axis_count; i++) {
@@ -49,8 +49,8 @@ static inline void controller_positions(const controller_t *self, int32_t ticks[
 }
 
 /**
- * START_UP is refused, as nothing is recorded, none was accepted in this run, nobody has accepted
- * that, and the needle is known to be out.
+ * START_UP is refused, as nothing is recorded, none was accepted in this run, that is not accepted,
+ * and the needle is known to be out.
  *
  * @satisfies SWR-NEXT-027
  * @satisfies SWR-NEXT-029
@@ -63,7 +63,7 @@ uint32_t controller_bars(const controller_t *self, const cycle_t *cycle);
 /** GUARD_ facts, all that stand now. */
 uint32_t controller_facts(const controller_t *self, const cycle_t *cycle);
 
-/** Those for the guards of the workphase chart, for an order of mode `kind` that needs `axes` (bit
+/** Inputs for the guards of the workphase chart, for an order of mode `kind` that needs `axes` (bit
  * n: axis n). */
 workphase_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle,
                                      mode_kind_t kind, uint32_t axes);

@@ -22,8 +22,8 @@ void controller_arm(controller_t *self, const cycle_t *cycle, const command_t *c
 void controller_abandon_order(controller_t *self, const cycle_t *cycle);
 
 /**
- * What became of the order, in ARMING_ACTION_ bits: answers and events. `fault`: status for one
- * given up.
+ * Reports the outcome of the order, in ARMING_ACTION_ bits, by answers and events. `fault`: status
+ * for one given up.
  *
  * @satisfies SWR-FLOW-001
  * @satisfies SWR-MODE-012
@@ -31,7 +31,7 @@ void controller_abandon_order(controller_t *self, const cycle_t *cycle);
 void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
                              status_t fault);
 
-/** Tells the order an event and reports. */
+/** Sends the order an event and reports. */
 void controller_tell_order(controller_t *self, const cycle_t *cycle, arming_event_t event,
                            status_t fault);
 

@@ -14,7 +14,7 @@ static uint32_t seal_it(const homing_account_t *self)
     return seal_of(SEAL_START, (const uint8_t *)self, offsetof(homing_account_t, seal));
 }
 
-/* What was damaged stays so until the account begins anew. */
+/* A damaged account stays so until it begins anew. */
 static void reseal(homing_account_t *self, bool was_intact)
 {
     self->seal = seal_it(self) ^ (was_intact ? 0U : 1U);

@@ -22,10 +22,11 @@ typedef enum {
 } homing_account_state_t;
 
 typedef struct {
-    int32_t from_readings[ROBOT_AXIS_MAX]; /**< Of the encoders when the present try began. */
-    int32_t ways_ticks[ROBOT_AXIS_MAX];    /**< What has been moved, whatever the direction. */
-    uint32_t homed;                        /**< Bit n: axis n was homed when the try began. */
-    uint32_t seal;                         /**< Of the above: looked at only when they are used. */
+    int32_t
+        from_readings[ROBOT_AXIS_MAX];  /**< Readings of the encoders when the present try began. */
+    int32_t ways_ticks[ROBOT_AXIS_MAX]; /**< Way that was moved, whatever the direction. */
+    uint32_t homed;                     /**< Bit n: axis n was homed when the try began. */
+    uint32_t seal; /**< Seal of the above: looked at only when they are used. */
 } homing_account_t;
 
 /** Nothing has been moved. */
@@ -35,7 +36,7 @@ void homing_account_init(homing_account_t *self);
 void homing_account_begin(homing_account_t *self, const robot_t *robot,
                           const axis_t axes[ROBOT_AXIS_MAX]);
 
-/** Nobody but these functions has written it. */
+/** Only these functions have written it. */
 bool homing_account_is_intact(const homing_account_t *self);
 
 /** The try has failed: each axis is charged with its way, but one that was homed in it begins
@@ -45,7 +46,7 @@ void homing_account_charge(homing_account_t *self, const robot_t *robot,
                            const axis_t axes[ROBOT_AXIS_MAX], uint32_t failed);
 
 /** An axis was moved by more than LIMIT_VAIN_WAY_NM or LIMIT_VAIN_WAY_BAM, or the account is
- * damaged: nobody knows how far. */
+ * damaged: the way is unknown. */
 bool homing_account_is_beyond(const homing_account_t *self, const robot_t *robot);
 
 #endif

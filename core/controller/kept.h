@@ -8,9 +8,9 @@
 
 #include <stdint.h>
 
-/** What was known of an axis. Any other value counts as KEPT_LOST. */
+/** Trust in the position of an axis. Any other value counts as KEPT_LOST. */
 typedef enum {
-    KEPT_FRESH = 0, /**< Nobody has homed or lost it since the power-on. */
+    KEPT_FRESH = 0, /**< Neither homed nor lost since the power-on. */
     KEPT_LOST = 1,  /**< Its position was not to be believed. */
     KEPT_KNOWN = 2  /**< Its position was believed. */
 } kept_grade_t;
@@ -18,7 +18,8 @@ typedef enum {
 typedef struct {
     uint32_t grade;         /**< kept_grade_t. */
     int32_t position_ticks; /**< With KEPT_KNOWN. */
-    int32_t reading_ticks;  /**< Of the encoder's counter there; of no meaning with KEPT_LOST. */
+    int32_t
+        reading_ticks; /**< Reading of the encoder's counter there; of no meaning with KEPT_LOST. */
 } kept_axis_t;
 
 typedef struct {

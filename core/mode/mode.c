@@ -63,7 +63,7 @@ void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *requ
     escort_end(&self->escort);
 }
 
-/* What was armed and is not known any more fails. */
+/* An armed mode that is not known any more fails. */
 static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
                 mode_result_t *result)
 {
@@ -142,7 +142,7 @@ mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
     } else if (kind == MODE_HOMING) {
         share.done_per_mille = homed_per_mille(axes, axis_count);
     } else {
-        /* Nobody knows: one axis homes, or nothing has begun. */
+        /* Unknown: one axis homes, or nothing has begun. */
     }
     return share;
 }

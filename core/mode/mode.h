@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the armed order does once the pedal is pressed: one of several modes, each a module of its
+ * Action of the armed order once the pedal is pressed: one of several modes, each a module of its
  * own with a row in core/interface/modes.yml. The controller owns one mode_state_t, steps it every
  * cycle and seals it.
  */
@@ -49,8 +49,8 @@ uint32_t mode_axes(mode_kind_t kind, uint32_t commanded, const robot_t *robot);
  */
 bool mode_needs(const mode_state_t *self, uint32_t index);
 
-/** What `kind` is asked for, by its command and as the robot stands: its axes, and what its row
- * says that it reads. controller_aim() adds the move of a mode that goes to the target. */
+/** Request to `kind`, by its command and as the robot stands: its axes, and the members that it
+ * reads by its row. controller_aim() adds the move of a mode that goes to the target. */
 mode_request_t mode_ask(mode_kind_t kind, const mode_asked_t *asked);
 
 /**
@@ -66,7 +66,7 @@ void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *requ
 
 /**
  * One cycle. Unless `frame->is_moving` every axis rests, and the mode goes on from there. Done and
- * failed are told in the cycle in which they are found.
+ * failed are reported in the cycle in which they are found.
  *
  * @satisfies SWR-DEMO-001
  * @satisfies SWR-DEMO-002
@@ -75,7 +75,7 @@ void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *requ
  */
 void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result);
 
-/** How far what is armed has come. */
+/** Progress of the armed order. */
 typedef struct {
     uint32_t done_per_mille; /**< 0..1000: of the cycles of the present leg; of homing, of the axes;
                                 of a trajectory and of speeds, of their time; of a speed for a way,

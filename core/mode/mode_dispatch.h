@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Which function of a mode's folder does what: the calls that its row in core/interface/modes.yml
- * names, as a switch of the build (interface/mode_dispatch.c). For mode.h.
+ * Functions of the modes' folders: the calls that their rows in core/interface/modes.yml name, as a
+ * switch of the build (interface/mode_dispatch.c). For mode.h.
  */
 #ifndef BORESIGHT_MODE_DISPATCH_H
 #define BORESIGHT_MODE_DISPATCH_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file What a mode is asked for, and where it stands. */
+/** @file The request to a mode, and its state. */
 #ifndef BORESIGHT_MODE_STATE_H
 #define BORESIGHT_MODE_STATE_H
 
@@ -14,22 +14,22 @@
 
 #include <stdint.h>
 
-/** What a mode is asked for; each reads what it needs. */
+/** Request to a mode; each reads the members that it needs. */
 typedef struct {
     uint32_t axes;  /**< Bit n: axis n is commanded. mode_axes() makes of it those that it needs. */
     mode_way_t way; /**< One axis, and where it goes if its mode asks for that. */
     move_mode_t move;
     trajectory_span_t span;
-    mode_own_t own; /**< What one mode alone reads and writes, sealed while that was armed last. */
+    mode_own_t own; /**< Members of one mode alone, sealed while that was armed last. */
 } mode_request_t;
 
 /** At first all zero. */
 typedef struct {
     uint32_t kind; /**< mode_kind_t of the order that was armed last. */
     leg_t leg;
-    escort_t escort; /**< Of homing. */
+    escort_t escort; /**< Escort of homing. */
     trajectory_mode_t trajectory;
-    trajectory_list_t list; /**< Of the trajectory that is held, armed or not. */
+    trajectory_list_t list; /**< Trajectory that is held, armed or not. */
     program_mode_t program;
     mode_request_t request; /**< With the axes that it needs. */
 } mode_state_t;

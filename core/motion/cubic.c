@@ -6,7 +6,7 @@
 
 #define ONE_TICK_Q8 INT64_C(256)
 
-/* What cubic_keeps_acceleration() multiplies; the robot compiler keeps the acceleration. */
+/* Product in cubic_keeps_acceleration(); the robot compiler keeps the acceleration. */
 #if LIMIT_ACCELERATION_MOST_TICKS_PER_S2 >                                                         \
     (INT64_MAX / (256 * LIMIT_TRAJECTORY_STEP_MOST_MS * LIMIT_TRAJECTORY_STEP_MOST_MS))
 #error "The longest way at the most acceleration does not fit 64 bits."

@@ -31,7 +31,7 @@ typedef struct {
  * 10^7 ticks/s. */
 void cubic_set(cubic_t *self, const cubic_end_t *from, const cubic_end_t *to, uint32_t span_ms);
 
-/** Which share of `span_ms` `time_us` (at most all of it) is, 0..CUBIC_ONE_Q20. */
+/** Share of `span_ms` that `time_us` (at most all of it) is, 0..CUBIC_ONE_Q20. */
 uint32_t cubic_share_q20(uint32_t time_us, uint32_t span_ms);
 
 /** @return position at `share_q20`; both ends are exact */

@@ -5,7 +5,7 @@
 
 #define WORDS_PER_HZ 22009U
 
-/* Of its speed for each kelvin, by motor_type_t. */
+/* Loss of speed for each kelvin, by motor_type_t. */
 static const uint8_t loss_permille[] = {LIMIT_SHINSEI_SPEED_LOSS_PERMILLE,
                                         LIMIT_PIEZO_SPEED_LOSS_PERMILLE,
                                         LIMIT_DTI_SPEED_LOSS_PERMILLE};

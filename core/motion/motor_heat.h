@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What becomes of a motor that is warmer than that of its table: it is slower, and the waves that
- * its card makes must follow its resonance. Each axis owns one; servo and model know only words and
+ * Effects on a motor that is warmer than that of its table: it is slower, and the waves that its
+ * card makes must follow its resonance. Each axis owns one; servo and model know only words and
  * ways of a motor as its table has it.
  */
 #ifndef BORESIGHT_MOTOR_HEAT_H

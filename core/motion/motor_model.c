@@ -59,7 +59,7 @@ static uint32_t wave_word(const axis_config_t *config, int64_t speed_q8)
     return config->minimum_duty - (uint32_t)below;
 }
 
-/* Beyond the slowest word lies the dead zone, and nobody knows where it begins. */
+/* Beyond the slowest word lies the dead zone; its start is unknown. */
 static int64_t wave_speed_q8(const axis_config_t *config, uint32_t word)
 {
     const int64_t span = wave_span(config);
@@ -116,7 +116,7 @@ static int64_t steady_q8(const axis_config_t *config, const card_drive_t *drive)
     return motor_model_is_upwards(config, drive) ? speed_q8 : -speed_q8;
 }
 
-/* What is gained or lost of the `missing_q8` until the steady speed. */
+/* Part of the `missing_q8` until the steady speed that is gained or lost. */
 static int64_t change_q8(int64_t missing_q8, bool is_gaining, uint32_t elapsed_us)
 {
     const uint32_t rise_us = (elapsed_us < RISE_US) ? elapsed_us : RISE_US;

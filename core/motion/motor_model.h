@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What an ultrasonic motor does with its drive words, as far as one knows without looking: it runs
- * at the speed of the word, gains it with one time constant, loses it with a shorter one, and stops
- * at once. The servo plans its last ticks with it; supervision compares it with what the encoder
- * counts.
+ * Response of an ultrasonic motor to its drive words, as far as it is known without looking: it
+ * runs at the speed of the word, gains it with one time constant, loses it with a shorter one, and
+ * stops at once. The servo plans its last ticks with it; supervision compares it with what the
+ * encoder counts.
  */
 #ifndef BORESIGHT_MOTOR_MODEL_H
 #define BORESIGHT_MOTOR_MODEL_H

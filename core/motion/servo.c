@@ -76,7 +76,7 @@ void servo_rest(servo_t *self, uint32_t elapsed_us)
     pass_time(self, elapsed_us);
 }
 
-/* What brings the axis on, `way_ticks` before the set-point that moves at `speed_q8`. */
+/* Drive that brings the axis on, `way_ticks` before the set-point that moves at `speed_q8`. */
 static card_drive_t choose(const servo_t *self, const axis_config_t *config, uint32_t direction,
                            int64_t way_ticks, int64_t speed_q8)
 {

@@ -2,9 +2,9 @@
 /**
  * @file
  * From set-point and position to a drive request for one ultrasonic motor. Speed demand = set-point
- * speed + gain of the axis x error. What the motor cannot run slowly enough is done in bursts: it
- * runs as long as even a motor that is faster than its model does not pass the set-point before it
- * can be stopped. The request is nothing but a wish: only the permit turns it into a drive.
+ * speed + gain of the axis x error. A speed below the motor's slowest is done in bursts: it runs as
+ * long as even a motor that is faster than its model does not pass the set-point before it can be
+ * stopped. The request is nothing but a wish: only the permit turns it into a drive.
  */
 #ifndef BORESIGHT_SERVO_H
 #define BORESIGHT_SERVO_H
@@ -17,12 +17,12 @@
 #include <stdint.h>
 
 typedef struct {
-    motor_model_t model; /**< Of a motor that does what is asked for. */
+    motor_model_t model; /**< Model of a motor that obeys each request. */
     int64_t unseen_q16;  /**< Its way in ticks by the request before: no reading shows it yet. */
     uint32_t direction;  /**< Last requested drive direction bit. */
     uint32_t rest_us;    /**< Since the first cycle without a request, saturates. */
     uint32_t is_driving; /**< A drive was requested in the last cycle: 0 or 1. */
-    uint32_t duty;       /**< Of the last request; 0 for an axis without magnitudes. */
+    uint32_t duty;       /**< Duty of the last request; 0 for an axis without magnitudes. */
 } servo_t;
 
 /** Starts at rest. */

@@ -12,7 +12,7 @@ static bool is_start_up(uint32_t kind, uint32_t asked)
     return (kind == (uint32_t)COMMAND_WORKPHASE) && (asked == (uint32_t)WORKPHASE_START_UP);
 }
 
-/* Changes of the workphase that drive nothing do without the robot's table, and what is of
+/* Changes of the workphase that drive nothing do without the robot's table, and so do commands of
  * authority. */
 static bool needs_table(uint32_t kind, uint32_t asked)
 {
@@ -21,7 +21,7 @@ static bool needs_table(uint32_t kind, uint32_t asked)
     return (kind == (uint32_t)COMMAND_WORKPHASE) ? is_start_up(kind, asked) : !is_of_authority;
 }
 
-/* What lets drives be driven: the loop must be able to stop them in time. */
+/* Commands that let drives be driven: the loop must be able to stop them in time. */
 static bool enables(uint32_t kind, uint32_t asked)
 {
     return is_start_up(kind, asked) || (kind == (uint32_t)COMMAND_ENABLE_AXIS);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What decides about a command before its mode is asked, as one word of facts. The controller finds
- * them, answers by them and shows them, so that what is said of a command beforehand is what
- * becomes of it, whatever the state.
+ * Facts that decide about a command before its mode is asked, as one word. The controller finds
+ * them, answers by them and shows them, so that the verdict shown beforehand is the one that the
+ * command gets, whatever the state.
  */
 #ifndef BORESIGHT_GUARDS_H
 #define BORESIGHT_GUARDS_H
@@ -34,16 +34,16 @@
 #define GUARD_PEDAL_RELEASED 0x01000000U
 #define GUARD_LINKED 0x02000000U /**< Every card of an axis may be given a drive. */
 #define GUARD_SPENT 0x04000000U  /**< Vain START_UPs have moved an axis too far. */
-#define GUARD_NO_BOX 0x08000000U /**< Nothing is recorded, and nobody has accepted that. */
+#define GUARD_NO_BOX 0x08000000U /**< Nothing is recorded, and that is not accepted. */
 
 /**
- * What bars a command of `kind`, whatever else it says; `asked`: the workphase that
+ * Status that bars a command of `kind`, whatever else it says; `asked`: the workphase that
  * COMMAND_WORKPHASE asks for.
  *
  * @return STATUS_OK; STATUS_MEMORY_DAMAGED while the robot's table is, unless the command changes
- * the workphase alone or is of authority; STATUS_COMPUTER_UNFIT for what enables axes;
- * STATUS_NO_BLACK_BOX for START_UP alone while GUARD_NO_BOX stands;
- * STATUS_MOVED_IN_VAIN for what homes them while GUARD_SPENT stands
+ * the workphase alone or is of authority; STATUS_COMPUTER_UNFIT for commands that enable axes;
+ * STATUS_NO_BLACK_BOX for START_UP alone while GUARD_NO_BOX stands; STATUS_MOVED_IN_VAIN for those
+ * that home them while GUARD_SPENT stands
  *
  * @satisfies SWR-LOOP-006
  * @satisfies SWR-MEMORY-004

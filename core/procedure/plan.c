@@ -39,7 +39,7 @@ void plan_forget_target(plan_t *self)
     plan_seal(self);
 }
 
-/* Where the joints put the treatment frame in the scanner. */
+/* Pose of the treatment frame in the scanner at the joints. */
 static rigid_t find_pose(const plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe,
                          const joints_t *joints)
 {
@@ -57,7 +57,7 @@ static void settle(const robot_t *robot, joints_t *joints, int32_t ticks[ROBOT_A
     joints_from_ticks(robot, ticks, joints);
 }
 
-/* What entry and target point ask for together; shown only, in the frame of the measured pose. */
+/* Pose for the entry and target point together; shown only, in the frame of the measured pose. */
 static bool find_desired(plan_t *self, const robot_t *robot)
 {
     const bool is_proposed = (self->has_proposed_registration != 0U) && (self->is_registered == 0U);
@@ -196,7 +196,7 @@ static bool is_on_line(const rigid_t *treatment, const point_t *entry)
     return (along_nm > 0) && (fixed_length(off_nm) <= (int64_t)LIMIT_ENTRY_ON_AXIS_NM);
 }
 
-/* Of a pose in the z-frame that is exactly orthonormal. */
+/* Target for a pose in the z-frame that is exactly orthonormal. */
 static solution_t find_target(plan_t *self, const robot_t *robot,
                               const int32_t ticks[ROBOT_AXIS_MAX], const rigid_t *zframe_treatment,
                               const point_t *entry)
@@ -221,7 +221,7 @@ static solution_t find_target(plan_t *self, const robot_t *robot,
     return result;
 }
 
-/* Of a pose in scanner coordinates that is rigid. */
+/* Target for a pose in scanner coordinates that is rigid. */
 static solution_t find_scanner_target(plan_t *self, const robot_t *robot,
                                       const int32_t ticks[ROBOT_AXIS_MAX],
                                       const rigid_t *scanner_treatment)

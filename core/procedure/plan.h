@@ -2,7 +2,7 @@
 /**
  * @file
  * The plan: what the robot carries (probe), where it stands in the scanner (registration), where
- * its needle shall enter and where it shall go (entry point, target), and what others propose.
+ * its needle shall enter and where it shall go (entry point, target), and the proposals of others.
  * Proposals are shown and decide nothing.
  */
 #ifndef BORESIGHT_PLAN_H
@@ -16,7 +16,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Which connection proposed something last, and in which cycle. */
+/** Connection that proposed something last, and the cycle of that. */
 typedef struct {
     uint32_t peer;
     uint32_t cycle;
@@ -32,17 +32,16 @@ typedef struct {
     point_t proposed_entry; /**< Scanner coordinates, like everything proposed. */
     point_t proposed_target;
     rigid_t scanner_desired;               /**< The pose the proposals ask for. */
-    plan_proposer_t registration_proposer; /**< As the next two valid with what was proposed. */
+    plan_proposer_t registration_proposer; /**< As the next two valid with its proposal. */
     plan_proposer_t entry_proposer;
     plan_proposer_t target_proposer;
     int32_t desired_ticks[ROBOT_AXIS_MAX];
-    probe_t probe;              /**< Valid with has_probe. */
-    uint32_t probe_crc;         /**< Of the probe alone: it outlives damage of the rest. */
-    uint32_t registered_source; /**< command_source_t: whose the registration is. */
-    uint32_t registered_peer;   /**< Its connection or page. */
-    uint32_t registered_cycle;  /**< When it was accepted. */
-    uint32_t
-        is_rotation_ignored; /**< Each 0 or 1. Of the registration only the translation counts. */
+    probe_t probe;                /**< Valid with has_probe. */
+    uint32_t probe_crc;           /**< CRC of the probe alone: it outlives damage of the rest. */
+    uint32_t registered_source;   /**< command_source_t of the registration. */
+    uint32_t registered_peer;     /**< Its connection or page. */
+    uint32_t registered_cycle;    /**< Cycle in which it was accepted. */
+    uint32_t is_rotation_ignored; /**< Each 0 or 1. Only the registration's translation counts. */
     uint32_t has_probe;
     uint32_t is_registered;
     uint32_t has_target;
@@ -54,7 +53,7 @@ typedef struct {
     uint32_t is_proposal_reachable;
     uint32_t is_entry_of_target; /**< `entry` lies on the needle's line to the accepted target,
                                     before it, and stood when that was accepted. */
-    uint32_t seal;               /**< Of all before it. It changes seldom: each change seals it. */
+    uint32_t seal; /**< Seal of all before it. It changes seldom: each change seals it. */
 } plan_t;
 
 /** Seals it; what is declared here does so itself. */
@@ -73,21 +72,21 @@ void plan_init(plan_t *self, const robot_t *robot);
 /**
  * It is damaged: all is forgotten but a probe that its own CRC still proves.
  *
- * @return false when the probe is forgotten too: none is known until another one is told
+ * @return false when the probe is forgotten too: none is known until another one is sent
  *
  * @satisfies SWR-PROBE-005
  */
 bool plan_forget(plan_t *self);
 
 /**
- * Takes a probe that probe_judge() has passed: target, entry point and what was proposed on the way
- * are forgotten; the registration stands.
+ * Takes a probe that probe_judge() has passed: target, entry point and the proposals on the way are
+ * forgotten; the registration stands.
  *
  * @satisfies SWR-PROBE-003
  */
 void plan_set_probe(plan_t *self, const probe_t *probe);
 
-/** From whom a registration is, and how it is to be taken. */
+/** Origin of a registration, and how it is to be taken. */
 typedef struct {
     uint32_t source;
     uint32_t peer;
@@ -222,7 +221,7 @@ status_t plan_accept_entry(plan_t *self);
  */
 status_t plan_see_needle(plan_t *self, const rigid_t *pose);
 
-/** What plan_withdraw() forgets. */
+/** Part of the plan that plan_withdraw() forgets. */
 typedef enum {
     PLAN_ENTRY = 0, /**< The entry point; of the others the proposed one. */
     PLAN_PROPOSED_REGISTRATION = 1,

@@ -24,7 +24,7 @@ static status_t refusal(uint32_t actions)
     return status;
 }
 
-/* Tells the workphase, and the order what comes of that. */
+/* Sends the event to the workphase, and its actions to the order. */
 static procedure_actions_t dispatch(procedure_t *self, const workphase_inputs_t *inputs,
                                     workphase_event_t event)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The workphase and the one order that may be armed in it. The controller owns one. What the first
- * chart says of the order is told to the second one here, in the same step. Behaviour:
+ * The workphase and the one order that may be armed in it. The controller owns one. The actions of
+ * the first chart on the order are sent to the second one here, in the same step. Behaviour:
  * statecharts/workphase.scxml, statecharts/arming.scxml.
  */
 #ifndef BORESIGHT_PROCEDURE_H
@@ -20,7 +20,7 @@ typedef struct {
     arming_chart_t arming;
 } procedure_t;
 
-/** What a step asks the caller to do. */
+/** Actions that a step asks of the caller. */
 typedef struct {
     uint32_t workphase; /**< WORKPHASE_ACTION_ bits. */
     uint32_t arming;    /**< ARMING_ACTION_ bits. */
@@ -78,8 +78,8 @@ status_t procedure_request_motion(procedure_t *self, const workphase_inputs_t *i
 /** The e-stop was pulled. Returns ARMING_ACTION_ bits. */
 uint32_t procedure_estop(procedure_t *self);
 
-/** What became of the order, or of the pedal. Returns ARMING_ACTION_ bits; 0 while the workphase
- * is damaged: a damaged chart takes no event, nor does the one beside it. */
+/** Sends the order `event`, on its outcome or on the pedal. Returns ARMING_ACTION_ bits; 0 while
+ * the workphase is damaged: a damaged chart takes no event, nor does the one beside it. */
 uint32_t procedure_tell(procedure_t *self, arming_event_t event);
 
 /** The present workphase. */

@@ -21,7 +21,7 @@ static bool has_pose(const robot_t *robot)
     return robot_has_pose(robot, pose) && !robot_is_pose_damaged(robot, pose);
 }
 
-/* What is known after one more way. */
+/* Verdict after one more way. */
 static target_way_kind_t judge_next(const target_way_t *self, const robot_t *robot)
 {
     const int32_t *const pose_ticks = robot->poses[TARGET_WAY_POSE].ticks;

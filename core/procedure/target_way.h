@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * How the axes get from where they stand to the target, looked at before a move is asked for. It is
- * shown only: a move is judged anew when it is commanded.
+ * The way of the axes from where they stand to the target, looked at before a move is asked for. It
+ * is shown only: a move is judged anew when it is commanded.
  */
 #ifndef BORESIGHT_TARGET_WAY_H
 #define BORESIGHT_TARGET_WAY_H
@@ -11,7 +11,7 @@
 
 #include <stdint.h>
 
-/** Where to go first: of ways that leave a limit none was found that does so from there, too. */
+/** Pose to go to first: of ways that leave a limit none was found that does so from there, too. */
 #define TARGET_WAY_POSE POSE_DRAPING
 
 typedef enum {
@@ -23,8 +23,8 @@ typedef enum {
     TARGET_WAY_FROM_POSE = 5 /**< ...and then the one from there. */
 } target_way_kind_t;
 
-/** At first all zero. What was found, and for what: the 17 values of a curved limit are too many
- * for each cycle. Has a seal of its own. */
+/** At first all zero. The verdict, and its ways: the 17 values of a curved limit are too many for
+ * each cycle. Has a seal of its own. */
 typedef struct {
     int32_t from_ticks[ROBOT_AXIS_MAX];
     int32_t to_ticks[ROBOT_AXIS_MAX];

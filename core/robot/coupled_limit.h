@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Limits that axes share (coupled_limits of the robot), and where positions are to them. What is
- * measured is the robot's own: kinematics_coupled().
+ * Limits that axes share (coupled_limits of the robot), and where positions are to them. The
+ * measured value is the robot's own: kinematics_coupled().
  */
 #ifndef BORESIGHT_COUPLED_LIMIT_H
 #define BORESIGHT_COUPLED_LIMIT_H
@@ -25,13 +25,15 @@ static inline bool coupled_limit_has(const coupled_limit_t *limit, uint32_t inde
     return ((limit->axes >> index) & 1U) != 0U;
 }
 
-/** How far inside motions end: LIMIT_COUPLED_MARGIN_NM, or of an angle LIMIT_COUPLED_MARGIN_BAM. */
+/** Distance inside at which motions end: LIMIT_COUPLED_MARGIN_NM, or for an angle
+ * LIMIT_COUPLED_MARGIN_BAM. */
 int64_t coupled_limit_margin(const coupled_limit_t *limit);
 
 /** May a motion end at `value`? Inside: the margin or more from both ends. */
 coupled_side_t coupled_limit_side(const coupled_limit_t *limit, int64_t value);
 
-/** What who would end at `value` is told: STATUS_OK inside, otherwise the refusal of `limit`. */
+/** Verdict on a motion that would end at `value`: STATUS_OK inside, otherwise the refusal of
+ * `limit`. */
 solution_t coupled_limit_refusal(const coupled_limit_t *limit, int64_t value);
 
 /**

@@ -8,7 +8,7 @@
 
 #define STEPS 16U
 
-/* Where the axis is after `step` steps; of a way there and back between any ticks. */
+/* Position of the axis after `step` steps, for a way up or down between any ticks. */
 static int32_t ticks_at(int32_t from, int32_t to, uint32_t step)
 {
     const int64_t way = ((int64_t)to - from) * (int64_t)step;
@@ -31,7 +31,8 @@ static void look(const robot_t *robot, uint32_t index, const int32_t from[ROBOT_
     }
 }
 
-/* How far the value may be beyond two looks between them: twice an eighth of what it bends most. */
+/* Distance of the value beyond two looks that is possible between them: twice an eighth of its
+ * largest bend. */
 static int64_t most_between(const int64_t values[STEPS + 1U])
 {
     int64_t most = 0;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Whether axes that go in step keep the limits that they share all the way: each has gone the same
- * part of its way at any time, as on one profile (motion/profile.h).
+ * Check that axes that go in step keep the limits that they share all the way: each has gone the
+ * same part of its way at any time, as on one profile (motion/profile.h).
  *
  * The value of a limit that is not curved rises or falls all the way, so its ends say everything.
  * A curved one is looked at in 16 steps. Between two looks it may be farther out than both by an
@@ -19,8 +19,8 @@
 #include <stdint.h>
 
 /**
- * May the axes go in step from `from` to `to` (ticks)? Who begins outside may come back, but go no
- * farther out. 17 values of each curved limit.
+ * May the axes go in step from `from` to `to` (ticks)? Axes that begin outside may come back, but
+ * go no farther out. 17 values of each curved limit.
  *
  * @return STATUS_OK, or the refusal of the first curved limit that the way would leave
  *

@@ -18,20 +18,19 @@ typedef struct {
     int32_t value[ROBOT_AXIS_MAX];
 } joints_t;
 
-/** Where a needle shall enter and end, in the z-frame. */
+/** Line on which a needle shall enter and end, in the z-frame. */
 typedef struct {
     point_t entry;
     point_t target;
     int32_t roll_bam; /**< About its line. */
 } needle_line_t;
 
-/** What stands in the way of a pose: the limit that is missed, the one missed by most if there are
- * several. */
+/** Obstacle to a pose: the limit that is missed, the one missed by most if there are several. */
 typedef struct {
     status_t status;     /**< STATUS_OK, or the reason. */
     uint8_t axis;        /**< Index of the axis of STATUS_AXIS_LIMIT; 0 otherwise. */
     uint8_t is_maximum;  /**< 1: the upper end of the limit, 0: the lower. */
-    uint8_t is_by_entry; /**< Of a pose that was solved: 1 when an entry point decided what would
+    uint8_t is_by_entry; /**< For a solved pose: 1 when an entry point decided what would
                               otherwise have been free, and without it the answer may be another. */
 } solution_t;
 

@@ -14,8 +14,7 @@
 
 #include <stdint.h>
 
-/** Pose of the treatment frame of `probe` in the z-frame; the identity for a kind that nobody
- * knows.
+/** Pose of the treatment frame of `probe` in the z-frame; the identity for an unknown kind.
  *
  * @satisfies SWR-PROBE-003
  */
@@ -25,7 +24,7 @@ void kinematics_forward(const robot_t *robot, const probe_t *probe, const joints
 /**
  * Joints for an entry point, a treatment point and a roll about the needle, in the z-frame.
  *
- * @return as the robot's kinematics; STATUS_MEMORY_DAMAGED for a kind that nobody knows
+ * @return as the robot's kinematics; STATUS_MEMORY_DAMAGED for an unknown kind
  */
 solution_t kinematics_inverse(const robot_t *robot, const probe_t *probe, const needle_line_t *line,
                               joints_t *joints);
@@ -33,17 +32,16 @@ solution_t kinematics_inverse(const robot_t *robot, const probe_t *probe, const 
 /**
  * Joints for `pose`, with `entry` (in the z-frame) or without (NULL).
  *
- * @return as the robot's kinematics; STATUS_MEMORY_DAMAGED for a kind that nobody knows
+ * @return as the robot's kinematics; STATUS_MEMORY_DAMAGED for an unknown kind
  */
 solution_t kinematics_solve(const robot_t *robot, const probe_t *probe, const rigid_t *pose,
                             const point_t *entry, joints_t *joints);
 
 /**
- * What coupled limit `index` (below robot->coupled_limit_count) measures at `joints`, in nm or bam
- * as the limit says. Any joints have a value, within 2^48; axes that are not the limit's do not
- * count.
+ * Value of coupled limit `index` (below robot->coupled_limit_count) at `joints`, in nm or bam as
+ * the limit says. Any joints have a value, within 2^48; axes that are not the limit's do not count.
  *
- * @return 0 for a kind that nobody knows
+ * @return 0 for an unknown kind
  *
  * @satisfies SWR-COUPLE-004
  */

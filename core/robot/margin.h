@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * How far joints are inside their limits. What a mechanism limits besides its axes, such as the
- * height of a linkage, counts as further joints behind the axes. A margin is the distance to the
+ * Margins of joints inside their limits. Values that a mechanism limits besides its axes, such as
+ * the height of a linkage, count as further joints behind the axes. A margin is the distance to the
  * nearer limit as a fraction of the range between the limits, negative outside.
  */
 #ifndef BORESIGHT_MARGIN_H

@@ -9,7 +9,7 @@ status_t probe_judge(const robot_t *robot, const probe_t *probe)
     for (uint32_t i = 0U; i < ROBOT_PROBE_LENGTHS; i++) {
         const int32_t length_nm = probe->length_nm[i];
         const uint32_t within = robot->probe_within[i];
-        /* Where the robot has no length, both ends are 0. */
+        /* Both ends are 0 where the robot has no length. */
         if ((length_nm < robot->probe_minimum.length_nm[i]) ||
             (length_nm > robot->probe_maximum.length_nm[i])) {
             return STATUS_PROBE_LENGTH;

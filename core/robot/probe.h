@@ -22,7 +22,8 @@
  */
 status_t probe_judge(const robot_t *robot, const probe_t *probe);
 
-/** What clients are told of a length of the robot, nm; `probe_nm`: those of the present probe. */
+/** Value of a length of the robot that clients are sent, nm; `probe_nm`: those of the present
+ * probe. */
 static inline int32_t probe_told_nm(const told_length_t *told,
                                     const int32_t probe_nm[ROBOT_PROBE_LENGTHS])
 {

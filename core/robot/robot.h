@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a robot is, as data. tools/compile/robot_compiler.rb makes of core/robot/<name>/robot.yml
- * the table robot_<name>, and a header of the same name with the order of its axes and lengths;
- * nothing else describes a robot. Programs find the tables by robots_find().
+ * A robot as data. tools/compile/robot_compiler.rb makes of core/robot/<name>/robot.yml the table
+ * robot_<name>, and a header of the same name with the order of its axes and lengths; nothing else
+ * describes a robot. Programs find the tables by robots_find().
  */
 #ifndef BORESIGHT_ROBOT_H
 #define BORESIGHT_ROBOT_H
@@ -18,7 +18,7 @@
 #define ROBOT_GEOMETRY_MAX 11U  /**< Most lengths of the geometry of any robot. */
 #define ROBOT_HOME_STAGES 4U    /**< Most stages of homing. */
 #define ROBOT_PROBE_LENGTHS 4U  /**< Most lengths of the probe of any robot. */
-#define ROBOT_TOLD_LENGTHS 4U   /**< Most lengths that clients are told. */
+#define ROBOT_TOLD_LENGTHS 4U   /**< Most lengths that clients are sent. */
 #define ROBOT_CURVE_STEPS 8U    /**< Into so many the words of a high-frequency card are divided. */
 #define ROBOT_CURVE_FULL 255U   /**< Full speed in them. */
 
@@ -33,7 +33,7 @@ typedef enum {
     LIMIT_SWITCH_UPPER = 2  /**< At the high end. */
 } limit_switch_t;
 
-/** How an axis moves the needle. */
+/** Motion of the needle by an axis. */
 typedef enum {
     NEEDLE_ACROSS = 0, /**< Sideways, or about another line than its own. */
     NEEDLE_ALONG = 1,  /**< Along its line; larger positions are deeper. */
@@ -45,7 +45,7 @@ typedef enum {
     AXIS_UNIT_RAD = 1 /**< Joint value in bam. */
 } axis_unit_t;
 
-/** What turns an axis. */
+/** Type of the motor of an axis. */
 typedef enum {
     MOTOR_TYPE_SHINSEI = 0, /**< Ultrasonic, rotating. */
     MOTOR_TYPE_PIEZO = 1,   /**< Walking or rubbing piezo elements. */
@@ -69,13 +69,13 @@ typedef struct {
      * 0: none. Both have the same ticks a unit. */
     uint8_t leaders[ROBOT_HOME_STAGES];
     uint8_t motor_type;        /**< motor_type_t. */
-    uint8_t amplitude;         /**< Of the waves of a high-frequency card; otherwise 0. */
+    uint8_t amplitude;         /**< Amplitude of the waves of a high-frequency card; otherwise 0. */
     uint8_t reversal_dwell_ms; /**< Its motor rests for so long between two directions. */
-    /** Of a high-frequency card: so much lower is the motor's resonance for each kelvin that it is
-     * warmer than LIMIT_MOTOR_TABLE_DC. Otherwise 0. */
+    /** Drop of the motor's resonance for each kelvin that it is warmer than LIMIT_MOTOR_TABLE_DC,
+     * with a high-frequency card. Otherwise 0. */
     uint8_t resonance_hz_per_k;
-    /** Of a high-frequency card: at n, the speed after n of the equal steps that lead from the
-     * slowest word to the fastest, where it is ROBOT_CURVE_FULL. Otherwise 0. */
+    /** Speeds with a high-frequency card: at n, the speed after n of the equal steps that lead from
+     * the slowest word to the fastest, where it is ROBOT_CURVE_FULL. Otherwise 0. */
     uint8_t speed_curve[ROBOT_CURVE_STEPS];
     uint32_t needle_motion; /**< needle_motion_t. */
     int32_t minimum_ticks;  /**< Soft limits, inclusive. */
@@ -98,12 +98,12 @@ typedef struct {
     int32_t home_way_ticks;       /**< The farthest that homing goes away from the switch: its
                                      over-travel, hysteresis and 0.1 mm or 0.3 degrees; the
                                      needle 0.2 mm at most. */
-    int32_t target_minimum_ticks; /**< Where a target may lie, inclusive: where the limit switch
+    int32_t target_minimum_ticks; /**< Lowest place of a target, inclusive: where the limit switch
                                      is surely free. */
     int32_t target_maximum_ticks;
     uint32_t home_time_us; /**< Longest driven time of a leg of homing. */
     uint32_t minimum_duty; /**< Word of a drive that just moves the motor. */
-    uint32_t maximum_duty; /**< That of full speed, saturates; 0: the drive has none, it is run or
+    uint32_t maximum_duty; /**< Word of full speed, saturates; 0: the drive has none, it is run or
                               stop. A high-frequency card's is smaller than minimum_duty. */
     int32_t hottest_dc;    /**< Temperature of the motor above which it is not driven, 0.1 degree
                               Celsius. */
@@ -138,11 +138,11 @@ typedef struct {
     int32_t length_nm[ROBOT_PROBE_LENGTHS];
 } probe_t;
 
-/** A length that planning clients are told. */
+/** A length that planning clients are sent. */
 typedef struct {
     char name[24];     /**< At most 20 characters; empty: none. */
     int32_t length_nm; /**< As the robot file has it. */
-    uint32_t probe;    /**< 1 + place in probe_t: that of the present probe is told; 0: of none. */
+    uint32_t probe;    /**< 1 + place in probe_t: that of the present probe is sent; 0: of none. */
 } told_length_t;
 
 /** A robot. No padding before `seal`. */
@@ -151,7 +151,7 @@ typedef struct {
     uint32_t axis_count;
     uint32_t crc;           /**< CRC-32C of the robot file the table was compiled from. */
     uint32_t kind;          /**< ROBOT_KIND_: whose kinematics. */
-    uint32_t card_firmware; /**< Of every card: major << 16 | minor << 8 | patch. */
+    uint32_t card_firmware; /**< Firmware of every card: major << 16 | minor << 8 | patch. */
     uint32_t sensor_slots;  /**< Bit n: slot n holds a card without an axis, CARD_TYPE_SENSOR. */
     uint32_t needle_axis;   /**< The axis that moves the needle along its line. */
     uint32_t pose_mask;     /**< Bit n: it has the pose n of pose_name_t. */
@@ -169,10 +169,10 @@ typedef struct {
     axis_config_t axes[ROBOT_AXIS_MAX];
     pose_t poses[POSE_NAME_COUNT]; /**< By pose_name_t. */
     int32_t
-        start_ticks[ROBOT_AXIS_MAX]; /**< Where the simulated axes stand when their box is
-                                        switched on; nothing else reads it, so it has no seal. */
-    /** How people call the lengths of the probe, and what planning clients are told: axes in the
-     * order of lists, and lengths. Nothing that moves reads it, so it has no seal. */
+        start_ticks[ROBOT_AXIS_MAX]; /**< Places of the simulated axes when their box is switched
+                                        on; nothing else reads it, so it has no seal. */
+    /** Names of the probe's lengths for people, and the values that planning clients are sent: axes
+     * in the order of lists, and lengths. Nothing that moves reads it, so it has no seal. */
     char probe_names[ROBOT_PROBE_LENGTHS][24];
     uint8_t told_joints[ROBOT_AXIS_MAX];
     told_length_t told_lengths[ROBOT_TOLD_LENGTHS];

@@ -8,9 +8,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Where they are. */
+/** Slots of the cards. */
 typedef struct {
-    uint32_t slots[ROBOT_AXIS_MAX]; /**< Of the axes' cards. */
+    uint32_t slots[ROBOT_AXIS_MAX]; /**< Slots of the axes' cards. */
     uint32_t sensor_slots;          /**< Bit n: a card without an axis belongs into slot n. */
     uint32_t named_slots;           /**< Bit n: a card belongs into slot n. */
 } robot_cards_t;

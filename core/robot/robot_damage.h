@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What robot_damage() calls all that is no axis. */
+/** Part that stands in robot_damage() for all that is no axis. */
 #define ROBOT_PART_GEOMETRY ROBOT_AXIS_MAX
 
 /**

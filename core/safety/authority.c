@@ -69,7 +69,7 @@ bool authority_is_unrenewed(const authority_t *self, uint32_t time_us)
            ((time_us - self->since_us) >= LIMIT_AUTHORITY_RENEW_US);
 }
 
-/* Who was granted it has it, as soon as nobody has. */
+/* The party that was granted authority has it as soon as it is free. */
 static bool succeed(authority_t *self, authority_time_t now)
 {
     const authority_party_t party = self->requester;

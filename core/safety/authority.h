@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Who may command: one page of the console or one connection of OpenIGTLink, or nobody. It also
- * keeps what was asked of the button at the box. The controller owns one. Behaviour:
+ * The party that may command: one page of the console or one connection of OpenIGTLink, or none. It
+ * also keeps the request to the button at the box. The controller owns one. Behaviour:
  * statecharts/authority.scxml.
  */
 #ifndef BORESIGHT_AUTHORITY_H
@@ -18,7 +18,7 @@
 /** A page or a connection. */
 typedef struct {
     uint32_t source; /**< command_source_t. */
-    uint32_t peer;   /**< As command_t; 0 is nobody. */
+    uint32_t peer;   /**< As command_t; 0: none. */
 } authority_party_t;
 
 typedef struct {
@@ -26,7 +26,7 @@ typedef struct {
     uint32_t since_cycle;     /**< It was taken. */
     uint32_t since_us;        /**< Renewed last, or lost. */
     uint32_t request;         /**< authority_request_t. */
-    uint32_t request_axis;    /**< Which one, with AUTHORITY_REQUEST_CONFIRM_AXIS. */
+    uint32_t request_axis;    /**< Axis, with AUTHORITY_REQUEST_CONFIRM_AXIS. */
     authority_party_t requester;
     uint32_t requested_us;
     authority_chart_t chart;
@@ -38,10 +38,10 @@ typedef struct {
     uint32_t time_us; /**< Wraps. */
 } authority_time_t;
 
-/** Starts with nobody, and nothing asked for; so does one that was damaged. */
+/** Starts without a holder and without a request; so does one that was damaged. */
 void authority_init(authority_t *self);
 
-/** Before each step: of a damaged one nobody has authority. True when it was damaged. */
+/** Before each step: with a damaged one no party has authority. True when it was damaged. */
 bool authority_check(authority_t *self);
 
 static inline bool authority_is_free(const authority_t *self)
@@ -87,13 +87,14 @@ uint32_t authority_lose(authority_t *self, uint32_t time_us);
 bool authority_is_unrenewed(const authority_t *self, uint32_t time_us);
 
 /**
- * Once a cycle; `is_at_rest`: every axis. @return true when who asked for authority has it now
+ * Once a cycle; `is_at_rest`: every axis. @return true when the party that asked for authority has
+ * it now
  *
  * @satisfies SWR-AUTH-006
  */
 bool authority_step(authority_t *self, bool is_at_rest, uint32_t elapsed_us, authority_time_t now);
 
-/** That is what waits for the button, and for `party`. */
+/** That request waits for the button, and for `party`. */
 bool authority_is_asked(const authority_t *self, authority_request_t request, uint32_t axis,
                         const authority_party_t *party);
 
@@ -109,7 +110,7 @@ bool authority_ask(authority_t *self, authority_request_t request, uint32_t axis
 /** Until the request lapses, in us; 0 without one, and once it was granted. */
 uint32_t authority_request_left_us(const authority_t *self, uint32_t time_us);
 
-/** What the button means by itself again. */
+/** The button has its own meaning again. */
 void authority_forget_request(authority_t *self);
 
 #endif

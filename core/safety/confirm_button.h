@@ -13,7 +13,7 @@
 
 /** All zero at the start: not seen released. */
 typedef struct {
-    uint32_t held_cycles; /**< Of the present press. */
+    uint32_t held_cycles; /**< Cycles of the present press. */
     uint32_t is_proven;   /**< Seen released since it counted or was barred: 0 or 1. */
 } confirm_button_t;
 

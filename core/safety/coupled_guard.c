@@ -17,8 +17,8 @@
 typedef struct {
     const robot_t *robot;
     const coupled_view_t *view;
-    uint32_t index; /* Of the limit. */
-    joints_t at;    /* Where its axes are; of the others 0. */
+    uint32_t index; /* Index of the limit. */
+    joints_t at;    /* Joints of its axes; 0 for the others. */
     int64_t value;  /* There. */
     int64_t lowest;
     int64_t highest;
@@ -74,7 +74,7 @@ static int64_t full_speed_q8(const axis_config_t *config)
     return (int64_t)config->full_speed_ticks_per_s * 256;
 }
 
-/* Where the axis would stand at the end of its way. */
+/* Position of the axis at the end of its way. */
 static int32_t end_of_way(const reach_t *self, uint32_t index, bool is_upwards)
 {
     const axis_config_t *const config = &self->robot->axes[index];
@@ -172,8 +172,8 @@ static uint32_t leaving_axes(reach_t *self, uint32_t driven)
     return leaving;
 }
 
-/* Whether another axis of the limit goes the same way as axis `index`, which homes or is about to:
- * the whole block does then, and what is between its axes stays. */
+/* Another axis of the limit goes the same way as axis `index`, which homes or is about to: the
+ * whole block does then, and the distances between its axes stay. */
 static bool is_in_block(const robot_t *robot, const coupled_limit_t *limit,
                         const axis_t axes[ROBOT_AXIS_MAX], uint32_t index, bool is_beginning)
 {
@@ -187,7 +187,7 @@ static bool is_in_block(const robot_t *robot, const coupled_limit_t *limit,
     return is_in_one;
 }
 
-/* Where it goes is planned by its counts, while another one of its linkage homes. */
+/* Its way is planned by its counts, while another one of its linkage homes. */
 static bool is_planned(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
 {
     bool is_any_homing = false;
@@ -199,7 +199,7 @@ static bool is_planned(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], 
            follower_is_in_block(robot, index);
 }
 
-/* What the limit would measure with axis `index` at home. */
+/* Value of the limit with axis `index` at home. */
 static int64_t value_at_home(const robot_t *robot, uint32_t limit_index,
                              const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
 {
@@ -209,7 +209,7 @@ static int64_t value_at_home(const robot_t *robot, uint32_t limit_index,
     return kinematics_coupled(robot, limit_index, &joints);
 }
 
-/* Nobody knows where an axis is that is not homed, but where its switch is. */
+/* The place of an axis that is not homed is unknown, but that of its switch is known. */
 static bool is_home_beyond(const robot_t *robot, uint32_t limit_index,
                            const axis_t axes[ROBOT_AXIS_MAX], uint32_t index, bool is_beginning)
 {
@@ -259,7 +259,7 @@ uint32_t coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view)
     for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
         const coupled_limit_t *const limit = &robot->coupled_limits[i];
         if ((limit->axes & driven) == 0U) {
-            /* Nobody asks for anything. */
+            /* No axis of it asks for a drive. */
         } else if (unknown_axes(robot, limit, view->axes) == 0U) {
             reach_t reach = {.robot = robot, .view = view, .index = i};
             blocked |= leaving_axes(&reach, driven);

@@ -10,10 +10,10 @@
  * axis that moves inwards gives no credit.
  *
  * No derivative is asked for and no shape is assumed: the limit's value is looked at with each axis
- * in turn at both ends of its way. Of a curved limit these changes are added up, and the corner
+ * in turn at both ends of its way. For a curved limit these changes are added up, and the corner
  * that they point at is looked at as well; what a corner between them may add is of second order,
- * for ways of some hundredths of a millimetre less than a micrometre. What is farther from both
- * ends of the range than the margin that ends of motions keep, is looked at once only: that margin
+ * for ways of some hundredths of a millimetre less than a micrometre. A value farther from both
+ * ends of the range than the margin that ends of motions keep is looked at once only: that margin
  * holds what all axes may run on at the full speed of their motors.
  */
 #ifndef BORESIGHT_COUPLED_GUARD_H
@@ -28,8 +28,8 @@
 /** The axes in a cycle; arrays in the order of the robot's axes. */
 typedef struct {
     const axis_t *axes;
-    const card_drive_t *sent;     /**< What the cards apply now. */
-    const card_drive_t *requests; /**< What they would apply next. */
+    const card_drive_t *sent;     /**< Drives that the cards apply now. */
+    const card_drive_t *requests; /**< Drives that they would apply next. */
 } coupled_view_t;
 
 /**

@@ -46,7 +46,7 @@ void loop_guard_step(loop_guard_t *self, uint32_t elapsed_us, uint32_t stage)
     if (is_late || (self->chart.state != LOOP_GUARD_STATE_ON_TIME)) {
         keep(self, elapsed_us, stage, is_late);
     }
-    /* What counts as many late ones is counted once. */
+    /* A cycle that counts as many late ones is counted once. */
     const uint32_t times =
         (elapsed_us > LIMIT_LOOP_SILENT_US) ? LIMIT_OVERRUNS_IN_A_ROW : (uint32_t)1U;
     const loop_guard_event_t event = is_late ? LOOP_GUARD_EVENT_LATE : LOOP_GUARD_EVENT_PUNCTUAL;

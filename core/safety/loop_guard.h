@@ -2,8 +2,8 @@
 /**
  * @file
  * The loop guard: counts late cycles and stops motion when they come in a row or too often, or one
- * is so late that cards may have switched their drives off. It keeps what was late.
- * Behaviour: statecharts/loop_guard.scxml.
+ * is so late that cards may have switched their drives off. It keeps stage and times of the last
+ * late cycles. Behaviour: statecharts/loop_guard.scxml.
  */
 #ifndef BORESIGHT_LOOP_GUARD_H
 #define BORESIGHT_LOOP_GUARD_H

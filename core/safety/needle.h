@@ -15,7 +15,8 @@
 /** @return the deepest position that counts as out, ticks: LIMIT_NEEDLE_OUT_NM from home */
 int32_t needle_out_ticks(const robot_t *robot);
 
-/** Where a needle that is to be out is taken: halfway from home, so that it surely counts as out.
+/** Position to which a needle that is to be out is taken: halfway from home, so that it surely
+ * counts as out.
  */
 int32_t needle_retracted_ticks(const robot_t *robot);
 
@@ -41,7 +42,7 @@ bool needle_must_leave(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX]);
 
 /**
  * @return true when axis `index` must not be jogged this way: across a needle that is not homed and
- * out, or the needle itself deeper from where nobody knows
+ * out, or the needle itself deeper from an unknown place
  *
  * @satisfies SWR-JOG-001
  * @satisfies SWR-JOG-003

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "safety/permit.h"
 
-/* What is not read says nothing, and allows nothing: each bit that takes a reason away gives one.
+/* An unread input says nothing, and allows nothing: each bit that takes a reason away gives one.
  */
 static uint32_t name_unread(uint32_t reasons, uint32_t unread)
 {

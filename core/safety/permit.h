@@ -34,12 +34,12 @@ typedef struct {
     bool is_pedal_pressed;
     bool is_every_axis_homed;
     bool is_memory_damaged; /**< The table of the robot is. */
-    /** The cards' dialect lacks protections, which nobody has accepted. */
+    /** The cards' dialect lacks protections, which is not accepted. */
     bool are_cards_unprotected;
-    bool may_be_unhomed; /**< What is armed may drive an axis that is not homed. */
+    bool may_be_unhomed; /**< The armed order may drive an axis that is not homed. */
 } permit_common_facts_t;
 
-/** What they decide. */
+/** Decision by these facts. */
 typedef struct {
     uint32_t reasons;           /**< Against every axis; bit mask of permit_reason_t. */
     uint32_t unhomed_reasons;   /**< Against an axis that is not homed. */
@@ -88,8 +88,9 @@ static inline uint32_t permit_reason(bool stands, permit_reason_t name)
 }
 
 /**
- * Decides what is the same for every axis, once a cycle. Of `unread`, bits of box_input_t, pedal,
- * e-stop and scanner allow nothing; that is the reason then, and not what they are taken for.
+ * Decides the part that is the same for every axis, once a cycle. Inputs in `unread`, bits of
+ * box_input_t, allow nothing if they are pedal, e-stop or scanner; that is the reason then, and not
+ * the state that they are taken for.
  *
  * @satisfies SWR-PERMIT-004
  * @satisfies SWR-NI-006

@@ -21,7 +21,7 @@ typedef struct {
     uint32_t left_us[REASON_HOLD_COUNT];
 } reason_hold_t;
 
-/** What reason_hold_step() does about reasons that stand or have stood lately. */
+/** Part of reason_hold_step() for reasons that stand or have stood lately. */
 void reason_hold_watch(reason_hold_t *self, uint32_t reasons, uint32_t elapsed_us);
 
 /**

@@ -21,8 +21,8 @@ typedef struct {
 } speed_cap_t;
 
 /**
- * One cycle, `elapsed_us` after the one before, with the axis at `position_ticks`. What is not used
- * is kept for LIMIT_SPEED_CAP_US.
+ * One cycle, `elapsed_us` after the one before, with the axis at `position_ticks`. Way that is not
+ * used is kept for LIMIT_SPEED_CAP_US.
  *
  * @return the axis has moved further than `percent` of its speed and the tolerance allow
  *

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The firmware of a daughter card, as the simulated box runs it, and the reference for anyone who
- * makes a card (docs/card-protocol.md): takes commands, drives the motor, watches over both,
- * reports. It believes only whole frames whose sequence number is one of the next; after a start or
- * a trip only one that clears the fault with the drive off begins a new sequence.
+ * The firmware of a daughter card, as the simulated box runs it, and the reference for the maker of
+ * a card (docs/card-protocol.md): takes commands, drives the motor, watches over both, reports. It
+ * believes only whole frames whose sequence number is one of the next; after a start or a trip only
+ * one that clears the fault with the drive off begins a new sequence.
  */
 #ifndef BORESIGHT_SIM_CARD_H
 #define BORESIGHT_SIM_CARD_H
@@ -37,7 +37,7 @@ typedef struct {
     card_command_t command; /**< The last one accepted. */
     bool has_command;
     bool has_sequence;     /**< No trip since `command` began one. */
-    card_drive_t applied;  /**< What the driver does now. */
+    card_drive_t applied;  /**< Drive that the driver applies now. */
     uint32_t faults;       /**< Latched CARD_STATUS_ bits. */
     uint32_t passing;      /**< CARD_STATUS_ bits of the next report only. */
     uint32_t valid_age_us; /**< Since the last valid frame. */
@@ -53,11 +53,11 @@ typedef struct {
     uint32_t sequence_gaps;
     uint32_t watchdog_trips;
     double motor_temperature_c;
-    sim_heat_t heat;         /**< Of its motor. */
+    sim_heat_t heat;         /**< Heat of its motor. */
     bool is_motor_hot;       /**< Its motor is as hot as none may be. */
-    double feigned_driver_c; /**< What it measures at its driver; 0: what is there. */
-    uint32_t supply_mv;      /**< What it measures while it has power. */
-    uint32_t adc[4];         /**< What its converters read, 16 bits each. */
+    double feigned_driver_c; /**< Temperature it measures at its driver; 0: the true one. */
+    uint32_t supply_mv;      /**< Supply it measures while it has power. */
+    uint32_t adc[4];         /**< Readings of its converters, 16 bits each. */
     bool is_powered;
 } sim_card_t;
 

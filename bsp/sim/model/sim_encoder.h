@@ -32,8 +32,7 @@ typedef enum {
 /** State of one encoder. */
 typedef struct {
     sim_random_t random;
-    double edge_offsets[4]; /**< Where the edge of each state lies beside its nominal place, in
-                               states. */
+    double edge_offsets[4]; /**< Offset of each state's edge from its nominal place, in states. */
     bool is_inverted;       /**< The position grows when the reading falls. */
     sim_encoder_fault_t fault;
     int32_t state;  /**< Number of the state the disc is in; its low two bits are the two lines. */
@@ -42,7 +41,7 @@ typedef struct {
     uint32_t edges;        /**< Since sim_encoder_take_edges(). */
     uint32_t illegal_edges;
     uint32_t burst_edges; /**< Wrong edges still to come in this burst. */
-    int32_t displaced;    /**< What the burst has added to the count so far: -1, 0 or 1. */
+    int32_t displaced;    /**< Counts that the burst has added so far: -1, 0 or 1. */
 } sim_encoder_t;
 
 /** An encoder at `position_ticks` that reads `reading`. */

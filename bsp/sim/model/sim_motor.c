@@ -139,7 +139,7 @@ static double wave_share(const sim_motor_t *self, const card_drive_t *drive, boo
            ((double)drive->amplitude / self->amplitude);
 }
 
-/* What warmth and load leave of it. */
+/* Share of it that warmth and load leave. */
 static double left_share(const sim_motor_t *self)
 {
     const double torque = 1.0 - warmth_k(self) * self->heat.torque_loss;

@@ -29,12 +29,12 @@ typedef enum {
     SIM_MOTOR_HOT = 5    /**< It is as hot as no motor may be. */
 } sim_motor_fault_t;
 
-/** How a motor grows warm, and what becomes of it then. */
+/** Warming of a motor, and its effects. */
 typedef struct {
     double settled_c;     /**< Driven for long, it is so much warmer than the air. */
-    double warming_share; /**< Part of what is missing of that, in a step. */
+    double warming_share; /**< Part of the rest to that, in a step. */
     double speed_loss;    /**< Share of its speed, for each kelvin above that of its table. */
-    double torque_loss;   /**< Of its torque. */
+    double torque_loss;   /**< Share of its torque, the same. */
     double resonance_khz; /**< So much lower is its resonance then. */
 } sim_heat_t;
 
@@ -43,7 +43,7 @@ typedef struct {
     double full_speed_ticks_per_s;
     double asymmetry;    /**< Speed is (1 + asymmetry) times nominal upwards, (1 - asymmetry)
                             downwards. */
-    double rise_share;   /**< Part of what is missing of the speed that it gains in a step. */
+    double rise_share;   /**< Part of the missing speed that it gains in a step. */
     double minimum_duty; /**< Duty that turns the motor at SIM_MOTOR_SLOWEST of full speed. */
     double maximum_duty; /**< Duty of full speed; 0: run or stop. */
     bool has_waves;      /**< Driven by a high-frequency card: both are words of frequency. */
@@ -77,11 +77,11 @@ void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double positio
  */
 double sim_motor_steady_speed(const sim_motor_t *self, const card_drive_t *drive);
 
-/** What turns it from outside, by `ticks`, at most to a hard stop. */
+/** Turns it from outside, by `ticks`, at most to a hard stop. */
 void sim_motor_push(sim_motor_t *self, double ticks);
 
 /**
- * What heats the motor of `axis`.
+ * Heat figures of the motor of `axis`.
  *
  * @satisfies SWR-BOX-010
  */

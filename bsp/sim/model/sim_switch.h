@@ -29,15 +29,15 @@ typedef enum {
 /** State of one switch. */
 typedef struct {
     sim_random_t random;
-    limit_switch_t end;   /**< Which end it guards; LIMIT_SWITCH_NONE never operates. */
+    limit_switch_t end;   /**< End that it guards; LIMIT_SWITCH_NONE never operates. */
     double operate_ticks; /**< Active from here outwards. */
     double hysteresis_ticks;
     sim_switch_fault_t fault;
     bool is_operated;    /**< The mechanism, without bounce. */
     bool is_closed;      /**< The contact, with bounce. */
-    bool is_active;      /**< What the card sees of it. */
-    uint32_t bounce_us;  /**< How long the contact will still bounce. */
-    uint32_t chatter_us; /**< How long a loose wire will stay as it is. */
+    bool is_active;      /**< Its state as the card sees it. */
+    uint32_t bounce_us;  /**< Time that the contact will still bounce. */
+    uint32_t chatter_us; /**< Time that a loose wire will stay as it is. */
 } sim_switch_t;
 
 /** A settled switch of an axis that stands at `position_ticks`; it operates at the axis' home

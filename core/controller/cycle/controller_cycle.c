@@ -36,7 +36,7 @@ void controller_init(controller_t *self, const robot_t *robot)
         link_init(&self->links[slot], robot_cards_type(robot, slot), robot->card_firmware);
     }
     robot_cards_find(&self->cards, robot);
-    robot_cards_bound(&self->cards); /* Nobody has looked at the table yet. */
+    robot_cards_bound(&self->cards); /* The table is not checked yet. */
     self->refused_cycle = (UINT32_MAX - LIMIT_REFUSED_VALUES_MS) + 1U;
     controller_seal(self);
 }

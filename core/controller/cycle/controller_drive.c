@@ -12,7 +12,7 @@
 
 #include <string.h>
 
-/* What is the same for every axis. */
+/* Facts that are the same for every axis. */
 static permit_common_facts_t common_facts(const controller_t *self, const cycle_t *cycle,
                                           uint32_t guards, mode_kind_t kind)
 {
@@ -36,7 +36,7 @@ static permit_common_facts_t common_facts(const controller_t *self, const cycle_
     return facts;
 }
 
-/* What the parts of this file share about all axes. */
+/* Data that the parts of this file share about all axes. */
 typedef struct {
     permit_common_facts_t facts;
     permit_common_t common;
@@ -163,7 +163,7 @@ static uint32_t probed_slot(const controller_t *self, bool is_driven)
     return (uint32_t)1U << slot;
 }
 
-/* Of the robot, and what else is known to be there or is looked for. */
+/* Cards of the robot without an axis, and others that are known to be there or are looked for. */
 static void send_to_others(controller_t *self, const cycle_t *cycle, uint32_t state, bool is_driven)
 {
     const uint32_t others = self->unexpected_cards | probed_slot(self, is_driven);
@@ -175,14 +175,14 @@ static void send_to_others(controller_t *self, const cycle_t *cycle, uint32_t st
     }
 }
 
-/* All in one go: an encoder writes only what is not zero. */
+/* All in one go: an encoder writes only the words that are not zero. */
 static void clear_frames(const cycle_t *cycle)
 {
     controller_outputs_t *const outputs = cycle->outputs;
     clear_aligned_words(outputs->frames[0], sizeof outputs->frames);
 }
 
-/* What is shown of the permit of an axis. */
+/* Keeps the part of an axis' permit that is shown. */
 static void remember(controller_t *self, const cycle_t *cycle, uint32_t index,
                      const permit_t *permit)
 {
@@ -195,7 +195,7 @@ static void remember(controller_t *self, const cycle_t *cycle, uint32_t index,
     record->speed_cap_percent = permit->speed_cap_percent;
 }
 
-/* What the cards of the axes apply now. */
+/* Drives that the cards of the axes apply now. */
 static void gather_sent(const controller_t *self, card_drive_t sent[ROBOT_AXIS_MAX])
 {
     for (uint32_t i = 0U; i < self->axis_count; i++) {

@@ -6,8 +6,8 @@
 #include "controller/controller_events.h"
 
 /**
- * Permit and outgoing frames. Each frame tells its card to switch off by itself when no further
- * frame comes. `guards`: controller_facts() of the state as it is.
+ * Permit and outgoing frames. Each frame has its card switch off by itself when no further frame
+ * comes. `guards`: controller_facts() of the state as it is.
  *
  * @satisfies SWR-PERMIT-002
  * @satisfies SWR-PERMIT-003

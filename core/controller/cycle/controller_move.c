@@ -39,7 +39,7 @@ static void fill_frame(controller_t *self, const cycle_t *cycle, bool is_every_a
     }
 }
 
-/* What the mode says becomes events, and the end of the order. */
+/* The result of the mode becomes events, and the end of the order. */
 static void tell(controller_t *self, const cycle_t *cycle, const mode_result_t *result)
 {
     for (uint32_t i = 0U; i < result->note_count; i++) {

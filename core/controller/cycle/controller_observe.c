@@ -12,7 +12,7 @@
 
 #include <stddef.h>
 
-/* What an event of the supervision says of its axis, besides its name. */
+/* Value that an event of the supervision states of its axis, besides its name. */
 static int32_t supervised_detail(const axis_t *axis, event_id_t id)
 {
     int32_t value = 0;
@@ -117,7 +117,7 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
     }
 }
 
-/* Tells what became of the trust in a position, whatever was the cause; a fault tells it itself. */
+/* Reports a change of the trust in a position, whatever the cause; a fault reports it itself. */
 static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index, uint32_t notes)
 {
     const axis_t *const axis = &self->axes[index];
@@ -192,8 +192,8 @@ static void watch_drift(controller_t *self, const cycle_t *cycle, uint32_t index
     }
 }
 
-/* A warm motor is another one for who drives it; a hot one is not driven. Where its axis is does
- * not depend on that. */
+/* A warm motor is driven as another one; a hot one is not driven. The position of its axis does not
+ * depend on that. */
 static void watch_heat(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const link_t *const link = controller_link(self, index);
@@ -231,7 +231,7 @@ static void tell_estop(controller_t *self, const cycle_t *cycle)
     controller_note(self, cycle, EVENT_ESTOP_PULLED, 0U, 0);
 }
 
-/* Other inputs are not read than in the cycle before. An e-stop that was pulled meanwhile is told
+/* Other inputs are unread than in the cycle before. An e-stop that was pulled meanwhile is reported
  * now: its latch has not changed. */
 static void note_unread(controller_t *self, const cycle_t *cycle)
 {
@@ -300,7 +300,7 @@ static void observe_pedal(controller_t *self, const cycle_t *cycle)
     }
 }
 
-/* Of a switch that was pulled; one that was not read only has been taken for it. */
+/* Notes the release of a switch that was pulled; an unread one was only taken for pulled. */
 static void note_release(controller_t *self, const cycle_t *cycle)
 {
     if (self->is_estop_told != 0U) {
@@ -396,7 +396,7 @@ static bool is_confirmation_barred(const controller_t *self, const cycle_t *cycl
     return is_barred;
 }
 
-/* The operator confirms what is shown; what is shown of a silent card is old. */
+/* The operator confirms the positions that are shown; that of a silent card is old. */
 static void confirm(controller_t *self, const cycle_t *cycle)
 {
     for (uint32_t i = 0U; i < self->axis_count; i++) {
@@ -451,7 +451,7 @@ static void observe_procedure(controller_t *self, const cycle_t *cycle)
     controller_report_order(self, cycle, actions, STATUS_OK);
 }
 
-/* The first cycle that is recorded again tells of the gap, so that it is in the recording. */
+/* The first cycle that is recorded again reports the gap, so that it is in the recording. */
 static void note_gap(controller_t *self, const cycle_t *cycle, uint32_t lost)
 {
     if (lost == 0U) {
@@ -468,7 +468,7 @@ static void note_gap(controller_t *self, const cycle_t *cycle, uint32_t lost)
 }
 
 /*
- * Told anew only once there has been twice the room.
+ * Reported anew only once there has been twice the room.
  *
  * @satisfies SWR-REC-036
  */

@@ -11,7 +11,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#define CARDS ROBOT_AXIS_MAX /* Of the axes, in their order. */
+#define CARDS ROBOT_AXIS_MAX /* Cards of the axes, in their order. */
 #define SENSORS (CARDS + ROBOT_AXIS_MAX)
 #define MODE (SENSORS + 1U)
 #define INTERLOCKS (MODE + 1U)
@@ -23,7 +23,7 @@ typedef struct {
 } range_t;
 
 static const range_t mode_range = {offsetof(controller_t, mode), offsetof(controller_t, axes)};
-/* Of the rest, what is more than a count, beside the records. */
+/* Part of the rest that is more than a count, beside the records. */
 static const range_t forgotten_range = {offsetof(controller_t, pending),
                                         offsetof(controller_t, has_started)};
 
@@ -35,7 +35,7 @@ static const range_t forgotten_range = {offsetof(controller_t, pending),
  * they are more or less. */
 typedef uint8_t axis_bytes_t[((AXIS_BYTES == 448U) && (LINK_BYTES == 64U)) ? 448 : -1];
 
-/* What of a link decides in a cycle to come: a report, and that one came, decides only in its
+/* Part of a link that decides in a cycle to come: a report, and that one came, decides only in its
  * cycle. */
 static inline uint32_t seal_of_link(uint32_t seal, const link_t *link)
 {
@@ -61,7 +61,8 @@ static inline uint32_t seal_between(const controller_t *self, uint32_t seal, siz
     return seal_of(seal, &bytes[from], to - from);
 }
 
-/* What one mode alone reads, and writes when it is begun, is under seal while it was begun last. */
+/* Members that one mode alone reads, and writes when it is begun, are under seal while it was begun
+ * last. */
 static uint32_t seal_of_mode(const controller_t *self)
 {
     const mode_own_t *const own = &self->mode.request.own;
@@ -145,7 +146,7 @@ static void clear(controller_t *self, const range_t *range)
     (void)memset(&bytes[range->from], 0, range->to - range->from);
 }
 
-/* What was kept from before the start may be among it: an axis that waits for that is lost. */
+/* Positions kept from before the start may be among it: an axis that waits for its own is lost. */
 static void forget_rest(controller_t *self)
 {
     clear(self, &forgotten_range);
@@ -224,7 +225,7 @@ static void forget(controller_t *self, const cycle_t *cycle, uint32_t section)
     controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }
 
-/* It seals itself: what else is forgotten would seal its damage. */
+/* It seals itself: another part that is forgotten would seal its damage. */
 static void check_plan(controller_t *self, const cycle_t *cycle)
 {
     if (plan_is_damaged(&self->plan)) {
@@ -236,8 +237,8 @@ static void check_plan(controller_t *self, const cycle_t *cycle)
     }
 }
 
-/* How many axes there are, and where the cards, says a table that is whole; one that is not is not
- * asked. */
+/* The number of axes and the slots of the cards come from a table that is whole; a damaged one is
+ * not read. */
 static void take_axes(controller_t *self, const robot_t *robot, uint32_t damage)
 {
     if (damage == 0U) {

@@ -9,8 +9,8 @@
 
 static const char contract_module[] = "controller";
 
-/* Its counts are to be compared: what is lost stays so whatever they say, and so does what has a
- * grade that nobody knows. */
+/* Its counts are to be compared: a lost axis stays so whatever they say, and so does one with an
+ * unknown grade. */
 static bool is_awaited(const controller_t *self, uint32_t index)
 {
     const uint32_t grade = self->kept.axes[index].grade;
@@ -28,7 +28,7 @@ void controller_restore(controller_t *self, const kept_positions_t *kept)
         } else if (kept->verdict != (uint32_t)KEPT_NOTHING) {
             axis_forget(&self->axes[i]);
         } else {
-            /* Nobody has looked for a file. */
+            /* No file was looked for. */
         }
     }
     controller_seal(self);
@@ -153,7 +153,7 @@ status_t controller_obey_restore(controller_t *self, const cycle_t *cycle, const
     }
     controller_renew_account(self);
     plan_forget_target(&self->plan);
-    /* Who presses the button already has compared other positions. */
+    /* An operator who presses the button already has compared other positions. */
     confirm_button_renew(&self->confirm);
     return STATUS_OK;
 }

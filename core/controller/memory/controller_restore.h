@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Positions from another time: kept from before the start, or saved by somebody. */
+/** @file Positions from another time: kept from before the start, or saved by an operator. */
 #ifndef BORESIGHT_CONTROLLER_RESTORE_H
 #define BORESIGHT_CONTROLLER_RESTORE_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Where a motion goes to whose command does not say it itself: the target, a pose, or the
+/** @file The goal of a motion whose command does not state it itself: the target, a pose, or the
  * list of a trajectory. */
 #ifndef BORESIGHT_CONTROLLER_AIM_H
 #define BORESIGHT_CONTROLLER_AIM_H

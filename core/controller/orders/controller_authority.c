@@ -22,7 +22,8 @@ static void note_taken(controller_t *self, const cycle_t *cycle)
                     (int32_t)self->authority.holder.source);
 }
 
-/* The order of who has lost it is discarded: the pedal must be pressed anew for another one. */
+/* The order of the party that has lost it is discarded: the pedal must be pressed anew for another
+ * one. */
 static void lose(controller_t *self, const cycle_t *cycle, authority_loss_t loss)
 {
     const uint32_t peer = self->authority.holder.peer;
@@ -125,7 +126,7 @@ static bool may_take_by_it(const controller_t *self, const command_t *command)
            authority_is_free(&self->authority);
 }
 
-/* What is shown only: a connection's, unless another one commands. */
+/* A command that only shows something: that of a connection, unless another one commands. */
 static bool may_show(const controller_t *self, const command_t *command)
 {
     const bool is_anothers = authority_is_held(&self->authority) &&
@@ -140,14 +141,14 @@ bool controller_has_authority(const controller_t *self, const command_t *command
            may_take_by_it(self, command) || may_show(self, command);
 }
 
-/* What `party` has, by its command. */
+/* `party` has sent `command`; one without a peer is of every party of its source. */
 static bool is_of_sender(const authority_party_t *party, const command_t *command)
 {
     return (party->peer != 0U) && (party->source == command->source) &&
            ((command->peer == 0U) || (party->peer == command->peer));
 }
 
-/* Who has it by now needs no button for it. */
+/* A party that has it by now needs no button for it. */
 static void take(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
     const authority_party_t party = party_of(command);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Who may command: the part of a cycle in which authority is taken, lost and asked for. */
+/** @file Authority to command: the part of a cycle in which it is taken, lost and asked for. */
 #ifndef BORESIGHT_CONTROLLER_AUTHORITY_H
 #define BORESIGHT_CONTROLLER_AUTHORITY_H
 
@@ -8,7 +8,8 @@
 #include <stdbool.h>
 
 /**
- * Takes authority from who does not answer any more, and gives it to who was granted it.
+ * Takes authority from a party that does not answer any more, and gives it to one that was granted
+ * it.
  *
  * @satisfies SWR-AUTH-005
  * @satisfies SWR-AUTH-010
@@ -16,8 +17,8 @@
 void controller_observe_authority(controller_t *self, const cycle_t *cycle);
 
 /**
- * Who sent `command` may do so now: it is everyone's, its sender has authority or may take it by
- * this command.
+ * The sender of `command` may send it now: it is everyone's, its sender has authority or may take
+ * it by this command.
  *
  * @satisfies SWR-AUTH-003
  * @satisfies SWR-AUTH-004
@@ -43,15 +44,15 @@ status_t controller_obey_authority(controller_t *self, const cycle_t *cycle,
                                    const command_t *command, answer_t *answer);
 
 /**
- * The next press of the button means `request`, for who sent `command`, which has a peer; `axis` as
- * authority_ask(). Asked again it waits no longer, and a press that has begun counts.
+ * The next press of the button means `request`, for the sender of `command`, which has a peer;
+ * `axis` as authority_ask(). Asked again it waits no longer, and a press that has begun counts.
  *
  * @return STATUS_OK; STATUS_NO_BUTTON; STATUS_BUSY while another one's request waits
  */
 status_t controller_ask_button(controller_t *self, const cycle_t *cycle, const command_t *command,
                                authority_request_t request, uint32_t axis);
 
-/** A confirmation now is one of axis `index`: nobody asked for that of another axis alone.
+/** A confirmation now is one of axis `index`: that of another axis alone is not asked for.
  *
  * @satisfies SWR-AXIS-039
  */
@@ -68,7 +69,7 @@ static inline bool controller_awaits_grant(const controller_t *self)
 }
 
 /**
- * The button was pressed for who asked for authority.
+ * The button was pressed for the party that asked for authority.
  *
  * @satisfies SWR-AUTH-008
  */

@@ -73,7 +73,7 @@ static status_t obey_set_home(controller_t *self, const cycle_t *cycle, uint32_t
         controller_note(self, cycle, EVENT_HOME_SET, index, axis->home_correction_ticks);
         controller_renew_account(self);
         plan_forget_target(&self->plan);
-        /* Who presses the button already has compared another position. */
+        /* An operator who presses the button already has compared another position. */
         confirm_button_renew(&self->confirm);
     }
     return status;
@@ -109,7 +109,7 @@ static status_t obey_disable(controller_t *self, const cycle_t *cycle, uint32_t 
     return STATUS_OK;
 }
 
-/* Where it may be obeyed, of an axis that there is. */
+/* An act that may be obeyed, on an axis that there is. */
 static status_t obey_act(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
     const uint32_t index = command_as_axis(command)->axis;

@@ -5,8 +5,8 @@
 
 #include "controller/controller_events.h"
 
-/** The reference of axis `index` is lost by command, and the target forgotten. Told here, with its
- * cause. */
+/** The reference of axis `index` is lost by command, and the target forgotten. Reported here, with
+ * its cause. */
 void controller_forget_reference(controller_t *self, const cycle_t *cycle, uint32_t index);
 
 /**

@@ -6,7 +6,7 @@
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
 
-/* What the command, and where the robot stands, say to its mode. */
+/* Request to the mode, by the command and the positions of the robot. */
 static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
                                  const command_t *command, mode_kind_t kind)
 {
@@ -18,7 +18,7 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
     return mode_ask(kind, &asked);
 }
 
-/* Armed. What is homed homes anew: nothing that is known of it shall be relied on until then. */
+/* Armed. A homed axis homes anew: nothing that is known of it shall be relied on until then. */
 static void begin(controller_t *self, const cycle_t *cycle, const command_t *command,
                   mode_kind_t kind, const mode_request_t *request)
 {

@@ -16,7 +16,7 @@ static bool is_known(const command_t *command)
            (!is_workphase || (command_kinds_workphase(command) != WORKPHASE_UNDEFINED));
 }
 
-/* What is not known at all is left to be refused as unknown. */
+/* An unknown command is left to be refused as unknown. */
 static bool is_allowed(const command_t *command)
 {
     return (command->source < COMMAND_SOURCE_COUNT) &&
@@ -24,8 +24,8 @@ static bool is_allowed(const command_t *command)
             (((command_traits[command->kind].sources >> command->source) & 1U) != 0U));
 }
 
-/* What only START_UP clears must not stay for ever where START_UP is refused: the needle has to
- * come out. */
+/* Faults that only START_UP clears must not stay for ever where START_UP is refused: the needle has
+ * to come out. */
 static void clear_only(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
     if ((command->kind == (uint32_t)COMMAND_WORKPHASE) &&
@@ -43,7 +43,7 @@ static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *
     }
     if (command->kind == (uint32_t)COMMAND_NOTE) {
         return controller_dispatch(self, cycle, command,
-                                   answer); /* Everyone's, and no sign of life of anybody. */
+                                   answer); /* Everyone's, and no sign of life of a peer. */
     }
     if (is_known(command) && !controller_has_authority(self, command)) {
         return STATUS_NO_AUTHORITY;

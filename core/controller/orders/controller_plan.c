@@ -46,7 +46,7 @@ static status_t tell_registration(controller_t *self, const cycle_t *cycle,
     return status;
 }
 
-/* A needle that is in was led there by the probe that was told before. */
+/* A needle that is in was led there by the probe that was sent before. */
 static status_t judge_probe(const controller_t *self, const cycle_t *cycle,
                             const command_t *command, const probe_t *probe)
 {

@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-/** Who sent it says that it is not worth an event: a proposal or a needle of many. */
+/** Its sender states that it is not worth an event: a proposal or a needle of many. */
 bool controller_is_unlogged(const command_t *command);
 
 /**

@@ -33,7 +33,7 @@ static void note_rotation(controller_t *self, const cycle_t *cycle, uint32_t fir
     }
 }
 
-/* Those of an accepted probe are told with it. */
+/* Lengths of a refused probe; those of an accepted one are noted with it. */
 static void note_lengths(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
     const command_probe_t *const sent = command_as_probe(command);
@@ -114,7 +114,7 @@ static void note_shared_limit(controller_t *self, const cycle_t *cycle, const an
     }
 }
 
-/* Anybody may send what is refused, as often as he likes. */
+/* Any peer may send numbers that are refused, as often as it likes. */
 static bool is_time(controller_t *self)
 {
     const bool is_one = (self->cycle - self->refused_cycle) >= LIMIT_REFUSED_VALUES_MS;

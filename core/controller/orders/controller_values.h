@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The numbers of what was told, in the log of events: registration, target, entry point,
+/** @file The numbers that were sent, in the log of events: registration, target, entry point,
  * probe, and the limit that refused something. */
 #ifndef BORESIGHT_CONTROLLER_VALUES_H
 #define BORESIGHT_CONTROLLER_VALUES_H
@@ -7,8 +7,8 @@
 #include "controller/controller_events.h"
 
 /**
- * Notes the numbers of `command`, which was answered by `answer`, behind the event that says so. Of
- * refused ones they are noted once in LIMIT_REFUSED_VALUES_MS.
+ * Notes the numbers of `command`, which was answered by `answer`, behind the event that says so.
+ * Those of refused commands are noted once in LIMIT_REFUSED_VALUES_MS.
  *
  * @satisfies SWR-EVENT-020
  * @satisfies SWR-EVENT-021

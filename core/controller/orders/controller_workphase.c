@@ -43,7 +43,7 @@ status_t controller_obey_no_box(controller_t *self, const cycle_t *cycle, const 
     return STATUS_OK;
 }
 
-/* What a command for a workphase asks the mode of that workphase for: the target, if it is a move.
+/* Request of a command for a workphase to the mode of that workphase: the target, if it is a move.
  */
 static mode_request_t request_of(const controller_t *self, const cycle_t *cycle, mode_kind_t kind)
 {

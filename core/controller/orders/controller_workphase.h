@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The command that changes the workphase, and what START_UP clears. */
+/** @file The command that changes the workphase, and the faults that START_UP clears. */
 #ifndef BORESIGHT_CONTROLLER_WORKPHASE_H
 #define BORESIGHT_CONTROLLER_WORKPHASE_H
 

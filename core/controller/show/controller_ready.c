@@ -68,12 +68,12 @@ static named_step_t find_pedal(const controller_t *self, const controller_inputs
     } else if (self->pedal.is_released == 0U) {
         step = NEXT_STEP_RELEASE_PEDAL;
     } else {
-        /* Nobody presses it. */
+        /* It is not pressed. */
     }
     return controller_step_only(step);
 }
 
-/* What START_UP would enable would be disabled again. */
+/* A hot axis that START_UP enables would be disabled again. */
 static named_step_t find_heat(const controller_t *self, const robot_t *robot)
 {
     named_step_t found = controller_step_only(NEXT_STEP_START_UP);
@@ -89,8 +89,8 @@ static named_step_t find_heat(const controller_t *self, const robot_t *robot)
     return found;
 }
 
-/* What START_UP alone does not help: an axis whose switch and counts contradict each other, and one
- * that must not be homed. One in doubt that has left the target need not be homed. */
+/* Axes that START_UP alone does not help: an axis whose switch and counts contradict each other,
+ * and one that must not be homed. One in doubt that has left the target need not be homed. */
 static named_step_t find_vain_homing(const controller_t *self, const robot_t *robot, uint32_t index)
 {
     const axis_t *const axis = &self->axes[index];
@@ -181,14 +181,14 @@ static bool is_in_vain(const controller_t *self)
     return (self->vain_start_ups >= LIMIT_SERVICE_START_UPS) || are_moves_vain(self);
 }
 
-/* What is placed again and again would end START_UP once more. */
+/* An axis that is placed again and again would end START_UP once more. */
 static bool is_vain_axis(const controller_t *self, const named_step_t *found)
 {
     const bool is_placing = (found->step == NEXT_STEP_PLACE) || (found->step == NEXT_STEP_CONFIRM);
     return is_placing && (found->axis == self->vain_axis);
 }
 
-/* What is confirmed before service would only allow more of what has failed. */
+/* A confirmation before service would only allow more of the orders that have failed. */
 static named_step_t find_position(const controller_t *self, const cycle_t *cycle)
 {
     named_step_t found = find_doubt(self, cycle->robot);

@@ -5,7 +5,7 @@
 
 #include "controller/controller_events.h"
 
-/** A next step, and what it names. */
+/** A next step, and the axis, card or event that it names. */
 typedef struct {
     next_step_t step;
     uint32_t axis;  /**< ROBOT_AXIS_MAX: none. */
@@ -20,7 +20,7 @@ static inline named_step_t controller_step_only(next_step_t step)
 }
 
 /**
- * Where START_UP is wanted.
+ * Next step where START_UP is wanted.
  *
  * @return the first obstacle to it: the computer, the black box, a card, the pedal, heat, a
  * position to be confirmed, a fault that came back in LIMIT_SERVICE_START_UPS tries; without one
@@ -39,9 +39,9 @@ static inline named_step_t controller_step_only(next_step_t step)
 named_step_t controller_ready(const controller_t *self, const cycle_t *cycle);
 
 /**
- * Where a move is wanted.
+ * Next step where a move is wanted.
  *
- * @return MOVE, or SERVICE with what has ended LIMIT_SERVICE_MOVES of them
+ * @return MOVE, or SERVICE with the cause that has ended LIMIT_SERVICE_MOVES of them
  *
  * @satisfies SWR-NEXT-036
  */

@@ -17,7 +17,7 @@ typedef struct {
     next_step_t step;
 } remedy_t;
 
-/* What each reason asks of the operator, the most pressing first. */
+/* Steps that each reason asks of the operator, the most pressing first. */
 static const remedy_t remedies[] = {
     {PERMIT_REASON_MEMORY, NEXT_STEP_MEMORY},
     {PERMIT_REASON_INPUTS_UNREAD, NEXT_STEP_CHECK_BOX},
@@ -46,8 +46,8 @@ static next_step_t step_after_arrival(const controller_t *self)
     return (self->mode.kind == (uint32_t)MODE_PROGRAM) ? NEXT_STEP_PROGRAM_DONE : NEXT_STEP_NOTHING;
 }
 
-/* Whether `workphase` is entered from the present one, in the chart's words. After START_UP comes
- * PLANNING, though CALIBRATION is entered from there as well. */
+/* `workphase` is entered from the present one, in the chart's words. After START_UP comes PLANNING,
+ * though CALIBRATION is entered from there as well. */
 static bool is_entered(const procedure_t *procedure, workphase_t workphase)
 {
     const workphase_chart_t *const chart = &procedure->workphase;
@@ -150,15 +150,15 @@ static bool is_one_of(next_step_t step, uint64_t steps)
     return ((steps >> (uint32_t)step) & 1U) != 0U;
 }
 
-/* The axes rest, and it is not about to go to who was granted it. */
+/* The axes rest, and it is not about to go to a party that was granted it. */
 static bool is_anybodys(const authority_t *authority)
 {
     return authority_is_free(authority) &&
            (authority->request != (uint32_t)AUTHORITY_REQUEST_GRANTED);
 }
 
-/* What a command fulfils, while nobody may send one; what can wait, while somebody waits for the
- * button. */
+/* Puts authority before a step that a command fulfils while no client may send one, and the grant
+ * before a step that can wait while a client waits for the button. */
 static next_step_t authority_first(const controller_t *self, next_step_t step)
 {
     next_step_t first = step;
@@ -175,8 +175,9 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
 }
 
 /*
- * Where the needle is out and a command of the plan is all that is missing: START_UP is not put off
- * by what does not refuse it, and a needle that may be in comes first.
+ * Names the recorder where the needle is out and a command of the plan is all that is missing:
+ * START_UP is not put off by a lack that does not refuse it, and a needle that may be in comes
+ * first.
  *
  * @satisfies SWR-REC-034
  */
@@ -361,7 +362,7 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
     rigid_multiply(&self->plan.scanner_zframe, &shown->zframe_treatment, &shown->scanner_treatment);
 }
 
-/* Where a move or an insertion leads, or a jog that is armed. */
+/* Shows the end of a move or an insertion, or of a jog that is armed. */
 static void show_way(const controller_t *self, mode_kind_t kind, snapshot_t *shown)
 {
     if ((kind == MODE_MOVE) || (kind == MODE_INSERT)) {
@@ -379,7 +380,7 @@ static void show_way(const controller_t *self, mode_kind_t kind, snapshot_t *sho
     }
 }
 
-/* What is armed, and how far it has come. `kind`: the mode of the workphase. */
+/* Shows the armed order and its progress. `kind`: the mode of the workphase. */
 static void show_mode(const controller_t *self, mode_kind_t kind, snapshot_t *shown)
 {
     mode_share_t share = {.done_per_mille = 0U, .left_ms = 0U};

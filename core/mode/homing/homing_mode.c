@@ -69,7 +69,7 @@ static bool is_any_homing(const mode_frame_t *frame)
     return is_any;
 }
 
-/* Which axis of a linkage homes with an escort; the count of axes for none. */
+/* Axis of a linkage that homes with an escort; the count of axes for none. */
 static uint32_t find_escorted(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
 {
     uint32_t found = robot->axis_count;
@@ -137,7 +137,7 @@ static void begin_stage(const mode_frame_t *frame, escort_t *escort, mode_result
     }
 }
 
-/* Who led the others to a place where none of them can be has met a switch that lies. */
+/* A leader that led the others to a place where none of them can be has met a false switch. */
 static void doubt_leaders(const mode_frame_t *frame, mode_result_t *result)
 {
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
@@ -208,7 +208,7 @@ static bool is_at_a_loss(const mode_frame_t *frame, escort_t *escort, mode_resul
     return verdict != ESCORT_GOES;
 }
 
-/* Nobody in its escort goes faster than one that homes may. */
+/* No axis of its escort goes faster than one that homes may. */
 static card_drive_t home_axis(const mode_frame_t *frame, const escort_t *escort, uint32_t index)
 {
     const axis_config_t *config = &frame->robot->axes[index];

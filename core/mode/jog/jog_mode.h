@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file A jog: one axis goes where it was told to, the others are left alone. */
+/** @file A jog: one axis goes where it is commanded to, the others are left alone. */
 #ifndef BORESIGHT_JOG_MODE_H
 #define BORESIGHT_JOG_MODE_H
 

@@ -15,7 +15,7 @@
 #define PACE_MASK UINT32_C(3)
 /* In less time no axis goes the shorter of the two ways ahead. */
 #define WAIT_CYCLES 16U
-/* What rounding makes of a value that does not change, nm or bam. */
+/* Change by rounding of a value that does not change, nm or bam. */
 #define SAME INT64_C(64)
 
 /* The way ahead with one escort. */
@@ -24,10 +24,10 @@ typedef struct {
     const axis_t *axes;
     uint32_t leader;
     uint32_t paces;
-    int64_t way_ticks; /* Of the leader, towards its switch. */
-    joints_t from;     /* Of the others, before it and after it. */
+    int64_t way_ticks; /* Way of the leader, towards its switch. */
+    joints_t from;     /* Joints of the others, before it and after it. */
     joints_t to;
-    int64_t far_ticks;  /* Where the leader may be before it: farthest from its switch, */
+    int64_t far_ticks;  /* Bounds of the leader before it: farthest from its switch, */
     int64_t near_ticks; /* and nearest to it. */
 } escort_outlook_t;
 
@@ -84,7 +84,7 @@ static int64_t value_with(const escort_outlook_t *self, uint32_t limit_index,
     return kinematics_coupled(self->robot, limit_index, &joints);
 }
 
-/* How far `value` is beyond `limit`. */
+/* Distance of `value` beyond `limit`. */
 static int64_t excess_of(const coupled_limit_t *limit, int64_t value)
 {
     int64_t excess = 0;
@@ -133,8 +133,8 @@ static void narrow(escort_outlook_t *self)
     }
 }
 
-/* Where the leader may be: somewhere in its travel, and as far from its other end as it has come.
- * Nowhere left, it is where it is nearest to its switch. */
+/* Possible places of the leader: somewhere in its travel, and as far from its other end as it has
+ * come. With no place left, it is where it is nearest to its switch. */
 static void find_places(escort_outlook_t *self)
 {
     const axis_config_t *const config = &self->robot->axes[self->leader];

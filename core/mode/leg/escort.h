@@ -2,14 +2,14 @@
 /**
  * @file
  * Homing of one axis of a linkage: the others, of which the counts say where they are, travel with
- * it as far as the limits that they share need it. Where the axis is, nobody knows; so a limit must
- * hold wherever it may be between its end and its switch, or its value must stay what it is. Its
- * counts are believed for the way that it goes, and for nothing else.
+ * it as far as the limits that they share need it. The place of the axis is unknown; so a limit
+ * must hold wherever it may be between its end and its switch, or its value must stay what it is.
+ * Its counts are believed for the way that it goes, and for nothing else.
  *
- * Of each of the others: it rests, goes the same way, or twice of it. What of these is tried first
- * is that all rest; what holds is kept until the way ahead says that it does not hold any more.
- * While another one is looked for, one in each cycle, all axes rest. Assumed is that the limits
- * held where homing began.
+ * Each of the others rests, goes the same way, or twice of it. The escort tried first is that all
+ * rest; one that holds is kept until the way ahead shows that it does not hold any more. While
+ * another one is looked for, one in each cycle, all axes rest. Assumed is that the limits held
+ * where homing began.
  */
 #ifndef BORESIGHT_ESCORT_H
 #define BORESIGHT_ESCORT_H
@@ -26,8 +26,8 @@ typedef enum {
     ESCORT_NONE = 2   /**< There is none with which the limits hold. */
 } escort_verdict_t;
 
-/** What is looked for: first one that holds for the longer way ahead, and that nobody has to wait
- * for. */
+/** Search for an escort: first one that holds for the longer way ahead, and that no axis has to
+ * wait for. */
 typedef enum {
     ESCORT_SEARCH_DONE = 0,
     ESCORT_SEARCH_EVEN = 1,

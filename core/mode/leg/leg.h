@@ -27,7 +27,7 @@ typedef struct {
     uint32_t overtime_cycles; /**< Since the end of the profile, on the way to its end. */
 } leg_t;
 
-/** Where the axes stand. */
+/** Positions of the axes. */
 void leg_positions(const mode_frame_t *frame, int32_t ticks[ROBOT_AXIS_MAX]);
 
 /**
@@ -52,7 +52,7 @@ void leg_begin(leg_t *self, const mode_frame_t *frame, uint32_t axes,
  */
 bool leg_step(leg_t *self, const mode_frame_t *frame, mode_result_t *result);
 
-/** Whatever runs is given up. */
+/** The leg is given up, if one runs. */
 void leg_stop(leg_t *self);
 
 #endif

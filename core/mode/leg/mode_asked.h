@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a mode makes its request of: its command, and how the robot stands. A mode with a payload of
- * its own has a function NAME_mode_ask(), which its row in core/interface/modes.yml names.
+ * Sources of a mode's request: its command, and how the robot stands. A mode with a payload of its
+ * own has a function NAME_mode_ask(), which its row in core/interface/modes.yml names.
  */
 #ifndef BORESIGHT_MODE_ASKED_H
 #define BORESIGHT_MODE_ASKED_H

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * All that a mode has to do with the rest: the cycle as it sees it, and what it says of it. No mode
- * sees the controller.
+ * The interface of a mode to the rest: the cycle as it sees it, and its result. No mode sees the
+ * controller.
  */
 #ifndef BORESIGHT_MODE_FRAME_H
 #define BORESIGHT_MODE_FRAME_H
@@ -20,7 +20,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** One for each axis, and one for what makes it fail. */
+/** One for each axis, and one for the fault that makes it fail. */
 #define MODE_NOTES (ROBOT_AXIS_MAX + 1U)
 #define MODE_NO_AXIS ROBOT_AXIS_MAX
 
@@ -33,13 +33,13 @@ typedef struct {
     workphase_t workphase; /**< The present one. */
     bool is_moving;        /**< The pedal lets the armed order run. */
     uint32_t elapsed_us;
-    const trajectory_row_t *rows;               /**< Of the trajectory that is held. */
+    const trajectory_row_t *rows;               /**< Rows of the trajectory that is held. */
     const program_list_t *program;              /**< The treatment program that is held. */
     bool is_dose_reached;                       /**< The gate of the treatment says so. */
     bool is_treatment_stopped;                  /**< The same. */
     const link_t *links;                        /**< To the cards, by slot. */
-    uint32_t speed_cap_percent[ROBOT_AXIS_MAX]; /**< What the permit lets each axis have of its
-                                                   speed, 1..100. */
+    uint32_t speed_cap_percent[ROBOT_AXIS_MAX]; /**< Share of its speed that the permit lets each
+                                                   axis have, 1..100. */
 } mode_frame_t;
 
 /** One axis, and where it shall stand. */
@@ -48,7 +48,7 @@ typedef struct {
     int32_t end_ticks;
 } mode_way_t;
 
-/** How far a mode has come. */
+/** Progress of a mode. */
 typedef enum {
     MODE_RUNNING = 0,
     MODE_DONE = 1,  /**< All that was asked for. */
@@ -62,11 +62,11 @@ typedef struct {
     int32_t value; /**< As the event says. */
 } mode_note_t;
 
-/** What a mode says of a cycle. */
+/** Result of a mode's cycle. */
 typedef struct {
-    card_drive_t requests[ROBOT_AXIS_MAX]; /**< What each axis would be driven with. */
+    card_drive_t requests[ROBOT_AXIS_MAX]; /**< Drive that the mode asks for each axis. */
     mode_progress_t progress;
-    status_t status; /**< With MODE_FAILED: what who commanded it is told. */
+    status_t status; /**< With MODE_FAILED: the final answer's status. */
     uint32_t axis;   /**< With MODE_FAILED: whose fault it is, or MODE_NO_AXIS. */
     uint32_t note_count;
     mode_note_t notes[MODE_NOTES];

@@ -63,7 +63,7 @@ static solution_t judge_axis(const robot_t *robot, uint32_t axis, int32_t ticks)
     return result;
 }
 
-/* Where the axes stand at it, and the way there from the step before. */
+/* Judges the positions at it, and the way there from the step before. */
 static solution_t judge_way(const robot_t *robot, const int32_t target_ticks[ROBOT_AXIS_MAX],
                             const program_step_t *before, const program_step_t *step)
 {
@@ -134,7 +134,7 @@ solution_t program_list_add(program_list_t *self, const robot_t *robot,
     return result;
 }
 
-/* Of the steps as they are now. */
+/* Checksum of the steps as they are now. */
 static uint32_t crc_of_all(const program_list_t *self)
 {
     uint32_t crc = 0U;

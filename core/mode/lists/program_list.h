@@ -20,11 +20,11 @@
 
 /** All zero it holds nothing. No padding. */
 typedef struct {
-    uint32_t total;      /**< How many steps it shall have. */
-    uint32_t count;      /**< How many it has. */
+    uint32_t total;      /**< Number of steps that it shall have. */
+    uint32_t count;      /**< Number of steps that it has. */
     uint32_t crc;        /**< program_list_crc() of them. */
     uint32_t is_whole;   /**< All have come, and are those that were sent: 0 or 1. */
-    uint32_t source;     /**< command_source_t of who sent it. */
+    uint32_t source;     /**< command_source_t of its sender. */
     uint32_t target_crc; /**< CRC-32C of the positions of the target that it was sent for. */
     uint32_t seal;       /**< CRC-32C of all before it. */
     program_step_t steps[LIMIT_PROGRAM_STEPS];
@@ -42,7 +42,7 @@ status_t program_list_begin(program_list_t *self, uint32_t total, uint32_t sourc
                             const int32_t target_ticks[ROBOT_AXIS_MAX]);
 
 /**
- * The next step, `index` from 0 on. Its checksum is made here. What is refused empties the list.
+ * The next step, `index` from 0 on. Its checksum is made here. A refused one empties the list.
  *
  * @return STATUS_OK; STATUS_PROGRAM_ORDER, STATUS_PROGRAM_OTHER for another target than it was
  * begun for, STATUS_PROGRAM_DWELL, STATUS_PROGRAM_DEPTH, STATUS_AXIS_LIMIT, STATUS_SWITCH_ZONE, the
@@ -57,7 +57,7 @@ solution_t program_list_add(program_list_t *self, const robot_t *robot,
                             const program_step_t *step);
 
 /**
- * All steps have come; `crc` is program_list_crc() of what was sent. What is refused empties the
+ * All steps have come; `crc` is program_list_crc() of those that were sent. A refusal empties the
  * list.
  *
  * @return STATUS_OK; STATUS_PROGRAM_ORDER while steps are missing, or with another checksum
@@ -86,7 +86,7 @@ const program_step_t *program_list_step(const program_list_t *self, uint32_t ind
 /** target_crc of a list that was sent for the target at `target_ticks`. */
 uint32_t program_list_target_crc(const int32_t target_ticks[ROBOT_AXIS_MAX]);
 
-/** Where all axes stand at `step`. */
+/** Positions of all axes at `step`. */
 void program_list_ends(const robot_t *robot, const int32_t target_ticks[ROBOT_AXIS_MAX],
                        const program_step_t *step, int32_t ends[ROBOT_AXIS_MAX]);
 

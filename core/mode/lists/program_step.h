@@ -11,8 +11,8 @@
 
 /** One step. No padding. */
 typedef struct {
-    int32_t depth_ticks; /**< Of the axis along the needle. */
-    int32_t angle_ticks; /**< Of the one about it; of no meaning without one. */
+    int32_t depth_ticks; /**< Position of the axis along the needle. */
+    int32_t angle_ticks; /**< Position of the one about it; of no meaning without one. */
     uint32_t dwell_ms;   /**< 0..LIMIT_PROGRAM_DWELL_MS; with a gate the longest. */
     uint32_t is_gated;   /**< The dose ends it: 0 or 1. */
     uint32_t crc;        /**< program_step_crc() of all before it. */
@@ -24,7 +24,7 @@ uint32_t program_step_turning_axis(const robot_t *robot);
 /** CRC-32C of a step: depth, angle, dwell, gate, as they lie in memory. */
 uint32_t program_step_crc(const program_step_t *step);
 
-/** The step is what was taken. */
+/** The step is as it was taken. */
 bool program_step_is_whole(const program_step_t *step);
 
 /** Checksum of a list that was `crc` (0 of none) with one step more: CRC-32C of that and of the

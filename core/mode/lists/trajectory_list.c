@@ -73,7 +73,7 @@ bool trajectory_list_is_in_zone(const axis_config_t *config, int32_t ticks)
     return (ticks < config->target_minimum_ticks) || (ticks > config->target_maximum_ticks);
 }
 
-/* Where homing has left it an axis may stand and come from, but it is not driven there. */
+/* An axis may stand and come from where homing has left it, but it is not driven there. */
 static status_t judge_point(const axis_config_t *config, int32_t from, int32_t ticks)
 {
     const int32_t slack = config->home_way_ticks;
@@ -107,7 +107,7 @@ static solution_t judge_axis(const axis_config_t *config, const cubic_t *way, ui
         result.is_maximum = (ticks > config->target_maximum_ticks) ? 1U : 0U;
     }
     if (result.status != STATUS_OK) {
-        /* Told already. */
+        /* The status says it already. */
     } else if ((to != from) && trajectory_list_is_in_zone(config, to)) {
         result.status = STATUS_SWITCH_ZONE;
     } else if (!cubic_keeps_speed(way, highest_speed(config)) ||

@@ -4,8 +4,8 @@
  * The trajectory that is held: rows of time, positions and speeds, which come one by one and are
  * judged as they come, each against the one before. So a whole list is one that may be driven:
  * between two rows each axis goes on a cubic (motion/cubic.h), within its soft limits, its speed
- * and acceleration and what it shares with others. The caller owns head and rows; the rows lie
- * outside of what it seals, each with a checksum of its own.
+ * and acceleration and the limits that it shares with others. The caller owns head and rows; the
+ * rows lie outside of what it seals, each with a checksum of its own.
  */
 #ifndef BORESIGHT_TRAJECTORY_LIST_H
 #define BORESIGHT_TRAJECTORY_LIST_H
@@ -22,12 +22,12 @@
 
 /** The head of the list; all zero is the empty one. */
 typedef struct {
-    uint32_t total;    /**< How many rows it shall have. */
-    uint32_t count;    /**< How many it has. */
+    uint32_t total;    /**< Number of rows that it shall have. */
+    uint32_t count;    /**< Number of rows that it has. */
     uint32_t crc;      /**< trajectory_list_crc() of them. */
     uint32_t is_whole; /**< All have come, and are those that were sent: 0 or 1. */
     uint32_t source;   /**< trajectory_source_t. */
-    uint32_t peer;     /**< Of who sent it. */
+    uint32_t peer;     /**< Peer that sent it. */
 } trajectory_list_t;
 
 /** Nothing is held. */
@@ -43,7 +43,7 @@ void trajectory_list_clear(trajectory_list_t *self);
 status_t trajectory_list_begin(trajectory_list_t *self, uint32_t total);
 
 /**
- * The next row, `index` from 0 on. Its checksum is made here. What is refused empties the list.
+ * The next row, `index` from 0 on. Its checksum is made here. A refused one empties the list.
  *
  * @return STATUS_OK; STATUS_TRAJECTORY_ORDER, STATUS_AXIS_LIMIT, STATUS_SWITCH_ZONE,
  * STATUS_TRAJECTORY_SPEED, the refusal of a limit that axes share, STATUS_NEEDLE_IN, with axis and
@@ -60,7 +60,7 @@ solution_t trajectory_list_add(trajectory_list_t *self,
                                uint32_t index, const trajectory_row_t *row);
 
 /**
- * All rows have come; `crc` is trajectory_list_crc() of what was sent. What is refused empties the
+ * All rows have come; `crc` is trajectory_list_crc() of those that were sent. A refusal empties the
  * list.
  *
  * @return STATUS_OK; STATUS_TRAJECTORY_ORDER while rows are missing; STATUS_TRAJECTORY_SUM
@@ -72,7 +72,8 @@ status_t trajectory_list_end(trajectory_list_t *self, uint32_t crc);
 /** Time of the last of its `rows`, ms; 0 of an empty list. */
 uint32_t trajectory_list_end_ms(const trajectory_list_t *self, const trajectory_row_t *rows);
 
-/** Where the limit switch of the axis may be active: it may stand there, but is not driven to it.
+/** `ticks` is where the limit switch of the axis may be active: it may stand there, but is not
+ * driven to it.
  */
 bool trajectory_list_is_in_zone(const axis_config_t *config, int32_t ticks);
 

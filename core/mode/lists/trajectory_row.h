@@ -19,7 +19,7 @@ typedef struct {
 /** CRC-32C of a row: time, positions, speeds, as they lie in memory. */
 uint32_t trajectory_row_crc(const trajectory_row_t *row);
 
-/** The row is what was taken. */
+/** The row is as it was taken. */
 bool trajectory_row_is_whole(const trajectory_row_t *row);
 
 /** Checksum of a list that was `crc` (0 of none) with one row more: CRC-32C of that and the row's.

@@ -16,7 +16,7 @@
 #include <stdint.h>
 
 /**
- * Where every axis ends that goes to `pose` (pose_name_t), the needle where it is.
+ * End positions of the axes that go to `pose` (pose_name_t), the needle where it is.
  *
  * @return STATUS_OK; STATUS_NO_POSE; STATUS_MEMORY_DAMAGED for a pose that is not as it was
  * compiled

@@ -10,7 +10,7 @@
 #define US_PER_MS 1000U
 #define SLACK_TICKS 2 /* As that of an aligned base. */
 
-/* Where a step is. */
+/* A step, and the positions of the axes at it. */
 typedef struct {
     const program_step_t *step;
     const move_mode_t *target;

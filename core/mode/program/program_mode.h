@@ -29,7 +29,7 @@ typedef enum {
 typedef struct {
     uint32_t stage;       /**< program_stage_t. */
     uint32_t step;        /**< Steps that are done. */
-    uint32_t dwelt_us;    /**< Of the step after those. */
+    uint32_t dwelt_us;    /**< Dwell passed of the step after those. */
     uint32_t dwell_ms;    /**< Valid while it dwells. */
     uint32_t is_dose_due; /**< In this dwell the gate has said that the dose is not reached. */
 } program_mode_t;
@@ -51,7 +51,7 @@ solution_t program_mode_judge(const program_list_t *list, uint32_t crc, const mo
 /** It was armed: from the first step on. */
 void program_mode_begin(program_mode_t *self);
 
-/** How much of its dwell is left; to be asked while it dwells. */
+/** Rest of its dwell; to be asked while it dwells. */
 static inline uint32_t program_mode_left_ms(const program_mode_t *self)
 {
     return self->dwell_ms - (self->dwelt_us / 1000U);

@@ -98,7 +98,7 @@ static int32_t way_of(const sweep_mode_t *self, const axis_t *axis)
     return fixed_saturate(is_upwards(self) ? way : -way);
 }
 
-/* What ends it, other than its points. */
+/* Reason that ends it, other than its points. */
 static status_t trouble(const sweep_mode_t *self, uint32_t index, uint32_t run_cycles,
                         const mode_frame_t *frame)
 {

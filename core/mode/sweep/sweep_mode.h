@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Frequency sweep: how fast does an axis turn by the words of its high-frequency card? First the
- * slowest word is sought at which it begins to turn, then point after point the words become
- * faster, each for a run upwards and one downwards. A step is a pause and a run; a step that the
- * pedal has interrupted begins anew. What is measured goes out as events (thesis 4.3.3; the
- * published sweep of the ProstateRobot's rotation).
+ * Frequency sweep: the speed of an axis by the words of its high-frequency card. First the slowest
+ * word is sought at which it begins to turn, then point after point the words become faster, each
+ * for a run upwards and one downwards. A step is a pause and a run; a step that the pedal has
+ * interrupted begins anew. The measured ways go out as events (thesis 4.3.3; the published sweep of
+ * the ProstateRobot's rotation).
  */
 #ifndef BORESIGHT_SWEEP_MODE_H
 #define BORESIGHT_SWEEP_MODE_H
@@ -19,14 +19,14 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What is asked for, and how far it has come; at first all zero but what is asked for. */
+/** Request and progress; at first all zero but the request. */
 typedef struct {
     uint32_t is_free;    /**< Asked for, 0 or 1: the operator has said that nothing hinders the axis
-                            and nobody is at it. */
-    uint32_t stage;      /**< Of this file; 0: it has not begun. */
-    uint32_t word;       /**< Of the present step. */
+                            and no person is at it. */
+    uint32_t stage;      /**< Stage of this file; 0: it has not begun. */
+    uint32_t word;       /**< Word of the present step. */
     uint32_t point;      /**< 0..LIMIT_SWEEP_POINTS - 1, once its run is no search any more. */
-    int32_t start_ticks; /**< Where the present run has begun. */
+    int32_t start_ticks; /**< Position at which the present run began. */
     int32_t up_ticks;    /**< Way upwards of the present point. */
     int32_t most_ticks;  /**< The longer way of the point before. */
 } sweep_mode_t;
@@ -70,7 +70,7 @@ static inline bool sweep_mode_has_begun(const sweep_mode_t *self)
 }
 
 /**
- * What SWEEP says.
+ * Request of a command SWEEP.
  *
  * @return bit n: axis n
  */

@@ -17,7 +17,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What is driven. */
+/** Trajectory that is driven. */
 typedef struct {
     const trajectory_list_t *list;
     const trajectory_row_t *rows;
@@ -25,16 +25,16 @@ typedef struct {
 
 /** Times of its list, in ms. */
 typedef struct {
-    uint32_t start_ms; /**< Of its first row, */
+    uint32_t start_ms; /**< Time of its first row, */
     uint32_t end_ms;   /**< and of its last one. */
 } trajectory_span_t;
 
 typedef struct {
     uint32_t row;       /**< The last one that was passed. */
-    uint32_t time_us;   /**< Of the list. */
+    uint32_t time_us;   /**< Time of the list. */
     uint32_t is_on_way; /**< Between rows, and not on a leg: 0 or 1. */
     uint32_t pace;      /**< Cycles since a pause, at most those until time has its pace. */
-    uint32_t behind_us; /**< How far real time is ahead of it, pauses and ramps apart. */
+    uint32_t behind_us; /**< Lead of real time over it, pauses and ramps apart. */
 } trajectory_mode_t;
 
 /**
@@ -63,7 +63,7 @@ solution_t trajectory_mode_judge_start(const robot_t *robot, const axis_t axes[R
 /** It was armed: from the first row on, whose time is `start_ms`. */
 void trajectory_mode_begin(trajectory_mode_t *self, uint32_t start_ms);
 
-/** What is left of the time of a list that ends at `end_ms`, ms; it stands on the ways to a row. */
+/** Rest of the time of a list that ends at `end_ms`, ms; it stands on the ways to a row. */
 uint32_t trajectory_mode_left_ms(const trajectory_mode_t *self, uint32_t end_ms);
 
 /** A cycle without the pedal: time stands. */

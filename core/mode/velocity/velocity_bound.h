@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file How far one axis may go at its commanded speed, for itself, and what ends it there.
- * Without state. */
+/** @file The way that one axis may go at its commanded speed, for itself, and the bound that ends
+ * it. Without state. */
 #ifndef BORESIGHT_VELOCITY_BOUND_H
 #define BORESIGHT_VELOCITY_BOUND_H
 
@@ -33,8 +33,8 @@ velocity_bound_t velocity_bound_of(const velocity_mode_t *self, const mode_frame
 bool velocity_bound_is_switch(const velocity_mode_t *self, const mode_frame_t *frame,
                               uint32_t index);
 
-/** By which name it is told that `end` has ended a speed; STATUS_OK for its time and its way, and
- * for a coupled limit, which is told when it does. */
+/** Status that reports that `end` has ended a speed; STATUS_OK for its time and its way, and for a
+ * coupled limit, which is reported when it does. */
 status_t velocity_bound_refusal(velocity_end_t end);
 
 #endif

@@ -17,14 +17,14 @@
 
 #define STAGE_NEW 0U
 #define STAGE_RUNS 1U
-#define STAGE_ENDED 2U /* And what has ended it was told. */
+#define STAGE_ENDED 2U /* And its end was reported. */
 
 /* The speeds of a cycle. */
 typedef struct {
     int64_t speeds_q8[ROBOT_AXIS_MAX]; /* Magnitudes. */
-    int64_t steps_q8[ROBOT_AXIS_MAX];  /* How much a cycle may change them. */
+    int64_t steps_q8[ROBOT_AXIS_MAX];  /* Most that a cycle may change them by. */
     int32_t from_ticks[ROBOT_AXIS_MAX];
-    int32_t to_ticks[ROBOT_AXIS_MAX]; /* Where they would come to rest. */
+    int32_t to_ticks[ROBOT_AXIS_MAX]; /* Positions at which they would come to rest. */
 } velocity_plan_t;
 
 static bool has_axis(const velocity_mode_t *self, uint32_t index)
@@ -103,7 +103,7 @@ static void begin(velocity_mode_t *self, const mode_frame_t *frame)
     leg_positions(frame, self->start_ticks);
 }
 
-/* The first limit is told. */
+/* The first limit is reported. */
 static void refuse(velocity_mode_t *self, status_t status, uint32_t index)
 {
     if (self->refusal == (uint32_t)STATUS_OK) {
@@ -149,7 +149,7 @@ static int64_t next_q8(const velocity_mode_t *self, const mode_frame_t *frame, u
                               room_of(self, frame, index));
 }
 
-/* Where the set-point is after `way` more, and what that leaves of a tick. */
+/* Set-point after `way` more, and the rest of a tick that remains. */
 static int32_t place_after(const velocity_mode_t *self, const axis_t *axis, uint32_t index,
                            int64_t way, int32_t *rest)
 {
@@ -255,7 +255,7 @@ static velocity_end_t end_of(const velocity_mode_t *self, const mode_frame_t *fr
     return end;
 }
 
-/* Every set-point has come to rest: what has ended it is told once. */
+/* Every set-point has come to rest: its end is reported once. */
 static void conclude(velocity_mode_t *self, const mode_frame_t *frame, mode_result_t *result)
 {
     for (uint32_t i = 0U; i < frame->axis_count; i++) {

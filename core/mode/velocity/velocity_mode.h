@@ -4,8 +4,7 @@
  * Velocity: one or several axes at commanded speeds, for a time or a way; the others are left
  * alone. Each set-point has a speed that the axis' acceleration lets it have, and of these the
  * fastest from which it would, ramped down, still come to rest in time and before its limits. So no
- * ramp down begins late, and none ends beyond. Where axes share a limit, the places are looked at
- * together.
+ * ramp down begins late, and none ends beyond. Axes that share a limit are looked at together.
  *
  * Time passes only while the pedal lets it run; where the way ends is fixed when it first does.
  */
@@ -57,7 +56,7 @@ void velocity_mode_step(velocity_mode_t *self, leg_t *leg, const mode_frame_t *f
                         mode_result_t *result);
 
 /**
- * What VELOCITY says.
+ * Request of a command VELOCITY.
  *
  * @return bit n: axis n
  */

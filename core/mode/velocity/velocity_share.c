@@ -19,7 +19,7 @@ static uint32_t only_axis(const velocity_mode_t *mode)
     return index;
 }
 
-/* How long a way lasts at the speed of that axis; the longest time ends it as well. */
+/* Duration of a way at the speed of that axis; the longest time ends it as well. */
 static uint32_t way_ms(const velocity_mode_t *mode, int64_t way_ticks)
 {
     const int64_t speed = magnitude((int64_t)mode->speeds_ticks_per_s[only_axis(mode)]);

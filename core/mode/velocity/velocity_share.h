@@ -7,12 +7,11 @@
 
 #include <stdint.h>
 
-/** How long what is asked for lasts, ms, 0..LIMIT_VELOCITY_TIME_MS: its time, or its way at its
- * speed. */
+/** Duration of the request, ms, 0..LIMIT_VELOCITY_TIME_MS: its time, or its way at its speed. */
 uint32_t velocity_share_span_ms(const velocity_mode_t *mode);
 
-/** What is left of that, ms; of a way, what the set-point has not gone; 0 before it has begun, and
- * once all set-points have come to rest. */
+/** Rest of that, ms; for a way, the part that the set-point has not gone; 0 before it has begun,
+ * and once all set-points have come to rest. */
 uint32_t velocity_share_left_ms(const velocity_mode_t *mode, const axis_t axes[ROBOT_AXIS_MAX]);
 
 #endif

@@ -187,7 +187,8 @@ static bool find_entry_depth(const needle_t *self, const point_t *entry, int64_t
     return fixed_length(off_nm) <= (int64_t)LIMIT_ENTRY_ON_AXIS_NM;
 }
 
-/* The smallest margin of what the depth moves, as soon as it is not above `least_q56`. */
+/* The smallest margin of the joints that the depth moves, as soon as it is not above `least_q56`.
+ */
 static margin_t margin_at_depth(const needle_t *self, const joint_limits_t *limits,
                                 int64_t depth_nm, int64_t least_q56)
 {
@@ -216,9 +217,9 @@ static margin_t margin_at_depth(const needle_t *self, const joint_limits_t *limi
     return margin;
 }
 
-/* The largest depth with room, or the one with most; `best` receives its margin. Where the target
- * is out of reach, one end of the depths is mostly the best one: with both known first, few others
- * need a close look. */
+/* The largest depth with room, or the one with most; `best` receives its margin. With a target out
+ * of reach, one end of the depths is mostly the best one: with both known first, few others need a
+ * close look. */
 static int64_t find_depth(const needle_t *self, const joint_limits_t *limits, margin_t *best)
 {
     const int64_t enough_q56 = (MARGIN_ONE_Q56 / 100) * (int64_t)LIMIT_DEPTH_MARGIN_PERCENT;

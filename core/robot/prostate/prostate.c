@@ -16,7 +16,7 @@ typedef struct {
     int64_t y_nm;
 } pivot_t;
 
-/* How the line of the pivots is turned. */
+/* Angles of the line of the pivots. */
 typedef struct {
     int32_t alpha_bam;
     int32_t beta_bam;
@@ -32,7 +32,7 @@ typedef struct {
     int32_t frame_q30[3][3]; /* By columns. */
 } aimed_t;
 
-/* Where the needle's carriers have to stand. */
+/* Places of the needle's carriers. */
 typedef struct {
     pivot_t front;
     pivot_t rear;
@@ -48,14 +48,14 @@ static int64_t other_side_twice(const robot_t *robot, int64_t side_twice_nm)
     return (int64_t)fixed_square_root((uint64_t)square);
 }
 
-/* Of a pivot whose trapezoid is flat. */
+/* Height of a pivot whose trapezoid is flat. */
 static int64_t lowest_nm(const robot_t *robot)
 {
     return (int64_t)robot->geometry_nm[PROSTATE_LOWER_HEIGHT] +
            robot->geometry_nm[PROSTATE_UPPER_HEIGHT];
 }
 
-/* Of a pivot between its carriages. */
+/* Place of a pivot between its carriages. */
 static int64_t middle_nm(int64_t left_nm, int64_t right_nm)
 {
     return fixed_shift_rounded(left_nm + right_nm, 1U);
@@ -83,7 +83,7 @@ static angles_t angles_of(const int64_t direction[3])
                       fixed_atan2_bam(-direction[1], fixed_length(level))};
 }
 
-/* How far the front pivot is to the left of the rear one, nm. */
+/* Distance of the front pivot to the left of the rear one, nm. */
 static int64_t aside_nm(const joints_t *joints)
 {
     return middle_nm(joints->value[PROSTATE_AXIS_FRONT_LEFT],
@@ -191,7 +191,7 @@ static void set_limits(const robot_t *robot, joint_limits_t *limits)
     margin_set_limit(limits, PROSTATE_LIMIT_REAR_HEIGHT, STATUS_REAR_HEIGHT, 1, link_nm - 1);
 }
 
-/* Of axes and separations, at the nearest ticks. */
+/* Margin of axes and separations, at the nearest ticks. */
 static void judge_ticks(const robot_t *robot, const joints_t *joints, const joint_limits_t *limits,
                         margin_t *margin)
 {

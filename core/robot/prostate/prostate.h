@@ -41,8 +41,8 @@
 #define PROSTATE_LIMIT_REAR_HEIGHT (JOINT_LIMIT_FURTHER + 5U)
 
 /**
- * Pose of the needle's tip in the z-frame. Any joint values: beyond the reach of a trapezoid its
- * height is taken at the end of reach, and coordinates saturate.
+ * Pose of the needle's tip in the z-frame. Joint values may be any: beyond the reach of a trapezoid
+ * its height is taken at the end of reach, and coordinates saturate.
  *
  * @satisfies SWR-KIN-001
  * @satisfies SWR-KIN-003
@@ -61,7 +61,7 @@ void prostate_forward(const robot_t *robot, const probe_t *probe, const joints_t
  * STATUS_NEEDLE_BACKWARDS when the needle would not point towards the patient; STATUS_ALPHA_LIMIT
  * or STATUS_BETA_LIMIT; STATUS_FRONT_HEIGHT or STATUS_REAR_HEIGHT when a stage cannot rise or sink
  * that far; STATUS_AXIS_LIMIT, STATUS_FRONT_SEPARATION or STATUS_REAR_SEPARATION. In this order,
- * and of those told together the one that is missed by the largest part of its range. Not
+ * and of those named together the one that is missed by the largest part of its range. Not
  * STATUS_OK: `joints` is unspecified.
  *
  * @satisfies SWR-KIN-002
@@ -94,7 +94,7 @@ solution_t prostate_solve(const robot_t *robot, const probe_t *probe, const rigi
                           const point_t *entry, joints_t *joints);
 
 /**
- * What coupled limit `index` measures at `joints`; each index that is none of them is beta.
+ * Value of coupled limit `index` at `joints`; each index that is none of them is beta.
  *
  * @satisfies SWR-COUPLE-004
  * @satisfies SWR-KIN-010

@@ -405,7 +405,7 @@ void test_SWR_KIN_004_one_tick_beyond_a_limit_names_the_axis_and_the_end(void)
 {
     for (uint8_t axis = 0U; axis < robot_neuro.axis_count; axis++) {
         robot = robot_neuro;
-        /* Half a turn is more than the pose can tell apart, so the range is made shorter. */
+        /* Half a turn is more than the pose can distinguish, so the range is made shorter. */
         robot.axes[NEURO_AXIS_ROTATION].minimum_ticks = -3000;
         robot.axes[NEURO_AXIS_ROTATION].maximum_ticks = 3000;
         const robot_t shortened = robot;
@@ -624,11 +624,11 @@ void test_SWR_PLAN_020_an_angle_out_of_reach_is_not_the_fault_of_an_entry(void)
     }
 }
 
-/* What the reference says of the free depth of a target. */
+/* The reference's margins of the free depth of a target. */
 typedef struct {
     double chosen;  /* Margin at the depth that was chosen. */
-    double largest; /* Of all depths. */
-    double above;   /* Of the depths beyond the chosen one. */
+    double largest; /* Largest margin of all depths. */
+    double above;   /* Largest margin of the depths beyond the chosen one. */
     bool is_legal;  /* Every joint is inside its limits at the depth with the largest margin. */
 } depths_t;
 

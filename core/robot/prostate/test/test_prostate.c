@@ -530,7 +530,7 @@ void test_SWR_KIN_011_an_axis_beyond_its_limit_is_named(void)
     expect_refusal(STATUS_AXIS_LIMIT, PROSTATE_AXIS_INSERTION, 0U, solve(&pose));
     pose = needle_at(0.0, 160.0, 0.0, 0.0, 259.075 + 169.0);
     expect_refusal(STATUS_AXIS_LIMIT, PROSTATE_AXIS_INSERTION, 1U, solve(&pose));
-    /* Of 2.3 m, more than a length has bits for. */
+    /* A needle of 2.3 m, more than a length has bits for. */
     pose = needle_at(0.0, 160.0, 0.0, 5.0 * DEGREE, 2300.0);
     expect_refusal(STATUS_AXIS_LIMIT, PROSTATE_AXIS_INSERTION, 1U, solve(&pose));
     pose = needle_at(80.0, 160.0, 0.0, 0.0, 300.0);
