@@ -17,7 +17,7 @@ module Gates
   #
   # @satisfies SWR-GATE-001
   class Run
-    # What each gate took when it last passed here.
+    # Seconds of each gate when it last passed here.
     SECONDS = 'build/log/seconds.json'
     POLL_SECONDS = 0.1
     SIGNALS = %w[INT TERM HUP QUIT].freeze
@@ -71,7 +71,7 @@ module Gates
       @jobs << Job.new(gate, @origin)
     end
 
-    # What needs a gate that is red cannot run.
+    # A gate that needs a red one cannot run.
     def leave_out
       red = (@verdicts.map(&:gate) - passed).map(&:name)
       gate = @waiting.find { |one| (one.needs & red).any? } || return
