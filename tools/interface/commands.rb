@@ -96,7 +96,7 @@ module Interface
 "
       }
       <<~CODE
-        #{C.file('What is special about each command.', FROM).chomp}
+        #{C.file('Traits of each command.', FROM).chomp}
         #include "command.h"
 
         #include "workphase_list.h"
@@ -118,7 +118,7 @@ module Interface
     # Apart: a program that takes none of them need not say what becomes of a broken contract.
     def access
       <<~CODE
-        #{C.file('What a command says, by its kind.', FROM).chomp}
+        #{C.file('Data of a command, by its kind.', FROM).chomp}
         #include "command.h"
 
         #include "base/contract.h"

@@ -45,7 +45,7 @@ module Interface
     def own_header
       includes = owners.map { |mode| "#include \"#{mode.header}\"\n" }.sort.join
       members = owners.map { |mode| "    #{mode.folder}_mode_t #{mode.folder};\n" }.join
-      C.file('What one mode alone is asked for, and where it stands.', FROM) + C.guard('mode_own', <<~CODE)
+      C.file('Request and state of one mode alone.', FROM) + C.guard('mode_own', <<~CODE)
         #include "mode_list.h"
         #{includes}
         #include <stdint.h>

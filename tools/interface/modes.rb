@@ -139,7 +139,7 @@ module Interface
     def source
       rows = modes.map { |mode| "    [#{@kinds.constant(mode.value)}] = #{row(mode)},\n" }
       <<~CODE
-        #{C.file('What is special about each mode.', 'core/interface/modes.yml').chomp}
+        #{C.file('Traits of each mode.', 'core/interface/modes.yml').chomp}
         #include "mode_list.h"
 
         #include "command.h"
