@@ -298,7 +298,7 @@ void test_SWR_CTRL_014_exchanges_apart_from_the_wake_ups_make_no_sound_encoder_u
     expect_even(&near, 400U);
 }
 
-/* What was sent while the box stood has not gone out; its first command took effect late. */
+/* A frame sent while the box stood has not gone out; its first command took effect late. */
 void test_SWR_AXIS_047_a_box_that_stands_for_some_cycles_makes_no_count_wrong(void)
 {
     static robot_t near;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: each wire inside the controller is there. What it shows is what is so, whichever
+ * Rule under test: each wire inside the controller is there. It shows the true state, whichever
  * axis it concerns; each fact reaches the permit, the cards and the record.
  */
 #include "integration/support/rig.h"

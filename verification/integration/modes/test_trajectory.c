@@ -2,7 +2,7 @@
 /**
  * @file
  * Rule under test: a trajectory that was sent and judged row by row is an armed order like any
- * other: driven under the pedal alone, each point in its time, told at its end, replayed bit by
+ * other: driven under the pedal alone, each point in its time, reported at its end, replayed bit by
  * bit. On the simulated box, whose true positions are looked at.
  */
 #include "unit/support/commands.h"
