@@ -21,7 +21,7 @@
 /** The text of EXPORTS_TEXT_SIZE, ended by a zero. */
 EXPORT(text) char *exports_text(void);
 
-/** INTERFACE_LAYOUT: who reads the structures must be of the same. */
+/** INTERFACE_LAYOUT: a reader of the structures must be of the same. */
 EXPORT(layout) uint64_t exports_layout(void);
 
 /**

@@ -136,7 +136,7 @@ class CTests
     $stdout.flush
   end
 
-  # The runner and its test are compiled as one: what both include is read once.
+  # The runner and its test are compiled as one: a header that both include is read once.
   def build(test)
     program = File.join(@out, File.basename(test, '.c'))
     UnityTestRunnerGenerator.new(RUNNER).run(test, "#{program}_runner.c")

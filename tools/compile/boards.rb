@@ -48,7 +48,7 @@ class Board
     new(path, File.read(path), limits)
   end
 
-  # `limits`: what there is of LIMIT_... constants.
+  # `limits`: the present LIMIT_... constants.
   def initialize(path, text, limits)
     @path = path
     @limits = limits.scan(/LIMIT_(\w+)/).flatten.map(&:downcase)

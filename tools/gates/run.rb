@@ -113,7 +113,7 @@ module Gates
       @plan.seconds_left(passed, running, @waiting) * pace
     end
 
-    # How much longer than expected it takes: what has ended or is overdue as it was, the rest as expected.
+    # Share by which it takes longer than expected: an ended or overdue gate counts as it was, the rest as expected.
     def pace
       known = @verdicts + @jobs.select { |job| job.seconds > @expected[job.gate.name] }
       late = known.sum { |one| one.seconds - @expected[one.gate.name] }

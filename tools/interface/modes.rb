@@ -6,7 +6,7 @@ require_relative 'mode_calls'
 require_relative 'node'
 
 module Interface
-  # The table of modes: what core/interface/modes.yml says beside their names, checked.
+  # The table of modes: columns of core/interface/modes.yml beside their names, checked.
   #
   # @satisfies SWR-TOOL-011
   class Modes

@@ -2,7 +2,7 @@
 # frozen_string_literal: true
 
 # Rule under test: all of Boresight does on a Cortex-A9 with a real-time kernel what it does elsewhere: it homes under the
-# pedal, stops, and is off when control dies; what was recorded there is computed again on both processors. It does so on a
+# pedal, stops, and is off when control dies; a recording made there is computed again on both processors. It does so on a
 # simulated box as well as on the board sbrio with its SPI, GPIO and watchdog. Its package is installed there, gone back from
 # and removed. Judged by events, never by a clock.
 

@@ -29,7 +29,7 @@ class Demo
   ROOT = File.expand_path('../..', __dir__)
   LIMITS = JSON.parse(File.read("#{ROOT}/build/gen/limits/limits.json")).to_h { |limit| limit.values_at('name', 'value') }
 
-  # Nobody watches: up to so many times faster than the clock, or as fast as the machine can.
+  # No viewer watches: up to so many times faster than the clock, or as fast as the machine can.
   SPEEDUP = 100
   # How long the robot is carried and what it reached is treated, of its own time.
   CARRY_S = 10

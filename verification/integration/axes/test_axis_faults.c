@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Faults of an axis on the simulated box: what its encoder, motor or switch does to a motion, how
+ * Faults of an axis on the simulated box: effect of its encoder, motor or switch on a motion, how
  * soon it is noticed, and what is known of the axis afterwards.
  * In every test the rig counts cycles that drive without the pedal; there must be none.
  */

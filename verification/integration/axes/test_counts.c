@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: what the counts of an axis fall short of its motor's way is added up. No pause
+ * Rule under test: the way by which counts of an axis fall short of its motor is added up. No pause
  * of the pedal, no fault that comes and goes, no slow axis and no START_UP hides it, on the
  * simulated box, whose true positions are compared with those believed.
  */

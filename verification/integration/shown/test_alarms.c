@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Rule under test: what is wrong is listed with its part, its cause and since when, in the
+/** @file Rule under test: each fault is listed with its part, its cause and its beginning, in the
  * words of the log, and where the needle was known to stand last outlives what is wrong. */
 #include "unity.h"
 
