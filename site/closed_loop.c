@@ -26,7 +26,7 @@ command_t *closed_loop_command(closed_loop_t *self)
     return &self->commands[self->command_count - 1U];
 }
 
-/* What was begun in the cycle before, at its time. */
+/* The exchange that was begun in the cycle before, at its time. */
 static bsp_exchange_t exchange(closed_loop_t *self)
 {
     const uint64_t now_ns = self->time_us * NS_PER_US;

@@ -25,9 +25,9 @@ typedef struct {
     controller_inputs_t inputs;
     controller_outputs_t outputs;
     board_inputs_t board_inputs;
-    uint64_t time_us; /**< Of the box. */
+    uint64_t time_us; /**< Time of the box. */
     uint32_t command_count;
-    command_t commands[CONTROLLER_COMMANDS]; /**< Of the next cycle. */
+    command_t commands[CONTROLLER_COMMANDS]; /**< Commands of the next cycle. */
 } closed_loop_t;
 
 /** A box that was just switched on, and a controller that knows nothing of before. `robot` must
@@ -39,8 +39,8 @@ void closed_loop_init(closed_loop_t *self, const robot_t *robot, uint32_t seed);
 command_t *closed_loop_command(closed_loop_t *self);
 
 /**
- * What nobody holds on to opens. The box exchanges the frames of the cycle before and goes on by
- * LIMIT_CYCLE_US; then its inputs are sampled and the controller makes its step.
+ * A pedal or button that is not held on opens. The box exchanges the frames of the cycle before and
+ * goes on by LIMIT_CYCLE_US; then its inputs are sampled and the controller makes its step.
  *
  * @satisfies SWR-SITE-003
  * @satisfies SWR-SITE-034

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a page may ask of the module robot.wasm, which holds one robot in a closed loop and, beside
- * it, one recording that is executed again. It imports nothing. Words go in and come out by one
- * text; structures are those of the product, at their addresses: their bytes are those of any other
- * build. A contract that is broken leaves its name in the text and traps.
+ * Functions that a page may call of the module robot.wasm, which holds one robot in a closed loop
+ * and, beside it, one recording that is executed again. It imports nothing. Words go in and come
+ * out by one text; structures are those of the product, at their addresses: their bytes are those
+ * of any other build. A contract that is broken leaves its name in the text and traps.
  */
 #ifndef BORESIGHT_EXPORTS_H
 #define BORESIGHT_EXPORTS_H
@@ -21,7 +21,7 @@
 /** The text of EXPORTS_TEXT_SIZE, ended by a zero. */
 EXPORT(text) char *exports_text(void);
 
-/** INTERFACE_LAYOUT: who reads the structures must be of the same. */
+/** INTERFACE_LAYOUT: a reader of the structures must be of the same. */
 EXPORT(layout) uint64_t exports_layout(void);
 
 /**
@@ -46,7 +46,7 @@ EXPORT(command) command_t *exports_command(void);
  */
 EXPORT(step) void exports_step(void);
 
-/** Of the last cycle. */
+/** Inputs of the last cycle. */
 EXPORT(inputs) const controller_inputs_t *exports_inputs(void);
 EXPORT(inputsSize) uint32_t exports_inputs_size(void);
 
@@ -57,7 +57,7 @@ EXPORT(inputsSize) uint32_t exports_inputs_size(void);
  */
 EXPORT(replay) uint32_t exports_replay(void);
 
-/** Of a recording that can be executed here; recording_header_t. */
+/** Sizes of a recording that can be executed here; recording_header_t. */
 EXPORT(checkpointSize) uint32_t exports_checkpoint_size(void);
 EXPORT(frameLayout) uint32_t exports_frame_layout(void);
 

@@ -7,7 +7,7 @@
 # refuses them (site/served/no_system.c), a larger one stands before it.
 WASM_LIBC := /usr/lib/wasm32-wasi/libc.a /usr/lib/llvm-19/lib/clang/19/lib/wasi/libclang_rt.builtins-wasm32.a
 WASM_LONG_DOUBLES := /usr/lib/wasm32-wasi/libc-printscan-long-double.a
-# What differs between two runs, in words.
+# Difference between two runs, in words.
 WATCHING := difference.c series.c source.c frame_fields.c
 CLOSED_LOOP_SOURCES := $(wildcard site/*.c) $(BOX_SOURCES) app/control/lamps.c $(addprefix app/replay/verify/,replay.c field_name.c) $(addprefix app/replay/what_if/,difference.c) $(addprefix app/replay/data/,series.c source.c frame_fields.c) \
     $(addprefix app/recording/read/,recording_block.c) $(addprefix app/recording/format/,cycle_code.c cycle_words.c proof.c) $(GEN)/interface/app/fields.c $(AXIS_TERMS) $(DRIVE_TERMS) $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
@@ -19,7 +19,7 @@ $(OUT)/verification/site/%.o: FLAGS = $(SITE_INCLUDES)
 wasm: bootstrap-site ## The core, its box, their server and the replay as WebAssembly: build/site/{robot,served,recorded}.wasm
 	@$(MAKE) --no-print-directory -j2 CONFIG=wasm $(addprefix build/site/,robot.wasm served.wasm recorded.wasm)
 
-# What the console is made of but its robot; as for the product.
+# Parts of the console but its robot; as for the product.
 PAGE := build/site/page/index.html
 $(PAGE): build/site/served.wasm
 $(PAGE): PAGE_BUILD := build-site
@@ -41,7 +41,7 @@ build/gcc/bin/closed-loop-scene: $(call object,$(CLOSED_LOOP_SOURCES) verificati
 	@$(CC) $(CFLAGS) $(LDFLAGS) $^ -lm -o $@
 	@echo "built $@"
 
-# The server of the console before that robot. What waits, looks for a clock, a file or chance finds it in site/served.
+# The server of the console before that robot. Code that waits, needs a clock, a file or chance finds it in site/served.
 SERVED_ABSENT := $(addprefix app/http/handlers/,http_archive.c http_positions.c) $(addprefix app/http/call/,http_conversation.c http_download.c) $(addprefix app/http/server/,http_listen.c http_main.c asset.c) \
     $(addprefix app/http/stop/,gate.c stop_client.c stop_port.c) $(addprefix app/http/gate/,http_handover.c http_connections.c)
 SERVED_SOURCES := $(wildcard site/served/*.c) site/closed_loop.c site/watch.c $(addprefix app/replay/what_if/,difference.c) $(addprefix app/replay/data/,series.c source.c frame_fields.c) $(EVENT_TEXT) $(GEN)/interface/app/fields.c $(BOX_SOURCES) app/control/lamps.c $(FIND_ROBOT) \

@@ -20,7 +20,7 @@ static size_t used;
 static controller_outputs_t other;
 static difference_t difference;
 
-/* What is looked for, and whether it was found. */
+/* Field that is looked for, and whether it was found. */
 typedef struct {
     const char *field;
     bool is_found;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a page may ask beside a robot in a closed loop: which inputs there are, what is so and what
- * has happened in the last cycle, and what differs from another run. Words come out by one text.
+ * Questions of a page beside a robot in a closed loop: the possible inputs, the state and events of
+ * the last cycle, and the differences from another run. Words come out by one text.
  */
 #ifndef BORESIGHT_WATCH_H
 #define BORESIGHT_WATCH_H
@@ -47,7 +47,7 @@ EXPORT(driven) uint32_t watch_driven(void);
  */
 EXPORT(look) bool watch_look(void);
 
-/** Of the last cycle. */
+/** Outputs of the last cycle. */
 EXPORT(outputs) const controller_outputs_t *watch_outputs(void);
 EXPORT(outputsSize) uint32_t watch_outputs_size(void);
 
@@ -58,7 +58,7 @@ EXPORT(other) controller_outputs_t *watch_other(void);
 EXPORT(compareBegin) void watch_compare_begin(void);
 
 /**
- * Tells in lines what in the last cycle is for the first time other than in the other run; no words
+ * Lists what in the last cycle is for the first time other than in the other run; no words
  * when nothing is. Needs a comparison that was begun (321).
  *
  * @satisfies SWR-SITE-018

@@ -47,7 +47,7 @@ class CTests
   # As project.yml says it to Ceedling.
   RUNNER = { use_param_tests: true, mock_prefix: 'mock_', enforce_strict_ordering: true }.freeze
   MOCK = /\Amock_/
-  # What Unity says of each test.
+  # Report of Unity on each test.
   VERDICT = /^(?<file>\S+\.c):(?<line>\d+):(?<test>test_.+?):(?<word>PASS|FAIL|IGNORE)(?:: ?(?<message>.*))?$/
   WORDS = { 'PASS' => 'pass', 'FAIL' => 'fail', 'IGNORE' => 'ignore' }.freeze
   LAST_LINES = 25
@@ -136,7 +136,7 @@ class CTests
     $stdout.flush
   end
 
-  # The runner and its test are compiled as one: what both include is read once.
+  # The runner and its test are compiled as one: a header that both include is read once.
   def build(test)
     program = File.join(@out, File.basename(test, '.c'))
     UnityTestRunnerGenerator.new(RUNNER).run(test, "#{program}_runner.c")
@@ -145,7 +145,7 @@ class CTests
     program
   end
 
-  # What a test brings along by including its header.
+  # Sources that a test brings along by including their header.
   def sources(test)
     @support.keys.select { |source| [*headers_of(test).map { |header| File.basename(header) }, *ALWAYS].include?(File.basename(source, '.c')) }
   end

@@ -3,7 +3,7 @@
 # frozen_string_literal: true
 
 # Looks at a change in about two minutes: its form, types and rooms, the tests that reach its files, and the trace of
-# the requirements. What passes here may still fail in `make test`, which looks at the whole.
+# the requirements. A change that passes here may still fail in `make test`, which looks at the whole.
 #
 #   ruby tools/check.rb [COMMIT]   what differs from COMMIT, the last one unless said; new files too. `make check` calls
 #                                  it, with the pinned Node in PATH
@@ -20,7 +20,7 @@ class Change
 
   attr_reader :files
 
-  # Of files by their names in `root`.
+  # Check of files by their names in `root`.
   def initialize(files, root)
     @root = root
     @files = files

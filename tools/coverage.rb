@@ -90,7 +90,7 @@ class CoverageReport
     File.exist?(RESULTS) && Trace::Evidence.new('.', [RESULTS]).results.all?(&:good?)
   end
 
-  # What gcovr looks at, with paths that hold on every machine.
+  # Counts of the covered sources, with paths that hold on every machine.
   def self.capture
     call(*LCOV, '--capture', *COUNTED.flat_map { |folder| ['--directory', folder] }, '--no-external',
          '--base-directory', '.', '--output-file', TRACEFILE)

@@ -48,7 +48,7 @@ class Decision
   end
 end
 
-# What a document has in backticks, with its line; a block of code is none of it.
+# Names that a document has in backticks, with their line; a block of code is none of them.
 class DocumentQuotes
   def initialize(text)
     @text = text

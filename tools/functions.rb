@@ -20,7 +20,7 @@ class Functions
   COMPLEXITY = 15
   # Rows of a table.
   NUMBERS = /\A[\s{}]*(?:-?(?:0x\h+|\d+)U?[\s{},;]*)+\z/i.freeze
-  # What pmccabe says: with and without the cases of a switch, statements, place, name.
+  # A line of pmccabe: complexity with and without the cases of a switch, statements, place, name.
   MEASURED = /\A\d+\t(?<complexity>\d+)\t\d+\t(?<line>\d+)\t(?<lines>\d+)\t(?<file>[^(]+)\(\d+\): (?<name>.+)/.freeze
 
   # One function.

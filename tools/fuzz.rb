@@ -6,8 +6,8 @@
 #
 #   ruby tools/fuzz.rb FOLDER MINUTES [SEED]
 #
-# FOLDER/bin holds the targets, FOLDER/seeds what they begin with. What a target has learned is kept in FOLDER/corpus and
-# goes on; what breaks it is kept in FOLDER/found.
+# FOLDER/bin holds the targets, FOLDER/seeds their first inputs. Inputs that a target has learned are kept in FOLDER/corpus and
+# used again; inputs that break it are kept in FOLDER/found.
 
 require 'fileutils'
 require_relative 'fuzz/scenes'
@@ -15,7 +15,7 @@ require_relative 'fuzz/scenes'
 module Fuzz
   # A target and what it looks for.
   class Search
-    # Of the time.
+    # Shares of the time.
     SHARES = { 'codec' => 2, 'ports' => 1, 'request' => 1, 'dialect' => 6 }.freeze
     LONGEST = { 'codec' => 8192, 'ports' => 2048, 'request' => 4096, 'dialect' => 512 }.freeze
     WORDS = 'verification/fuzz/words.yml'

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Intervals between the cycles of the control loop, as boresight-replay --loop tells them, added up as they come.
+# Intervals between the cycles of the control loop, as boresight-replay --loop prints them, added up as they come.
 #
 # @satisfies SWR-CHECK-006
 class Intervals
-  # Of one second.
+  # Intervals of one second.
   Second = Struct.new(:shortest, :longest, :sum, :count) do
     def add(interval)
       self.shortest = [shortest, interval].min
@@ -83,7 +83,7 @@ class Intervals
   end
 end
 
-# How long the stages of the cycles took, as the status of a running Boresight tells it.
+# Durations of the stages of the cycles, as the status of a running Boresight reports them.
 #
 # @satisfies SWR-CHECK-012
 module StageTimes

@@ -47,7 +47,7 @@ class Cppcheck
   USERS = %w[bsp/sim/*.c bsp/sim/model/*.c app/common/*_terms.c app/control/*.c app/http/view/*_availability.c app/replay/*.c app/replay/*/*.c].freeze
   FOLDERS = %w[core app bsp bsp/include build/gen].freeze
   COPIED = %w[core/**/*.{c,h} build/gen/**/*.{c,h} bsp/**/*.{c,h} app/*/*.{c,h} app/*/*/*.{c,h} verification/misra/*.cfg].freeze
-  # What would leave a file out.
+  # Messages that would leave a file out.
   UNREAD = %w[syntaxError internalError internalAstError preprocessorErrorDirective cppcheckError].freeze
   # The addon sees the whole program too (ctu); by the system's Python, which comes with cppcheck, kept compiled in a
   # folder of this run.

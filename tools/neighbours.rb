@@ -20,7 +20,7 @@ class Neighbours
 
   private
 
-  # What has ended has no words any more.
+  # A process that has ended has no command line any more.
   def other_control?(folder)
     return false unless File.read(File.join(folder, 'comm')).chomp == CONTROL
 

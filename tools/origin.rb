@@ -42,7 +42,7 @@ module Origin
       end
     end
 
-    # Tells this folder on this machine from any other.
+    # Distinguishes this folder on this machine from any other.
     def checkout(root = '.')
       machine = File.exist?('/etc/machine-id') ? File.read('/etc/machine-id') : ''
       Digest::SHA256.hexdigest([machine, Socket.gethostname, File.realpath(root)].join("\0"))[0, 12]
@@ -68,7 +68,7 @@ module Origin
       git(root, 'rev-parse', 'HEAD', 'HEAD^{tree}')&.split || [nil, nil]
     end
 
-    # What it says, or nil if it refuses.
+    # Output of git, or nil if it refuses.
     def git(root, *arguments)
       output, status = Open3.capture2(GIT, 'git', '-C', root, *arguments, err: File::NULL)
       output.strip if status.success?

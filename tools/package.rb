@@ -17,7 +17,7 @@ require_relative 'package/soup'
 
 # One package.
 class Package
-  # Of which computer: its name there, the programs of the simulated and of another board, what strips them.
+  # Kind of computer: its name there, the programs of the simulated and of another board, the tool that strips them.
   Kind = Struct.new(:ending, :architecture, :programs, :of_board, :strip, :is_static, keyword_init: true)
   KINDS = [
     Kind.new(ending: 'deb', architecture: 'amd64', programs: 'build/gcc/bin', of_board: 'build/boards/%s/bin', strip: 'strip'),
@@ -34,12 +34,12 @@ class Package
   SHARED = { 'LICENSE' => 'LICENSE', 'CHANGELOG.md' => 'CHANGELOG.md', 'docs/commissioning.md' => 'commissioning.md',
              'docs/user-manual.md' => 'user-manual.md', 'docs/soup.md' => 'soup.md',
              'docs/card-protocol.md' => 'card-protocol.md' }.freeze
-  # What the commissioning asks to be read of the wires of each board.
+  # Documents on the wires of each board that the commissioning asks to be read.
   OF_BOARDS = 'docs/board-*.md'
   # On the path of a shell.
   COMMANDS = %w[boresight boresight-passwd boresight-replay boresight-simctl].freeze
   CONFIGURATION = %w[/etc/boresight/boresight.conf /etc/init.d/boresight].freeze
-  # What was committed, when, and its version.
+  # Time of the commit, and its version.
   State = Struct.new(:epoch, :version)
 
   class << self
@@ -131,7 +131,7 @@ class Package
                  @soup.bill(@board, @state.version, Time.at(@state.epoch)))
   end
 
-  # What is there once, whichever release is the current one.
+  # Files that are there once, whichever release is the current one.
   #
   # @satisfies SWR-PACK-009
   # @satisfies SWR-PACK-012
@@ -146,7 +146,7 @@ class Package
     @archive.add_folder('/var/lib/boresight', 0o750)
   end
 
-  # What dpkg and opkg call, and the files that are the engineer's.
+  # Scripts that dpkg and opkg call, and the files that are the engineer's.
   #
   # @satisfies SWR-PACK-007
   # @satisfies SWR-PACK-008
@@ -172,7 +172,7 @@ class Package
       'Description' => "Control core of an MRI-compatible needle robot, #{simulated? ? 'simulated box' : "board #{@board}"}" }
   end
 
-  # The C library is told by its version, since programs need what it has had from then on.
+  # The C library is named by its version, since programs need what it has had from then on.
   def needed
     items = @soup.items(@board).select(&:library)
     items.map { |item| item.title == 'glibc' ? "#{item.library} (>= #{item.versions.first[/\A[\d.]+/]})" : item.library }.join(', ')

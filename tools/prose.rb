@@ -6,11 +6,11 @@
 #
 #   ruby tools/prose.rb      one line for each, exit 1 if there is any
 #
-# So it does in the texts of the console and of its page, and in what is said of the interface. Numbers with a unit: tools/documents/prose_numbers.rb.
+# It does the same in the texts of the console and of its page, and in the sentences of the interface. Numbers with a unit: tools/documents/prose_numbers.rb.
 
 require_relative 'documents/prose_numbers'
 
-# What README.md, docs and the console say in words.
+# Prose of README.md, docs and the console.
 class Prose
   DOCUMENTS = %w[README.md docs/**/*.md].freeze
   TEXTS = %w[app/console/*.html app/console/src/**/*.{ts,tsx} core/interface/*.yml].freeze
@@ -48,7 +48,7 @@ class Prose
     text.gsub(/^```.*?^```|`[^`]*`/m) { |code| code.gsub(/[^\n]/, '') }
   end
 
-  # Nobody reads those in a page.
+  # Readers of a page do not see comments.
   def without_comments(text)
     text.gsub(%r{/\*.*?\*/|^\s*(?://|#).*?$}m) { |comment| comment.gsub(/[^\n]/, '') }
   end

@@ -3,7 +3,7 @@
 
 require 'open3'
 
-# What boresight-replay makes of all recordings of the run in a folder, for a demonstration or a report.
+# Results of boresight-replay on all recordings of the run in a folder, for a demonstration or a report.
 #
 # @satisfies SWR-DEMO-003
 # @satisfies SWR-CHECK-014

@@ -18,13 +18,13 @@ require 'json'
 require 'pathname'
 require_relative 'origin'
 
-# What tests said.
+# Results of tests.
 module Results
   class ReportError < StandardError; end
 
   NAME = 'RESULT_NAME'
   FOLDER = 'build/results'
-  # What a runner says once for each of its files, and these files.
+  # Line that a runner prints once for each of its files, and these files.
   STEPS = { 'ceedling' => [/\ARunning test_/, '{verification,build/gen/tests}/**/test_*.c'],
             'vitest' => [/\A\s*\S \S+\.test\.tsx? /, 'app/console/src/**/*.test.{ts,tsx}'] }.freeze
 

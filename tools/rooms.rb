@@ -23,7 +23,7 @@ class Rooms
   include TSort
 
   Room = Struct.new(:folder, :holds, :sees, keyword_init: true) do
-    # What an include of its headers begins with.
+    # Beginning of an include of its headers.
     def name
       folder.sub(%r{\A(?:core|app|bsp)/}, '')
     end
@@ -44,11 +44,11 @@ class Rooms
   # Where an include begins.
   ROOTS = %w[core app bsp bsp/include .].freeze
 
-  # What one overlooks, and where.
+  # Number of files that a reader can overlook, and the places that are counted.
   MOST_FILES = 30
   COUNTED = '{app,bsp,core,docs,requirements,site,statecharts,tools,verification}/**/*'
 
-  # Who may not name a board.
+  # Files that may not name a board.
   TEXTS = '{core,app}/**/*.{c,h,inc,yml}'
 
   def initialize(root)

@@ -53,9 +53,9 @@ class RobotRows
   end
 end
 
-# What can be shown as a table, read from one project.
+# Contents that can be shown as a table, read from one project.
 class TableSources
-  # What is no enumeration and no structure: a method of the same name.
+  # Tables that are no enumeration and no structure: a method of the same name.
   OTHERS = %w[decisions known_limits limits modes problems robots rooms routes waits].freeze
 
   LINE = 130 # characters
@@ -91,7 +91,7 @@ class TableSources
     @cards ||= CardTables.new(@root, Trace::Requirements.load('requirements', @root).limits_by_name)
   end
 
-  # Of events also how much they matter.
+  # Values of an enumeration; of events with their severity.
   def values_of(enumeration)
     severities = enumeration.name == 'event_id' ? interface.events.severities : {}
     rows = enumeration.values.map do |value|

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What `make test` runs; included by the Makefile.
+# Gates of `make test`; included by the Makefile.
 
 .PHONY: check format gate one generated boards apart pictures unit scenes coverage misra sanitize arm console-test objects programs trace demo velocity sweep charts-fuzz mutants worst-case \
     worst-case-approve
@@ -43,7 +43,7 @@ ALL_APP := $(wildcard app/*/*.c app/*/*/*.c bsp/*/*.c bsp/*/*/*.c)
 OTHER_BOARDS := $(filter-out sim,$(BOARDS))
 # A static program loads no library while it runs.
 STATIC_BOARDS := $(filter-out $(patsubst bsp/%/board.yml,%,$(shell grep -lx 'loads_library: true' bsp/*/board.yml)),$(OTHER_BOARDS))
-# What is verified runs on the simulated control box, whichever board the programs are for.
+# The verified programs run on the simulated control box, whichever board the programs are for.
 BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/bench_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c bsp/sim/model/*.c)) \
     app/control/board_inputs.c
 OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) bsp/no_bench.c $(NAMES) $(GEN)/interface/app/event_words.c \

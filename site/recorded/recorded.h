@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a page may ask of the module recorded.wasm, which reads one recording as boresight-replay
- * does and writes of it what the page of a recording shows. It imports nothing. A contract that is
- * broken is printed and traps.
+ * Functions that a page may call of the module recorded.wasm, which reads one recording as
+ * boresight-replay does and writes of it what the page of a recording shows. It imports nothing. A
+ * contract that is broken is printed and traps.
  */
 #ifndef BORESIGHT_RECORDED_H
 #define BORESIGHT_RECORDED_H
@@ -31,17 +31,17 @@ EXPORT(open) bool recorded_open(void);
 
 /**
  * Replays at most so many records more. Needs a recording that is open and not done (contract 330).
- * How much of it is done, of RECORDED_ALL, which is told at the end alone.
+ * Share of it that is done, of RECORDED_ALL, which is returned at the end alone.
  *
  * @satisfies SWR-SITE-035
  */
 EXPORT(goOn) uint32_t recorded_go_on(uint32_t records);
 
-/** What the page shows, as motion_json.h says; when all is done. */
+/** Data that the page shows, as motion_json.h states; when all is done. */
 EXPORT(document) const char *recorded_document(void);
 EXPORT(documentSize) uint32_t recorded_document_size(void);
 
-/** What was printed on the standard error so far, as a text. */
+/** Output on the standard error so far, as a text. */
 EXPORT(printed) const char *recorded_printed(void);
 
 #endif

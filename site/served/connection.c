@@ -7,7 +7,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* What stands before `mark`, which is taken away; NULL: there is none. */
+/* Text before `mark`, which is taken away; NULL: there is none. */
 static char *take(char **rest, const char *mark)
 {
     char *const first = *rest;
@@ -103,7 +103,7 @@ int mg_read(struct mg_connection *connection, void *bytes, size_t size)
     return (int)count;
 }
 
-/* All or nothing: who takes nothing is told nothing more. */
+/* All or nothing: a reader without room gets no part of the bytes. */
 int mg_write(struct mg_connection *connection, const void *bytes, size_t size)
 {
     if (size > (connection->room - connection->size)) {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a page asks, in the place of the library of HTTP: a request as its text and a reply as its
- * bytes, both as they would pass at a port. The handlers of app/http cannot tell the difference.
+ * Requests of a page, in the place of the library of HTTP: a request as its text and a reply as its
+ * bytes, both as they would pass at a port. The handlers of app/http see no difference.
  */
 #ifndef BORESIGHT_SITE_CONNECTION_H
 #define BORESIGHT_SITE_CONNECTION_H
@@ -14,10 +14,10 @@
 struct mg_connection {
     struct mg_request_info info;
     void *user_data;
-    void *own_data; /**< Of the connection. */
+    void *own_data; /**< Data of the connection. */
     const char *body;
     size_t body_size;
-    char *told; /**< What was written. */
+    char *told; /**< The reply so far. */
     size_t room;
     size_t size;
 };

@@ -91,7 +91,7 @@ static void add_field(const void *begin, const field_t *field, uint32_t least)
     }
 }
 
-/* What every command says. Id and peer must be said: a scene has its own. */
+/* Fields of every command. Id and peer must be stated: a scene has its own. */
 static void add_head(const command_t *command)
 {
     for (const field_t *field = fields_command; field->name != NULL; field++) {
@@ -104,7 +104,7 @@ static void add_head(const command_t *command)
     }
 }
 
-/* What a command of its kind says. */
+/* Fields of a command of its kind. */
 static void add_payload(const command_t *command)
 {
     const field_t *field = fields_of_command(command->kind);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the server has done to the robot of a page, in the words of a scene: commands that control
+ * Acts of the server on the robot of a page, in the words of a scene: commands that control
  * took and orders that the box carried out. A line each, such as
  * `100:WORKPHASE,id=5,workphase=START_UP` or `200:pedal,press`, the number being the cycle before
  * which it was done.

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a page may ask of the module served.wasm: a robot in a closed loop, and the server of the
- * console before it, which is app/http. It imports nothing; its time is that of its cycles. A
- * contract that is broken leaves its name in the text and traps.
+ * Functions that a page may call of the module served.wasm: a robot in a closed loop, and the
+ * server of the console before it, which is app/http. It imports nothing; its time is that of its
+ * cycles. A contract that is broken leaves its name in the text and traps.
  */
 #ifndef BORESIGHT_SERVED_H
 #define BORESIGHT_SERVED_H
@@ -23,7 +23,7 @@ EXPORT(answer) const char *served_answer(void);
 
 /**
  * Starts the robot that the text names, `utc_s` being the time of the world. The answer is the code
- * of the first login: who has opened the page is the one before the robot.
+ * of the first login: the user who has opened the page stands before the robot.
  *
  * @return false: there is none of that name, and nothing changes
  */
@@ -45,8 +45,8 @@ EXPORT(order) bool served_order(void);
 EXPORT(command) command_t *served_command(void);
 
 /**
- * Asks the server the request whose `size` bytes the text holds, as HTTP/1.1 has it. What waits for
- * control lets cycles pass. Needs a robot (contract 311), and room for the bytes (312).
+ * Asks the server the request whose `size` bytes the text holds, as HTTP/1.1 has it. A request that
+ * waits for control lets cycles pass. Needs a robot (contract 311), and room for the bytes (312).
  *
  * @return bytes of the answer, head and body; 0: it was no request
  *
@@ -59,7 +59,7 @@ EXPORT(ask) uint32_t served_ask(uint32_t size);
 /** Puts what the stream has brought since the last time in the answer. Returns its size. */
 EXPORT(listen) uint32_t served_listen(void);
 
-/** Of the robot, in cycles since it was started. */
+/** Time of the robot, in cycles since it was started. */
 EXPORT(cycles) uint32_t served_cycles(void);
 
 #endif

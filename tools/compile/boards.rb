@@ -31,16 +31,16 @@ class Board
   ARGUMENTS = 12
   SAYINGS = 4
   TITLE = 11
-  # What each board may speak of beside its own options.
+  # Values that each board may name beside its own options.
   KNOWN = %w[instance robot programs recordings].freeze
-  # Of them, what is a name: a file may be called so.
+  # Those of them that are names: a file may be called so.
   NAMES = %w[instance robot].freeze
   # Options of boresight with every board.
   TAKEN = %w[http-port igtl-port brp-port igtl-file accounts tls-file bind check at-rest stop-at-rest config robot instance recordings trajectory help
              version].freeze
   # As app/check/check.h has them.
   CYCLE = %w[wire_hz wires word_ns instructions_per_us publish_us].freeze
-  # What its cards speak, as core/card/card_dialect.h has it.
+  # Dialects of its cards, as core/card/card_dialect.h has them.
   DIALECTS = %w[own aim32].freeze
   PATTERN = /\{([^{}]*)\}/
 
@@ -48,7 +48,7 @@ class Board
     new(path, File.read(path), limits)
   end
 
-  # `limits`: what there is of LIMIT_... constants.
+  # `limits`: the present LIMIT_... constants.
   def initialize(path, text, limits)
     @path = path
     @limits = limits.scan(/LIMIT_(\w+)/).flatten.map(&:downcase)
@@ -104,7 +104,7 @@ class Board
     nodes
   end
 
-  # Of the frames that its cards speak.
+  # Cycle of the frames that its cards speak.
   def cycle(node, cards)
     dialect = cards ? cards.choice(DIALECTS) : DIALECTS.first
     node.mapping(CYCLE).transform_values { |value| "#{value.integer(1..(2**31))}U" }.merge('dialect' => "CARD_DIALECT_#{dialect.upcase}")
@@ -123,7 +123,7 @@ class Board
     Option.new(name: name, says: nodes['says'].text, **taken(node, nodes))
   end
 
-  # What it takes, and what it is when it is not given.
+  # Kind of value that it takes, and its default.
   def taken(node, nodes)
     takes = nodes['takes']&.choice(%w[name number text])
     is_complete = takes ? nodes.key?('default') : nodes.size == 2
@@ -185,7 +185,7 @@ class Board
     row(fields)
   end
 
-  # What only a companion takes is of no use if another one runs in its place.
+  # An option that only a companion takes is of no use if another one runs in its place.
   def useless_with(option)
     companion = @companions.find { |one| one.unless && one.arguments.any? { |text| text.include?("{#{option.name}}") } }
     quoted(companion.unless) if companion && companion.unless != option.name

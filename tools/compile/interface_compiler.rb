@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Turns core/interface/*.yml, the only source of what the processes tell each other, into what they are compiled from:
+# Turns core/interface/*.yml, the only source of the messages between the processes, into the files that they are compiled from:
 #
 #   DIRECTORY       the headers of the core with their documentation, command.c, event.c, mode_list.c, mode_dispatch.c,
 #                   interface_layout.h;
@@ -65,7 +65,7 @@ module Interface
       end
     end
 
-    # What has not changed keeps its time, so that nothing is compiled again for it.
+    # A file that has not changed keeps its time, so that nothing is compiled again for it.
     def self.write(directory, files)
       FileUtils.mkdir_p(directory)
       files.each do |name, text|

@@ -80,7 +80,7 @@ module Robot
       names.each_with_index.map { |name, i| "#define #{name} #{i}U" }.join("\n")
     end
 
-    # What stands in the table, in order.
+    # Parts of the table, in order.
     def parts
       sealed = head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values, **probe)
       [*head.map { |field, value| "    .#{field} = #{value}" },
@@ -140,7 +140,7 @@ module Robot
       @robot.probe.names.map { |name| "#{@robot.kinematics}_probe_#{name}".upcase }
     end
 
-    # Of what the table has of the probe, in order.
+    # Parts of the table about the probe, in order.
     def probe
       probe = @robot.probe
       lengths = { 'probe' => probe.values, 'probe_minimum' => probe.minimum, 'probe_maximum' => probe.maximum }

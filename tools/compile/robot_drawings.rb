@@ -18,7 +18,7 @@ class RobotDrawings
 
     type Point = readonly [number, number, number];
 
-    /** In the z-frame, mm. What rests on something that is not known is not finite. */
+    /** In the z-frame, mm. A value that depends on something unknown is not finite. */
     export interface RobotShape {
       /** Lines through points. */
       parts: readonly { name: string; points: readonly Point[] }[];
@@ -28,7 +28,7 @@ class RobotDrawings
     }
 
     export interface RobotDrawing {
-      /** Of the robot's file. */
+      /** Checksum of the robot's file. */
       checksum: string;
       /** at: where an axis stands, or how long a length of the probe is; NaN while that is not known. */
       shape: (at: (name: string) => number) => RobotShape;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Of where this computer has its packages from, what an apt of our own may ask: the release itself, main only. Each entry
+# Those package sources of this computer that an apt of our own may ask: the release itself, main only. Each entry
 # keeps its options, so its mirror, its key and its proxy, but its architectures.
 module AptSources
   LINE = /\Adeb(?:\s+\[(?<options>[^\]]*)\])?\s+(?<uri>\S+)\s+(?<suite>\S+)\s+(?<components>[^#]*)/

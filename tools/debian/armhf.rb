@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Fetches what the programs for Cortex-A9 need of Debian's armhf (tools/debian/armhf.txt) to .tools/armhf. What is there
-# already stays.
+# Fetches what the programs for Cortex-A9 need of Debian's armhf (tools/debian/armhf.txt) to .tools/armhf. Files there
+# already stay.
 #
 #   ruby tools/debian/armhf.rb
 

@@ -10,7 +10,7 @@ require_relative 'apt_sources'
 class OwnApt
   class Refused < StandardError; end
 
-  # What is named in a list, once all of it is there: the list stands in the folder then.
+  # Fetches the packages of a list, unless all of them are there: the list stands in the folder then.
   # @satisfies SWR-ARM-001
   def self.fetch(list, folder, log)
     Dir.chdir(File.expand_path('../..', __dir__))

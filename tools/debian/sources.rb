@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Fetches Debian's sources (tools/debian/sources.txt), with Debian's patches, to .tools/sources. What is there already
-# stays.
+# Fetches Debian's sources (tools/debian/sources.txt), with Debian's patches, to .tools/sources. Sources there already
+# stay.
 #
 #   ruby tools/debian/sources.rb
 

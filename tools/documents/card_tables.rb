@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# What a card's vendor must know of the frames, read from the C that speaks them: words and bits of the headers of
+# Tables of the frames for a vendor of cards, read from the C that speaks them: words and bits of the headers of
 # core/card, frames and conversation that the unit tests try.
 #
 # @satisfies SWR-CARD-008
@@ -9,7 +9,7 @@ class CardTables
   VECTORS = 'verification/unit/support/card_vectors.h'
   # A field of a word in a comment: its bits, its name, what it says; its values.
   FIELD = /\A(?<bits>\d+(?:\.\.\d+)?) (?<name>\w+): (?<says>.*?); (?<values>.*)\.\z/
-  # Of a comment of C.
+  # Inside of a comment of C.
   INSIDE = '(?:(?!\*/).)*?'
   BEGINNING = /\A\d+(?:\.\.\d+)? \w+: /
   WORDS_IN_A_LINE = 8

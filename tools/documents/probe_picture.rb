@@ -15,7 +15,7 @@ class ProbePicture
   MARGIN = 40
   LINE = 30
 
-  # Of each robot: the points along the needle while it is out, where each lies, and the lengths with both ends.
+  # For each robot: the points along the needle while it is out, where each lies, and the lengths with both ends.
   ROBOTS = {
     'neuro' => {
       says: 'NeuroRobot: along the needle, which is out',

@@ -5,7 +5,7 @@ require 'yaml'
 require_relative '../interface/model'
 require_relative '../trace/sources'
 
-# What documents may name: commands, tests, routes, programs, requirements, files, functions and words of the sources.
+# Names that documents may use: commands, tests, routes, programs, requirements, files, functions and words of the sources.
 class ProjectNames
   C_TESTS = '{verification/unit/*,verification/integration/*,core/robot/*/test}'
   RUBY_TESTS = '{tools/test/**,verification/**}'
@@ -39,7 +39,7 @@ class ProjectNames
     there?(text) || text.scan(/[\w.\/@-]*\w/).all? { |word| there?(word) || words.match?(/#{'\b' if word.match?(/\A[a-z0-9]/i)}#{Regexp.escape(word)}\b/) }
   end
 
-  # What `make one` runs.
+  # Test file that `make one` runs.
   def test_file(name)
     Dir.glob(["#{C_TESTS}/#{name}.c", "#{RUBY_TESTS}/#{name}.rb"], base: root).min
   end

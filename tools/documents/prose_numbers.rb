@@ -4,8 +4,8 @@
 require 'yaml'
 require_relative '../trace/requirements'
 
-# Finds spans of time, sizes and counts in documents that have no source, or another value than it (tools/documents/prose_numbers.yml). What
-# stands in a table that tools/tables.rb fills, in code and in an indented block, is none of its matter.
+# Finds spans of time, sizes and counts in documents that have no source, or another value than it (tools/documents/prose_numbers.yml). A
+# value in a table that tools/tables.rb fills, in code and in an indented block, is none of its matter.
 class ProseNumbers
   LIST = 'tools/documents/prose_numbers.yml'
   # How much each unit of documents, limits and constants is, by what it measures.

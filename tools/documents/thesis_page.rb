@@ -9,7 +9,7 @@
 
 require_relative 'project_names'
 
-# The page with its tables of three columns: what the thesis has, what Boresight has, and the command that shows it, or `-`.
+# The page with its tables of three columns: the part of the thesis, that of Boresight, and the command that shows it, or `-`.
 class ThesisPage
   PAGE = 'docs/thesis.md'
   ROBOT_TESTS = %w[CheckForStalls ValidateForwardKinematics RunInverseKinematics IsFootPedalPressed ListMotors GetMotor].freeze

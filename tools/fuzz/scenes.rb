@@ -41,7 +41,7 @@ module Fuzz
       nil
     end
 
-    # What a byte means as a word of the list, as the targets take it.
+    # Word of the list for a byte, as the targets take it.
     def word(list, byte)
       return matrices.keys[byte % matrices.length] if list == 'matrix'
 

@@ -5,8 +5,8 @@ module Gates
   # Why a gate is red: a test with its place, or what stands in the log, and the first lines of what it says.
   class Complaint
     LINES = 6
-    # What tells it best: what compilers, checkers and the trace say of a place; then what calls itself an error. What
-    # make adds is noise.
+    # Lines that explain it best: those of compilers, checkers and the trace about a place; then lines that call themselves
+    # an error. The lines of make are noise.
     TELLING = [/\A(?:TRACE-E\d+ )?[^\s:]+:\d+:.*\S/, /\b(?:error|fatal|abort|cannot|could not)\b|[a-z]Error\b/i].freeze
     NOISE = /\A\s*\z|\Amake(?:\[\d+\])?: |\A\s+from /
     COLOUR = /\e\[[\d;]*m/

@@ -15,13 +15,13 @@ module Gates
     end
   end
 
-  # A gate that runs. Its output is its log, and tells how far it is by lines that begin with `[done/total]`.
+  # A gate that runs. Its output is its log, and reports its progress by lines that begin with `[done/total]`.
   class Job
     # No load makes a gate keep silent for that long; only one that hangs does.
     SILENCE_SECONDS = 1800
     PROGRESS = %r{^\[(\d+)/(\d+)\] }
     TAIL_BYTES = 16_384
-    # What an outer `make gate NAME=...` would tell each make of a gate.
+    # Variables that an outer `make gate NAME=...` would pass to each make of a gate.
     OUTER_MAKE = %w[MAKEFLAGS MFLAGS MAKEOVERRIDES MAKELEVEL NAME].to_h { |name| [name, nil] }.freeze
 
     attr_reader :gate, :pid

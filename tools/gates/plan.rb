@@ -9,7 +9,7 @@ module Gates
   #
   # @satisfies SWR-GATE-002
   class Plan
-    # seconds: what each gate is expected to take, by its name.
+    # seconds: expected duration of each gate, by its name.
     def initialize(cores, seconds)
       @cores = cores
       @seconds = seconds

@@ -17,7 +17,7 @@ module Gates
   #
   # @satisfies SWR-GATE-001
   class Run
-    # What each gate took when it last passed here.
+    # Seconds of each gate when it last passed here.
     SECONDS = 'build/log/seconds.json'
     POLL_SECONDS = 0.1
     SIGNALS = %w[INT TERM HUP QUIT].freeze
@@ -71,7 +71,7 @@ module Gates
       @jobs << Job.new(gate, @origin)
     end
 
-    # What needs a gate that is red cannot run.
+    # A gate that needs a red one cannot run.
     def leave_out
       red = (@verdicts.map(&:gate) - passed).map(&:name)
       gate = @waiting.find { |one| (one.needs & red).any? } || return
@@ -113,7 +113,7 @@ module Gates
       @plan.seconds_left(passed, running, @waiting) * pace
     end
 
-    # How much longer than expected it takes: what has ended or is overdue as it was, the rest as expected.
+    # Share by which it takes longer than expected: an ended or overdue gate counts as it was, the rest as expected.
     def pace
       known = @verdicts + @jobs.select { |job| job.seconds > @expected[job.gate.name] }
       late = known.sum { |one| one.seconds - @expected[one.gate.name] }

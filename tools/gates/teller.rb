@@ -4,7 +4,7 @@
 require 'io/console'
 
 module Gates
-  # What the user sees: a line for each gate that has ended, what runs meanwhile, and at the end why a gate is red.
+  # Output for the user: a line for each gate that has ended, the running gates, and at the end why a gate is red.
   class Teller
     # Between two lines of progress where no line can be written anew.
     QUIET_SECONDS = 30
@@ -32,7 +32,7 @@ module Gates
       say "[#{@ended}/#{@count}] #{gate.says} ... NOT RUN (#{because_of.join(', ')} failed)"
     end
 
-    # What runs, how far it is, and how long it all still takes.
+    # Running gates, their progress, and the remaining time of all.
     #
     # @satisfies SWR-GATE-003
     def progress(jobs, seconds_left)

@@ -2,7 +2,7 @@
 # frozen_string_literal: true
 
 module Interface
-  # What all generated C has in common.
+  # Common parts of all generated C.
   module C
     SPDX = '/* SPDX-License-Identifier: Apache-2.0 */'
     WIDTH = 100

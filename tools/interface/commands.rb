@@ -6,7 +6,7 @@ require_relative 'node'
 require_relative 'payloads'
 
 module Interface
-  # What a command is: what it says, who may send it, and in which workphases it is obeyed, as core/interface/commands.yml
+  # A command: its data, its permitted senders, and the workphases in which it is obeyed, as core/interface/commands.yml
   # says, and modes.yml of those that arm a mode.
   #
   # @satisfies SWR-TOOL-011
@@ -16,16 +16,16 @@ module Interface
     NAMED_MOST = 4
     FROM = 'core/interface/commands.yml'
 
-    # What the header has besides.
+    # Further parts of the header.
     DECLARATION = <<~CODE
-      /** What is special about a command. */
+      /** Traits of a command. */
       typedef struct {
           /** Where it may be obeyed; bit n: workphase_t n. All bits: no workphase stands against it, or the chart of
            * workphases decides. */
           uint32_t workphases;
-          uint32_t sources; /**< Who may send it; bit n: command_source_t n. */
+          uint32_t sources; /**< Permitted senders; bit n: command_source_t n. */
           uint32_t form;    /**< command_form_t. */
-          uint32_t bytes;   /**< Of what it says. */
+          uint32_t bytes;   /**< Size of its data. */
       } command_traits_t;
 
       /** By command_kind_t. */
@@ -96,7 +96,7 @@ module Interface
 "
       }
       <<~CODE
-        #{C.file('What is special about each command.', FROM).chomp}
+        #{C.file('Traits of each command.', FROM).chomp}
         #include "command.h"
 
         #include "workphase_list.h"
@@ -118,7 +118,7 @@ module Interface
     # Apart: a program that takes none of them need not say what becomes of a broken contract.
     def access
       <<~CODE
-        #{C.file('What a command says, by its kind.', FROM).chomp}
+        #{C.file('Data of a command, by its kind.', FROM).chomp}
         #include "command.h"
 
         #include "base/contract.h"

@@ -5,7 +5,7 @@ require_relative 'c'
 require_relative 'events'
 
 module Interface
-  # What subject, value and peer of an event are, for app/common/event_text.c.
+  # Kinds of subject, value and peer of an event, for app/common/event_text.c.
   class EventWords
     FROM = 'core/interface/events.yml'
     SAYS = 'What the numbers of an event are.'
@@ -29,19 +29,19 @@ module Interface
 
         #include <stdint.h>
 
-        /** What a number is that no enumeration names. */
+        /** Kind of a number that no enumeration names. */
         typedef enum {
             EVENT_WORD_NONE,
         #{Events::KINDS.map { |kind| "    EVENT_WORD_#{kind.upcase}" }.join(",\n")}
         } event_word_t;
 
-        /** What the subject is; EVENT_WORD_NONE when it has none, or a name. */
+        /** Kind of the subject; EVENT_WORD_NONE when it has none, or a name. */
         event_word_t event_subject_word(uint32_t id);
 
         /** Name of the subject, NULL when it has none. Lives for ever. */
         const char *event_subject_name(uint32_t id, uint32_t subject);
 
-        /** Whose the subject is, as the value says, if there are several of it. */
+        /** Owner of the subject, as the value says, if there are several of it. */
         event_word_t event_subject_owner(uint32_t id, uint32_t subject);
 
         /** Word for the value, NULL when it is a number. Lives for ever. */
@@ -53,7 +53,7 @@ module Interface
         /** Unit of the value with a space before it, or "". Lives for ever. */
         const char *event_value_unit(uint32_t id);
 
-        /** What the peer of a cause is. */
+        /** Kind of the peer of a cause. */
         event_word_t event_peer_word(uint32_t cause);
       CODE
     end

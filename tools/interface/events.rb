@@ -4,9 +4,9 @@
 require_relative 'node'
 
 module Interface
-  # What stands in the sentences of events, checked.
+  # Placeholders in the sentences of events, checked.
   class Events
-    # What a number may be that is no enumeration's.
+    # Kinds of a number that is no enumeration's.
     KINDS = %w[axis card part length number].freeze
     OWNERS = %w[axis card].freeze
     UNITS = %w[ticks percent nm millionths].freeze
@@ -33,7 +33,7 @@ module Interface
       @events.to_h { |event| [event.value, event.severity] }
     end
 
-    # The enumerations whose values may be of one card or axis of several, told by the event's value.
+    # The enumerations whose values may be of one card or axis of several, named by the event's value.
     def owned
       @events.map(&:subject).grep(Enumeration).uniq.select { |one| one.values.any? { |value| value.more.key?('of') } }
     end
@@ -94,7 +94,7 @@ module Interface
       value.node.refuse("does not say {#{silent.first}}") if silent.any? && !quiet?(silent.first, kinds)
     end
 
-    # A value that belongs to its subject is told with it.
+    # A value that belongs to its subject is named with it.
     def quiet?(place, kinds)
       place == 'subject' && kinds['value'].nil?
     end

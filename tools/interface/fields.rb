@@ -4,7 +4,7 @@
 require_relative 'c'
 
 module Interface
-  # Where the fields of each structure stand and what they are, for who speaks of a byte of one or tells all of them.
+  # Offsets and types of the fields of each structure, for programs that name a byte of one or list all of them.
   #
   # @satisfies SWR-TOOL-011
   class Fields
@@ -53,12 +53,12 @@ module Interface
         /** A field; the last one of a structure is followed by one without a name. */
         typedef struct field {
             const char *name;
-            size_t offset;             /**< Of the structure. */
+            size_t offset;             /**< In the structure. */
             size_t size;               /**< All of it. */
-            size_t element_size;       /**< Of an array; otherwise the size. */
+            size_t element_size;       /**< Element of an array; otherwise the size. */
             const struct field *inside; /**< Its own fields; NULL: none. */
             field_kind_t kind;
-            const char *(*word)(int32_t value); /**< Of FIELD_WORD, and of a bit of FIELD_SET. */
+            const char *(*word)(int32_t value); /**< Word of FIELD_WORD, and of a bit of FIELD_SET. */
             const char *says;
         } field_t;
 

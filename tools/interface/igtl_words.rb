@@ -6,7 +6,7 @@ require_relative 'node'
 
 module Interface
   # The words by which a peer of the workphase protocol gives a command, of the command's row: a table for the OpenIGTLink
-  # process. What follows a word is read by workphase_read_PAYLOAD(); nothing does where the command has none, or `as` says it.
+  # process. The text after a word is read by workphase_read_PAYLOAD(); nothing does where the command has none, or `as` says it.
   #
   # @satisfies SWR-TOOL-083
   class IgtlWords

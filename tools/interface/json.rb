@@ -46,7 +46,7 @@ module Interface
         "#{C.comment(member.says, '    ') if member.says}    #{member.c}#{' ' unless member.c.end_with?('*')}" \
           "#{member.name};\n"
       end
-      struct = "/** What the server adds to it. */\ntypedef struct {\n#{members.join}} json_#{message.name}_t;\n\n"
+      struct = "/** Members that the server adds to it. */\ntypedef struct {\n#{members.join}} json_#{message.name}_t;\n\n"
       "#{struct unless members.empty?}#{C.comment(message.says)}#{prototype(message)};\n"
     end
 

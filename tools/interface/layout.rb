@@ -35,7 +35,7 @@ module Interface
     def files
       body = "/** Differs from that of a build whose processes cannot be understood. */\n" \
              "#define INTERFACE_LAYOUT UINT64_C(0x#{format('%016X', number)})\n"
-      { 'interface_layout.h' => C.file('What all processes must agree on.', 'core/interface') +
+      { 'interface_layout.h' => C.file('Layout that all processes must agree on.', 'core/interface') +
         C.guard('interface_layout', body) }
     end
   end

@@ -50,7 +50,7 @@ module Interface
     end
   end
 
-  # What the server adds to a message.
+  # Member that the server adds to a message.
   class Member
     # Type in C and in TypeScript, and the C that adds it.
     TYPES = {
@@ -62,7 +62,7 @@ module Interface
       'text' => ['const char *', 'string', 'json_add_text(object, %<key>s, %<value>s)']
     }.freeze
     ITEM = ['cJSON *', nil, 'json_add_item(object, %<key>s, %<value>s)'].freeze
-    # What whole numbers may be; a script's are exact up to 2**53.
+    # Ranges of whole numbers; a script's are exact up to 2**53.
     WHOLE = { 'uint32' => [0, (2**32) - 1], 'int32' => [-(2**31), (2**31) - 1], 'uint64' => [0, (2**53) - 1] }.freeze
     # The names of all problems and statuses.
     CODES = 'problem_code'

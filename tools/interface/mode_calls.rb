@@ -12,7 +12,7 @@ module Interface
   class ModeCalls
     FROM = 'core/interface/modes.yml'
     SAYS = 'Which function of the folder of a mode does what.'
-    # What a call may be given, of the request and of the state of all modes.
+    # Arguments that a call may get, of the request and of the state of all modes.
     REQUEST = { 'way' => '&%sway', 'move' => '&%smove', 'span' => '&%sspan', 'axis' => '%sway.axis',
                 'end' => '%sway.end_ticks', 'own' => '&%sown.%s' }.freeze
     STATE = %w[leg escort trajectory list program].to_h { |part| [part, "&self->#{part}"] }.freeze
@@ -31,7 +31,7 @@ module Interface
       { 'mode_own.h' => own_header, 'mode_dispatch.c' => source }
     end
 
-    # What two programs must agree on.
+    # Layout that two programs must agree on.
     def layout
       "mode_own #{owners.map(&:folder).join(' ')}"
     end
@@ -45,7 +45,7 @@ module Interface
     def own_header
       includes = owners.map { |mode| "#include \"#{mode.header}\"\n" }.sort.join
       members = owners.map { |mode| "    #{mode.folder}_mode_t #{mode.folder};\n" }.join
-      C.file('What one mode alone is asked for, and where it stands.', FROM) + C.guard('mode_own', <<~CODE)
+      C.file('Request and state of one mode alone.', FROM) + C.guard('mode_own', <<~CODE)
         #include "mode_list.h"
         #{includes}
         #include <stdint.h>
@@ -54,7 +54,7 @@ module Interface
         typedef struct {
         #{members}} mode_own_t;
 
-        /** Of a member, bytes; none: the mode has no member. */
+        /** Place of a member, bytes; none: the mode has no member. */
         typedef struct {
             uint32_t from;
             uint32_t bytes;

@@ -60,7 +60,7 @@ module Interface
       "#{prefix}_#{value.name}"
     end
 
-    # What two programs must agree on.
+    # Layout that two programs must agree on.
     def layout
       "enum #{name} #{values.map { |value| "#{constant(value)}=#{value.code}#{value.more['payload']&.identifier}" }.join(' ')}"
     end
@@ -101,7 +101,7 @@ module Interface
       robots.each { |robot, nodes| nodes.each { |node| @values << read(node).tap { |value| value.robot = robot } } }
     end
 
-    # What is counted is an index, or a bit.
+    # A counted value is an index, or a bit.
     def check_gaps
       gap = values.each_with_index.find { |value, index| value.code != index }
       gap&.first&.node&.refuse("has the code #{gap.first.code}; expected #{gap.last}, as it is counted")
@@ -114,7 +114,7 @@ module Interface
     end
   end
 
-  # What the folders of robots add: the refusals that belong to one of them alone.
+  # Values that the folders of robots add: the refusals that belong to one of them alone.
   #
   # @satisfies SWR-ROBOT-020
   module Robots
@@ -182,7 +182,7 @@ module Interface
       @commands ||= Commands.new(self) if enumeration('command_kind')&.counted? && enumeration('workphase')
     end
 
-    # What the values of an enumeration say beside their kind; nil: nothing.
+    # Data of the values of an enumeration beside their kind; nil: none.
     def payloads(name)
       commands&.payloads if name == 'command_kind'
     end
@@ -202,7 +202,7 @@ module Interface
       messages.any? { |message| message.typescript == pascal } ? "#{pascal}Name" : pascal
     end
 
-    # What a problem may be called.
+    # Possible names of a problem.
     def problem_codes
       (routes.problems.map(&:name) + enumeration('status')&.values.to_a.map(&:name)).uniq
     end

@@ -6,7 +6,7 @@ require_relative 'mode_calls'
 require_relative 'node'
 
 module Interface
-  # The table of modes: what core/interface/modes.yml says beside their names, checked.
+  # The table of modes: columns of core/interface/modes.yml beside their names, checked.
   #
   # @satisfies SWR-TOOL-011
   class Modes
@@ -28,7 +28,7 @@ module Interface
         "mode/#{folder}/#{folder}_mode.h"
       end
 
-      # What its command says; nil: nothing but its kind, or several things.
+      # Data of its command; nil: nothing but its kind, or several things.
       def payload
         names = commands.map { |one| one.more['payload']&.identifier }.uniq
         names.size == 1 ? names.first : nil
@@ -62,14 +62,14 @@ module Interface
       modes.find { |mode| mode.commands.any? { |value| value.name == name } }
     end
 
-    # What two programs must agree on.
+    # Layout that two programs must agree on.
     def layout
       @calls.layout
     end
 
-    # What the header has besides.
+    # Further parts of the header.
     DECLARATION = <<~CODE
-      /** What is special about a mode. */
+      /** Traits of a mode. */
       typedef struct {
           /** command_kind_t that arms it, of several the first; COMMAND_WORKPHASE: one for the workphase where it runs. */
           uint32_t command;
@@ -139,7 +139,7 @@ module Interface
     def source
       rows = modes.map { |mode| "    [#{@kinds.constant(mode.value)}] = #{row(mode)},\n" }
       <<~CODE
-        #{C.file('What is special about each mode.', 'core/interface/modes.yml').chomp}
+        #{C.file('Traits of each mode.', 'core/interface/modes.yml').chomp}
         #include "mode_list.h"
 
         #include "command.h"

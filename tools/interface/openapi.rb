@@ -96,12 +96,12 @@ module Interface
         route.headers.map { |one| parameter(one.name, 'header', false, one.says, schema.header(one)) }
     end
 
-    # What the path holds.
+    # Parameter of the path.
     def values(route)
       [route.value].compact.map { |name| parameter(name, 'path', true, *VALUES.fetch(name)) }
     end
 
-    # Who asks.
+    # Headers that identify the client.
     def marks(route)
       [(MARKS.first if route.written?), (MARKS.last if route.page?)].compact.map { |name, *rest| parameter(name, 'header', true, *rest) }
     end

@@ -5,7 +5,7 @@ require_relative 'c'
 require_relative 'node'
 
 module Interface
-  # What commands say: of each kind the structure command_PAYLOAD, all of them as a tagged union with checked accessors.
+  # Data of commands: for each kind the structure command_PAYLOAD, all of them as a tagged union with checked accessors.
   #
   # @satisfies SWR-TOOL-080
   class Payloads
@@ -37,7 +37,7 @@ module Interface
     def union
       members = @all.map { |one| "    #{one.structure.name}_t #{one.name}; /**< #{names(one)}. */\n" }
       <<~CODE
-        /** What a command says, in the member of its kind. */
+        /** Data of a command, in the member of its kind. */
         typedef union {
         #{members.join}} command_payload_t;
       CODE

@@ -117,7 +117,7 @@ module Interface
     end
   end
 
-  # What a body holds, or the parameters of a query.
+  # Members of a body, or the parameters of a query.
   class RequestMessage
     DEPTH = 8 # REQUEST_DEPTH
     MEMBERS_MOST = 32 # REQUEST_FIELDS_MOST

@@ -48,7 +48,7 @@ module Interface
       end.join("\n")
     end
 
-    # What one route sends alone has its name, what several send its own.
+    # A body of one route alone has the name of the route, a body of several its own.
     def bodies
       @routes.routes.select(&:body).group_by(&:body).map do |body, routes|
         [routes.size == 1 ? routes.first.name : body.name, body]

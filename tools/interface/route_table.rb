@@ -27,7 +27,7 @@ module Interface
         #include "interface/app/requests.h"
         #include "interface/role.h"
 
-        /** What is answered; a GET answers HEAD too. */
+        /** Answered routes; a GET answers HEAD too. */
         typedef enum {
         #{enumerators('ROUTE', @routes.routes)}
         } route_id_t;
@@ -36,7 +36,7 @@ module Interface
         #define ROUTE_BODY_MOST #{@routes.routes.reject(&:sends).map(&:body_most).max}U /**< Bytes of the longest body of JSON. */
         #define ROUTE_SENT_MOST #{@routes.routes.select(&:sends).map(&:body_most).max.to_i}U /**< The same of those that routes read themselves. */
 
-        /** What a path holds in braces. */
+        /** Kind of the part of a path in braces. */
         typedef enum {
             ROUTE_PLAIN = 0,  /**< Nothing. */
             ROUTE_OF_AXIS = 1,   /**< {axis}: an axis, by its name or its number. */
@@ -80,7 +80,7 @@ module Interface
 
         #define PROBLEM_COUNT #{@routes.problems.size}U
 
-        /** What clients are told of it. */
+        /** Words for clients about a problem. */
         typedef struct {
             int http;
             const char *code;

@@ -99,7 +99,7 @@ module Interface
       flag('authority')
     end
 
-    # What the path holds in braces.
+    # Part of the path in braces.
     def value
       path[/\{(.*)\}/, 1]
     end

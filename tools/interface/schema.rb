@@ -34,7 +34,7 @@ module Interface
       schemas.sort.to_h
     end
 
-    # Of a parameter or a member of a request.
+    # Schema of a parameter or a member of a request.
     def member(member)
       schema = single(member)
       return schema unless member.list?
@@ -61,7 +61,7 @@ module Interface
       object(properties, required, message.says)
     end
 
-    # Whatever else is sent is refused.
+    # Any other member is refused.
     def request(request)
       properties = request.members.to_h { |one| [one.name, described(one.says, member(one))] }
       object(properties, request.members.reject(&:optional?).map(&:name), request.says)

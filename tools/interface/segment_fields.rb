@@ -30,7 +30,7 @@ module Interface
 
       body = "/** Calls FIELD with the name and the count of elements of each field of segment_others_t. */\n" \
              "#define SEGMENT_OTHERS_FIELDS(FIELD) #{fields.map { |field| "\\\n    FIELD(#{field.join(', ')})" }.join(' ')}\n"
-      { 'segment_fields.h' => C.file("What every process may write in the exchange's segment.",
+      { 'segment_fields.h' => C.file("Fields that every process may write in the exchange's segment.",
                                      'app/exchange/exchange_segment.h') + C.guard('segment_fields', body) }
     end
   end

@@ -13,7 +13,7 @@ module Interface
     include TSort
 
     HEAD = <<~CODE
-      /** What a value must be. A whole number has its least and its most, a list may have its length; of `named` are name and text, the name one of these words. */
+      /** Demands on a value. A whole number has its least and its most, a list may have its length; of `named` are name and text, the name one of these words. */
       export type Kind =
         | "number"
         | readonly ["whole", number, number]
@@ -26,7 +26,7 @@ module Interface
         | readonly ["null", Kind]
         | readonly ["optional", Kind];
 
-      /** What a message must hold. */
+      /** Demands on a message. */
       export interface Shape<Message> {
         readonly members: Readonly<Record<string, Kind>>;
         /** Never there: only says what it is the shape of. */

@@ -4,7 +4,7 @@
 require_relative 'node'
 
 module Interface
-  # What a field is: in C, in JSON and in TypeScript.
+  # Type of a field: in C, in JSON and in TypeScript.
   class Type
     # C type, its header, bytes, and the form it has in JSON unless its field says another.
     PLAIN = {
@@ -72,7 +72,7 @@ module Interface
       'named' if @enumeration
     end
 
-    # What its C comment begins with.
+    # Beginning of its C comment.
     def about
       case @kind
       when 'chart' then "#{@of.tr('.', '_')}_t."

@@ -10,7 +10,7 @@ module Interface
     # `dc` is 0.1 degree Celsius.
     SUFFIXES = %w[mm deg rpm min s ms us cycles ticks hz mv ma dc bytes percent per_mille].freeze
     AXIS = 'axis'
-    # What a number without a unit is. `text`: the sentence `text` beside it has its unit; `pose`: a matrix in mm.
+    # Kind of a number without a unit. `text`: the sentence `text` beside it has its unit; `pose`: a matrix in mm.
     NONE = %w[count id ratio reading pose text].freeze
     BESIDE = { AXIS => 'unit', 'text' => 'text' }.freeze
     # Not the one of a speed: what goes in a second is of the axis.

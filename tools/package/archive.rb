@@ -40,7 +40,7 @@ class PackageArchive
     run(tool, place_of(path))
   end
 
-  # What stands in the folder of maintainers' scripts.
+  # File in the folder of maintainers' scripts.
   def control(name, text, mode: FILE)
     File.binwrite("#{@folder}/control/#{name}", text)
     File.chmod(mode, "#{@folder}/control/#{name}")

@@ -7,10 +7,10 @@ start() {
         return
     fi
     [ -x "$program" ] || refuse "there is no $program; install the package again."
-    # What is not granted Boresight says itself.
+    # Boresight itself reports rights that are not granted.
     ulimit -r 90 2>/dev/null || true
     ulimit -l unlimited 2>/dev/null || true
-    # Its lines go to the system's log; what hangs up here does not stop it.
+    # Its lines go to the system's log; a terminal that hangs up does not stop it.
     setsid sh -c '"$0" --config "$1" 2>&1 </dev/null | logger -t boresight' "$program" "$config" >/dev/null 2>&1 &
 }
 

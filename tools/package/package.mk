@@ -14,7 +14,7 @@ static-programs: # As arm-programs, for x86-64.
 	@for board in $(STATIC_BOARDS); do \
 	    $(MAKE) --no-print-directory -j2 CONFIG=static BOARD=$$board APART=build/boards/static-$$board apart; done
 
-# What programs for x86-64 are compiled with, for the test that no folder is told.
+# Flags that programs for x86-64 are compiled with, for the test that no folder is revealed.
 .PHONY: flags-of-programs
 flags-of-programs:
 	@echo '$(CFLAGS)'

@@ -3,7 +3,7 @@
 
 require 'json'
 
-# What is linked into programs, as the first table of docs/soup.md has it.
+# Software that is linked into programs, as the first table of docs/soup.md has it.
 class Soup
   FILE = 'docs/soup.md'
   # A row: what it is called, names of its packages, their versions, what it is linked into, licence.
@@ -36,7 +36,7 @@ class Soup
     @items = rows.map { |row| item(row.split('|').map(&:strip).drop(1)) }
   end
 
-  # Of a board's programs.
+  # Items of a board's programs.
   def items(board)
     @items.select { |item| [nil, board].include?(item.only_of_board) }
   end

@@ -32,7 +32,7 @@ module Points
       Math.atan2(half, (@rotation.trace - 1) / 2) * 180 / Math::PI
     end
 
-    # What is left of each error.
+    # Remainder of each error.
     def residuals
       @points.map { |point| point.measured - ((@rotation * point.target) + @translation) }
     end

@@ -96,7 +96,7 @@ module Points
       values.sum / values.size
     end
 
-    # Of a sample; a single point has none.
+    # Deviation of a sample; a single point has none.
     def deviation(values)
       return if values.size < 2
 

@@ -17,7 +17,7 @@ module Robot
     UNITS = %w[ticks_per_mm ticks_per_rad].freeze
     SWITCH = { 'over_travel_ticks' => (0..10_000), 'switch_hysteresis_ticks' => (1..10_000),
                'home_time_ms' => (1000..600_000) }.freeze
-    # What homing may go away from its switch beyond over-travel and hysteresis, and the needle in all.
+    # Way that homing may go from its switch beyond over-travel and hysteresis, and the needle in all.
     HOME_MARGIN = { true => Rational('0.1'), false => Rational('0.005236') }.freeze # 0.1 mm or 0.3 degrees
     LARGEST_NEEDLE_WAY_MM = Rational('0.2')
     # A switch may be active up to so far beyond its hysteresis: 0.01 mm or 0.06 degrees, and what two counts make.
@@ -250,7 +250,7 @@ module Robot
       node.decimal(is_length ? -LARGEST_TRAVEL_MM..LARGEST_TRAVEL_MM : -180..180)
     end
 
-    # What ends keep to each side, in mm or deg.
+    # Margin that ends keep to each side, in mm or deg.
     def coupled_margin(is_length)
       is_length ? Rational(Limit.of('coupled_margin_nm'), 1_000_000) : Rational(Limit.of('coupled_margin_bam') * 360, 2**32)
     end

@@ -4,7 +4,7 @@
 require_relative 'limit'
 
 module Robot
-  # What drives an axis: its card and its motor.
+  # Drive of an axis: its card and its motor.
   #
   # @satisfies SWR-DRIVE-006
   class Drive
@@ -18,7 +18,7 @@ module Robot
       'high_frequency' => Card.new({ 'amplitude' => (1..255), 'gain_per_s' => (1..200), 'resonance_hz_per_k' => (0..255) }, false),
       'analog' => Card.new(MAGNITUDE.call(1..0xFFFF), false)
     }.freeze
-    # Each type of motor: the cards that drive it. What it can do stands in its limits (SWR-DRIVE-006).
+    # Each type of motor: the cards that drive it. Its abilities stand in its limits (SWR-DRIVE-006).
     MOTORS = {
       'shinsei' => %w[pwm non_pwm high_frequency analog],
       'piezo' => %w[pwm non_pwm high_frequency analog],
@@ -30,7 +30,7 @@ module Robot
     WORDS_PER_KHZ = 22_009_000 # 2^32 words are 195.15 kHz.
     CURVE_STEPS = 8 # ROBOT_CURVE_STEPS of core/robot/robot.h
     CURVE_FULL = 255 # ROBOT_CURVE_FULL
-    SLOWEST_PERCENT = 10 # Of full speed, below which motors stick (core/motion/motor_model.c).
+    SLOWEST_PERCENT = 10 # Percent of full speed, below which motors stick (core/motion/motor_model.c).
 
     # Values by key; `axis`: the node of the whole axis.
     attr_reader :values
@@ -52,7 +52,7 @@ module Robot
       @values['card'] == 'high_frequency'
     end
 
-    # What a motor of this type can do.
+    # Limit of a motor of this type.
     def limit(name)
       Limit.of("#{@values['motor']}_#{name}")
     end

@@ -30,7 +30,7 @@ module Robot
         node.refuse("is #{node.name}; expected an axis of this robot")
     end
 
-    # Who leads in a stage homes in it, and who follows does not: so there are no chains and no circles.
+    # A leader of a stage homes in it, and a follower does not: so there are no chains and no circles.
     def check(axis, stage, node)
       leader = leader(node)
       node.refuse("follows in stage #{stage}, in which #{axis['name']} homes itself; expected another stage") \

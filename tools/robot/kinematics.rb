@@ -5,11 +5,11 @@ require 'psych'
 require_relative 'document'
 
 module Robot
-  # What a kinematics takes for granted of its robots: kinematics.yml in its folder.
+  # Assumptions of a kinematics about its robots: kinematics.yml in its folder.
   class Kinematics
     FOLDER = File.expand_path('../../core/robot', __dir__)
 
-    # Of all robots.
+    # Names of all kinematics.
     def self.names(folder = FOLDER)
       Dir.glob('*/kinematics.yml', base: folder).map { |path| File.dirname(path) }.sort
     end
@@ -52,7 +52,7 @@ module Robot
       @parts.fetch('between')
     end
 
-    # What each is of, by its name, in order.
+    # Quantity of each, by its name, in order.
     def coupled_limits
       @parts.fetch('coupled_limits')
     end
@@ -84,14 +84,14 @@ module Robot
       @parts.fetch('drawing', {})
     end
 
-    # Of what stands in `field`.
+    # Refusal of the value of `field`.
     def refuse(field, reason)
       raise Refused.new(@path, field, reason)
     end
 
     private
 
-    # Depths are told in mm and angles in degrees, whatever the robot.
+    # Depths are given in mm and angles in degrees, whatever the robot.
     #
     # @satisfies SWR-TOOL-029
     def check_needle_units

@@ -2,13 +2,13 @@
 # frozen_string_literal: true
 
 module Robot
-  # What planning clients are told of a robot: its joints in their order, and lengths by names.
+  # Data of a robot for planning clients: its joints in their order, and lengths by names.
   #
   # @satisfies SWR-IGTL-038
   # @satisfies SWR-IGTL-039
   class Told
     MOST_LENGTHS = 4 # ROBOT_TOLD_LENGTHS of core/robot/robot.h
-    LONGEST_NAME = 20 # Of a device in OpenIGTLink.
+    LONGEST_NAME = 20 # Letters of a device's name in OpenIGTLink.
 
     Length = Struct.new(:millimetres, :probe) # probe: 1 + its place there, or 0
 

@@ -56,7 +56,7 @@ class TestBootstrap < Minitest::Test
     assert_match(/^npm, 10 s: npm runs$/, text)
   end
 
-  # What a newcomer may have to wait for.
+  # Commands that a newcomer may have to wait for.
   def test_SWR_TOOL_035_everything_that_is_fetched_or_packed_shows_that_it_lasts
     lines = %w[tools/bootstrap Makefile site/site.mk].flat_map { |file| File.readlines("#{ROOT}/#{file}", chomp: true) }
     long = lines.grep(%r{\A\s*[^#\s].*\b(npm (ci|run)|gem install|apt-get "|ruby tools/debian/(sources|armhf)\.rb)})

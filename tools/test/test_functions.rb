@@ -6,7 +6,7 @@ require 'minitest/autorun'
 require 'tmpdir'
 require_relative '../functions'
 
-# Rule under test: no written function of the product is longer or more complex than its limits; what is, is named.
+# Rule under test: no written function of the product is longer or more complex than its limits; one that is, is named.
 class TestFunctions < Minitest::Test
   ROOT = File.expand_path('../..', __dir__)
   CONSOLE = File.read(File.join(ROOT, 'app/console/eslint.config.js'))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rules under test: a find of the fuzzer is kept and told with how to play it again; a scene of words is its bytes and
+# Rules under test: a find of the fuzzer is kept and reported with how to play it again; a scene of words is its bytes and
 # back, and a word that it does not have is refused.
 
 require 'minitest/autorun'

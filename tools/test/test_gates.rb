@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# The rule under test: what has not passed has failed, and why is said last; nothing of a run stays behind. Each test
+# The rule under test: a test that has not passed has failed, with its reason as the last line; nothing of a run stays behind. Each test
 # runs a few gates of its own in an empty folder.
 
 require 'fileutils'
@@ -234,7 +234,7 @@ class TestGates < Minitest::Test
 
   private
 
-  # What a user sees of gates name => command or [command, needs]; the block looks at the folder.
+  # Output for a user of gates name => command or [command, needs]; the block looks at the folder.
   def run_gates(gates, *wanted)
     Dir.mktmpdir do |folder|
       prepare(folder, gates)
@@ -298,7 +298,7 @@ class TestGates < Minitest::Test
     end
   end
 
-  # What is written while 90 seconds pass, by lines.
+  # Output while 90 seconds pass, by lines.
   def told(out)
     now = 0
     jobs = [['charts', [12, 69], 75], ['misra', nil, 4]].map do |name, progress, seconds|

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# The rule under test: the id of a tree tells every content from every other, and nothing else changes it.
+# The rule under test: the id of a tree distinguishes every content from every other, and nothing else changes it.
 
 require 'fileutils'
 require 'minitest/autorun'

@@ -87,7 +87,7 @@ class TestPackage < Minitest::Test
     end
   end
 
-  # What stands in no folder of anybody leaves no trace of one.
+  # A source outside of any user's folder leaves no trace of one.
   def test_SWR_PACK_005_programs_do_not_tell_where_they_were_compiled
     source = 'app/common/clock.c'
     sums = Array.new(2) do

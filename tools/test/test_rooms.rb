@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# The rule under test: what a source includes shows in the line, and is what its room may see.
+# The rule under test: an include of a source shows its room in the line, and that room may be seen.
 
 require 'fileutils'
 require 'minitest/autorun'

@@ -21,7 +21,7 @@ class TestTrace < Minitest::Test
           'tools' => { 'gcc' => '1.2', 'ruby' => '3.4' },
           'machine' => { 'processor' => 'Abacus', 'cores' => 3, 'kernel' => 'Kernel 1', 'system' => 'System 2' } }.freeze
 
-  # Of the results, the tests; where they come from is added.
+  # Tests of the results; their origin is added.
   COMPLETE = {
     '.gitignore' => "/build/\n",
     'requirements/risk.yml' => <<~YAML,
@@ -407,7 +407,7 @@ class TestTrace < Minitest::Test
     end
   end
 
-  # run: what the results say of their origin, other than the truth.
+  # run: the origin stated by the results, other than the truth.
   def in_project(changes = {}, run = {})
     Dir.mktmpdir do |root|
       results, files = COMPLETE.merge(changes).partition { |name, _text| name.start_with?('build/') }
@@ -430,7 +430,7 @@ class TestTrace < Minitest::Test
     end
   end
 
-  # What it prints and how it ends, without a process of its own.
+  # Its output and exit code, without a process of its own.
   def trace(command, root, *options)
     status = nil
     text = capture_io { status = Trace::Command.run([command, '--root', root, *options]) }

@@ -44,7 +44,7 @@ module Trace
 
     private
 
-    # Ceedling does not count assertions; what the text shows stands in for the count.
+    # Ceedling does not count assertions; the text stands in for the count.
     def mark_empty_tests
       empty = sources.tests.select(&:is_empty).map { |test| [test.place.file, test.name] }
       results.each do |result|
@@ -137,7 +137,7 @@ module Trace
       check_word(item, 'level', item['verification'].to_h['level'], LEVELS) if item.kind == 'SWR'
     end
 
-    # What the robot makes of it verification/site/test_scenes.rb asks.
+    # The reaction of the robot to it is tested by verification/site/test_scenes.rb.
     #
     # @satisfies SWR-SITE-019
     def check_scene(item)
@@ -205,7 +205,7 @@ module Trace
       end
     end
 
-    # What a chart's element controls must follow from its requirements.
+    # The control of a chart's element must follow from its requirements.
     def check_controls
       @project.sources.controls.each do |control|
         next complain('E01', control.place, "#{control.name} names the unknown hazard #{control.hazard}") \
@@ -244,7 +244,7 @@ module Trace
       ids.reject { |id| known.key?(id) }.each { |id| complain('E01', place, "#{name} names the unknown id #{id}") }
     end
 
-    # What comes from elsewhere shows nothing of what stands here.
+    # Results from elsewhere prove nothing about the present tree.
     #
     # @satisfies SWR-TRACE-003
     def check_origin

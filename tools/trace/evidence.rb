@@ -48,7 +48,7 @@ module Trace
     name.scan(ID_IN_NAME).map { |area, number| "SWR-#{area}-#{number}" }
   end
 
-  # What the tests left, and whether it was made here of the tree as it stands.
+  # Results of the tests, and whether they were made here of the tree as it stands.
   class Evidence
     # doubts: file => why its results do not count
     attr_reader :results, :doubts

@@ -15,7 +15,7 @@ module Trace
     TEMPLATE = File.join(__dir__, 'matrix.html.erb')
 
     # A requirement as it is printed, written and shown.
-    # why: what keeps results from counting.
+    # why: reason for which results do not count.
     Row = Struct.new(:id, :title, :text, :place, :source, :level, :parents, :limits, :elements, :tests,
                      :verdict, :why, keyword_init: true)
 

@@ -3,7 +3,7 @@
 
 require 'psych'
 
-# What the tools know of hazards, risk controls and software requirements.
+# Knowledge of the tools about hazards, risk controls and software requirements.
 #
 # The files are read as a tree of nodes, not as values: every scalar stays the text that was written
 # (`1.10`, `no`), and every item knows its line.

@@ -14,7 +14,7 @@ arm-machine: arm-programs
 arm-system: bootstrap-test ## The whole system on an emulated Cortex-A9 with Debian's real-time kernel
 	@ruby verification/arm/test_arm_system.rb -v
 
-# What the emulated machine has in place of a control box on SPI.
+# Device of the emulated machine in place of a control box on SPI.
 CARDS_ON_SPI := $(OUT)/verification/arm/cards-on-spi
 $(CARDS_ON_SPI): $(call object,verification/arm/cards_on_spi.c bsp/sim/bsp_sim.c bsp/sim/wire.c $(NO_LOOKUP)) $(OUT)/libcore.a
 	@$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) -lfuse3 -lpthread -lrt -lm -o $@

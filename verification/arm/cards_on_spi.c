@@ -3,8 +3,9 @@
  * @file
  * cards-on-spi DEVICE BOX: a character device /dev/DEVICE that answers as the kernel's spidev does.
  * Behind it are the cards of the simulated box BOX, on a multiplexer with all slots. For the
- * emulated machine alone, whose SPI leads to nothing: who opens the device cannot tell. A program
- * of the user serves it by CUSE, so that a request has its data fetched in rounds.
+ * emulated machine alone, whose SPI leads to nothing: a program that opens the device sees no
+ * difference. A program of the user serves it by CUSE, so that a request has its data fetched in
+ * rounds.
  */
 #define FUSE_USE_VERSION 31
 #include "bsp.h"
@@ -30,7 +31,7 @@
 typedef struct spi_ioc_transfer transfer_t;
 
 static uint32_t settings[SETTINGS]; /* By the number of their requests. */
-static uint32_t next_slot;          /* Of the multiplexer. */
+static uint32_t next_slot;          /* Next slot of the multiplexer. */
 static uint8_t sent[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 static uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 

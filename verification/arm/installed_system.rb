@@ -43,7 +43,7 @@ class InstalledSystem < ArmSystem
     service('status').first
   end
 
-  # What is said, and the exit code.
+  # Output, and the exit code.
   def dpkg(*words)
     machine.run("#{DPKG} #{words.join(' ')}")
   end

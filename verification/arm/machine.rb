@@ -78,7 +78,7 @@ class Machine
     raise
   end
 
-  # What a command says, and its exit code.
+  # Output of a command, and its exit code.
   def run(command)
     mark = "=#{@number += 1}="
     @serial.write("{ #{command}\n} </dev/null 2>&1; code=$?; echo; echo #{mark}$code\n")
@@ -148,7 +148,7 @@ class Machine
     shell('sh', '-c', "cd #{tree} && find . | cpio --quiet -o -H newc -R 0:0 >#{@folder}/disk")
   end
 
-  # The timer of a core has 100 MHz in QEMU, and the kernel is told 396: a process would sleep four times as long.
+  # The timer of a core has 100 MHz in QEMU, and the kernel is given 396: a process would sleep four times as long.
   # With one core it is named as none, so that the kernel takes the timer beside the core; several need their own.
   def describe
     devices = File.binread(find('usr/lib/linux-image-*/imx6q-sabrelite.dtb'))
@@ -156,7 +156,7 @@ class Machine
     File.binwrite("#{@folder}/devices", devices)
   end
 
-  # What they are installed with and where.
+  # Tools with which they are installed, and the folders.
   def pack_packages(tree)
     FileUtils.cp_r("#{INSTALLER}/.", tree)
     FileUtils.mkdir_p(INSTALLED_IN.map { |folder| "#{tree}/#{folder}" } << "#{tree}/packages")
@@ -205,7 +205,7 @@ class Machine
     end
   end
 
-  # What is sent before the shell is there may be lost: it is said again as long as nothing comes back.
+  # A command that is sent before the shell is there may be lost: it is repeated as long as nothing comes back.
   def start_shell?
     @serial.write("echo HE''RE\n")
     @serial.wait_readable(ASK_AGAIN_SECONDS)

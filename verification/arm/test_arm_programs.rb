@@ -66,7 +66,7 @@ class TestArmPrograms < Minitest::Test
     assert_empty Hardened.complaints(PROGRAMS.flat_map { |name| %W[#{ARM}/#{name} #{ROOT}/build/gcc/bin/#{name}] })
   end
 
-  # What is missing is told, each by itself.
+  # Each missing protection is reported by itself.
   def test_SWR_ARM_003_what_is_not_hardened_is_found
     whole = %w[-O2 -g -fstack-protector-strong -D_FORTIFY_SOURCE=2 -fPIE -pie -Wl,-z,relro,-z,now]
     { [] => nil, %w[-fno-stack-protector] => /guard of the stack/, %w[-U_FORTIFY_SOURCE] => /FORTIFY/,

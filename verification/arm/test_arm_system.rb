@@ -2,7 +2,7 @@
 # frozen_string_literal: true
 
 # Rule under test: all of Boresight does on a Cortex-A9 with a real-time kernel what it does elsewhere: it homes under the
-# pedal, stops, and is off when control dies; what was recorded there is computed again on both processors. It does so on a
+# pedal, stops, and is off when control dies; a recording made there is computed again on both processors. It does so on a
 # simulated box as well as on the board sbrio with its SPI, GPIO and watchdog. Its package is installed there, gone back from
 # and removed. Judged by events, never by a clock.
 
@@ -177,7 +177,7 @@ class TestArmSystem < Minitest::Test
     assert_equal [OLD, NEW], [system.leads('current'), system.leads('previous')]
   end
 
-  # What has to do with time is the emulation's.
+  # Checks of time depend on the emulation.
   def assert_checked(system)
     said = system.check.first.scan(/^(ok|no|!!) +([A-Z_]+) /).to_h(&:reverse)
     assert_equal 15, said.size
@@ -207,7 +207,7 @@ class TestArmSystem < Minitest::Test
     assert_replayed(system, cycles: 10)
   end
 
-  # What is the engineer's stays.
+  # Files of the engineer stay.
   def remove(system)
     assert_done(system.dpkg('--remove', 'boresight'))
     kept = system.machine.run!('ls /opt; cat /etc/boresight/boresight.conf; ls /var/lib/boresight')
@@ -230,7 +230,7 @@ class TestArmSystem < Minitest::Test
     assert_equal CONTROL_LOST, system.wait_for_end
   end
 
-  # Whoever computes it, each recording, with so many cycles at least.
+  # Each recording is replayed on either processor, with so many cycles at least.
   def assert_replayed(system, cycles:)
     Dir.mktmpdir do |folder|
       system.fetch_recordings(folder).each do |file|

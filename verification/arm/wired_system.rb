@@ -67,7 +67,7 @@ class WiredSystem < ArmSystem
                  "cat #{WATCHDOG}/state; echo V >/dev/watchdog").strip
   end
 
-  # Of the axes, in ticks, as the box sees it.
+  # Positions of the axes, in ticks, as the box sees them.
   def positions
     axes.map { |words| Float(words[4]) }
   end

@@ -7,7 +7,7 @@
 #
 #   ruby verification/authority_stress/authority_stress.rb MINUTES [SEED]      exits 1 if a rule was broken; its recording is kept
 #
-# Who acts when is the machine's; what is recorded is judged again alike, wherever it is replayed.
+# The order of the acts depends on the machine; a recording is judged again alike, wherever it is replayed.
 
 require 'json'
 require 'open3'

@@ -95,7 +95,7 @@ static void look_at_command(message_oracle_t *self, uint32_t cycle,
     self->refused += is_refused ? 1U : 0U;
 }
 
-/* Who asks again for the same waits no longer. */
+/* A repeated request for the same waits no longer. */
 static bool is_asked_already(const message_oracle_t *self, const command_t *command)
 {
     return (command->as.request.request == (uint32_t)AUTHORITY_REQUEST_TAKE) &&
@@ -221,7 +221,7 @@ static void look_at_holder(message_oracle_t *self, uint32_t cycle, const snapsho
          !self->is_ending || (snapshot->authority == (uint32_t)AUTHORITY_STATE_ENDING), cycle);
 }
 
-/* What ends with the axes' rest, or with the time for it. */
+/* States that end with the axes' rest, or with the time for it. */
 static void look_at_rest(message_oracle_t *self, const snapshot_t *snapshot)
 {
     bool is_at_rest = true;

@@ -12,15 +12,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What must hold in every cycle. */
+/** Sentences that must hold in every cycle. */
 typedef enum {
     SENTENCE_ONE = 0,     /**< One holds at a time, and it is who is shown. */
     SENTENCE_REST = 1,    /**< Between two holders the axes rest, or their time has passed. */
-    SENTENCE_WAY = 2,     /**< Who takes it has commanded it, or pressed the button for it. */
-    SENTENCE_OBEYED = 3,  /**< Nobody is obeyed who does not have it. */
-    SENTENCE_ARMED = 4,   /**< An order is of who has it, and does not outlive that. */
-    SENTENCE_OFF = 5,     /**< Without who armed its order no axis is driven. */
-    SENTENCE_STOP = 6,    /**< A stop is refused to nobody for want of authority. */
+    SENTENCE_WAY = 2,     /**< It is taken by a command, or by the button pressed for it. */
+    SENTENCE_OBEYED = 3,  /**< Only the holder is obeyed. */
+    SENTENCE_ARMED = 4,   /**< An order is of the holder, and does not outlive its authority. */
+    SENTENCE_OFF = 5,     /**< Without the owner of its order no axis is driven. */
+    SENTENCE_STOP = 6,    /**< No stop is refused for want of authority. */
     SENTENCE_ANSWERED = 7 /**< Each command is answered, and each refusal has a name. */
 } sentence_t;
 
@@ -37,17 +37,17 @@ typedef struct {
 typedef struct {
     uint32_t cycles;
     uint32_t broken[SENTENCE_COUNT];       /**< Cycles. */
-    uint32_t first_cycle[SENTENCE_COUNT];  /**< Of them. */
+    uint32_t first_cycle[SENTENCE_COUNT];  /**< The first of them. */
     uint32_t takes[COMMAND_SOURCE_COUNT];  /**< By source. */
     uint32_t losses[LOSSES];               /**< By authority_loss_t. */
     uint32_t orders[COMMAND_SOURCE_COUNT]; /**< Armed, by source. */
     uint32_t driven;                       /**< Cycles in which an axis was. */
     uint32_t cut;                          /**< Losses while an axis was driven. */
     uint32_t refused;                      /**< For want of authority. */
-    uint32_t stops;                        /**< Of who did not have it. */
+    uint32_t stops;                        /**< Sent without authority. */
     party_t holder;
-    party_t owner; /**< Of the armed order. */
-    party_t asker; /**< Whose request to take it stands. */
+    party_t owner; /**< Owner of the armed order. */
+    party_t asker; /**< Party whose request to take it stands. */
     uint64_t time_us;
     uint64_t asked_us;
     uint64_t lost_us;

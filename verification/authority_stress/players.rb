@@ -5,7 +5,7 @@ require 'json'
 require_relative '../system/support/igtl_client'
 require_relative '../system/support/session_client'
 
-# Plays by chance until it is told to leave. A time that passes is part of the play.
+# Plays by chance until it is asked to leave. A time that passes is part of the play.
 class Player
   GONE = [SystemCallError, IOError, Net::OpenTimeout, Net::ReadTimeout, Net::HTTPBadResponse].freeze
 
@@ -68,7 +68,7 @@ class Connection < Player
   alias finish lose
 end
 
-# A page of the console. Who sulks says nothing for longer than a page may.
+# A page of the console. A sulking page sends nothing for longer than a page may.
 class Page < Player
   PACE_S = [0.1, 1.2].freeze
   SULK_S = 6

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What a cycle costs, and how punctually it begins; included by the Makefile.
+# Cost of a cycle, and punctuality of its begin; included by the Makefile.
 
 .PHONY: bench rt-report bench-clients bench-codec bench-crowds bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve
 
@@ -42,7 +42,7 @@ bench-programs: bootstrap-test cost-programs
 	@$(MAKE) --no-print-directory -j2 $(BINARIES) $(BIN)/boresight-client build/gcc/bin/bench-step \
 	    build/gcc/bin/bench-recordings build/gcc/bin/bench-clients build/gcc/bin/bench-crowd
 
-# What the gate needs, without what the latency needs.
+# Needs of the gate, without those of the latency.
 cost-programs:
 	@$(MAKE) --no-print-directory -j2 build/gcc/bin/bench-samples build/gcc/bin/bench-codec
 	@$(MAKE) --no-print-directory -j2 CONFIG=arm build/arm/bin/bench-step

@@ -33,11 +33,11 @@
 #define COMMANDER (CLIENTS - 1U)
 #define COMMAND_PAUSE_US UINT64_C(20000)
 #define ANSWER_CLOCK_US UINT64_C(60000000)
-#define BUCKETS 1000000U /* Of 1 us; the last holds all above. */
+#define BUCKETS 1000000U /* Buckets of 1 us; the last holds all above. */
 
 typedef struct {
     int descriptor;
-    const char *pose; /* What it asks for. */
+    const char *pose; /* The pose that it asks for. */
     igtl_inbox_t inbox;
     char awaited[IGTL_NAME_SIZE]; /* Empty: nothing. */
     uint64_t asked_us;
@@ -47,7 +47,7 @@ typedef struct {
 static client_t clients[CLIENTS];
 static uint32_t histogram[BUCKETS];
 static struct {
-    uint32_t numbers; /* Of names. */
+    uint32_t numbers; /* Count of names. */
     uint32_t questions;
     uint32_t answers;
     uint32_t commands;
@@ -277,7 +277,7 @@ static uint64_t await_status(const char *name)
             }
             return now_us() - self->asked_us;
         } else {
-            /* It tells something else. */
+            /* The message is another one. */
         }
     }
     fail("the commander was not answered");

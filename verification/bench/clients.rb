@@ -7,7 +7,7 @@ require_relative '../demo/targets'
 require_relative '../demo/workflow'
 require_relative '../system/support/boresight'
 
-# What fifteen clients see that ask as fast as they are answered while the bench moves to a target.
+# Answer times of fifteen clients that ask as fast as they are answered while the bench moves to a target.
 class Clients
   ROBOT = 'bench2'
   SECONDS = 2.0

@@ -4,7 +4,7 @@
 require 'tmpdir'
 require_relative 'support'
 
-# What our OpenIGTLink codec needs for a TRANSFORM, beside the standard's own library: ns and instructions, each for a
+# Cost of a TRANSFORM in our OpenIGTLink codec, beside the standard's own library: ns and instructions, each for a
 # message to bytes and back.
 class Codec
   PROGRAM = File.join(ROOT, 'build/gcc/bin/bench-codec')
@@ -37,7 +37,7 @@ class Codec
     end
   end
 
-  # Of the library's instructions at its best, in percent.
+  # Share of the library's instructions at its best, in percent.
   def self.percent(instructions, what)
     100.0 * instructions.fetch("#{what}_ours") / instructions.fetch("#{what}_kept")
   end

@@ -5,7 +5,7 @@ require 'yaml'
 require_relative 'counters'
 require_relative 'scene'
 
-# What a cycle costs as Cortex-A9 code, by robot and stage; the approved figures are in the same form.
+# Cost of a cycle as Cortex-A9 code, by robot and stage; the approved figures are in the same form.
 class Cost
   APPROVED = File.join(ROOT, 'verification/bench/cost.yml')
   WRITTEN = File.join(BENCH_OUT, 'cost.yml')
@@ -50,7 +50,7 @@ class Cost
     File.write(WRITTEN, HEAD + YAML.dump({ 'robots' => rows }, line_width: -1).delete_prefix("---\n"))
   end
 
-  # What is more than approved, one sentence each.
+  # Figures above the approved ones, one sentence each.
   def complaints(approved)
     each_row.flat_map do |robot, stage, row|
       before = approved.rows.fetch(robot).fetch(stage)

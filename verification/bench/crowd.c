@@ -9,7 +9,7 @@
  * How many there are of each: consoles read the stream of events and look for gaps in it, and come
  * before all others; the lazy ask for it and read nothing; comers ask for the state without a
  * pause; halves send half a request, every second one for STOP; guessers try passwords; stoppers
- * ask for STOP, in turn with the body at once, apart, or held back until they are told to go on.
+ * ask for STOP, in turn with the body at once, apart, or held back until the server asks for them.
  * "begun" is printed when each has come, and at the end of the standard input one line of JSON: of
  * each kind how many were answered, refused and dropped, and of the consoles the events heard and
  * missed.
@@ -56,14 +56,14 @@ typedef struct {
     uint64_t again_ms;
     bool has_come; /* At least once. */
     bool has_asked;
-    bool owes_body;   /* Of a stop: its head alone has been sent. */
-    bool holds_body;  /* It waits to be told to go on. */
-    bool is_answered; /* The head has come; it tells `status` and, of the body, `left`. */
+    bool owes_body;   /* Stop whose head alone has been sent. */
+    bool holds_body;  /* It waits for the server to ask for the body. */
+    bool is_answered; /* The head has come; it states `status` and, of the body, `left`. */
     unsigned status;
     size_t left;
     size_t head_size;
     char head[HEAD_SIZE];
-    size_t line_size; /* Of a stream: how the present line begins. */
+    size_t line_size; /* Beginning of the present line of a stream. */
     char line[LINE_SIZE];
     bool has_event;
     unsigned event; /* The last one heard. */
@@ -210,7 +210,7 @@ static void hear_stream(client_t *self, const char *bytes, size_t size)
             self->line[self->line_size] = bytes[i];
             self->line_size++;
         } else {
-            /* The rest of a line tells nothing. */
+            /* The rest of a line is not needed. */
         }
     }
 }
@@ -249,7 +249,7 @@ static void hear_head(client_t *self, const char *bytes, size_t size)
     if (end == NULL) {
         return;
     }
-    if (self->holds_body) { /* What it is told first is all that has come. */
+    if (self->holds_body) { /* The first answer is all that has come. */
         self->holds_body = false;
         self->owes_body = strcmp(self->head, go_on) == 0;
         self->head_size = self->owes_body ? 0U : self->head_size;
@@ -309,7 +309,7 @@ static void attend(client_t *self, short events)
     }
 }
 
-/* The lazy are told only when the server closes. */
+/* Lazy clients notice only that the server closes. */
 static short awaited(const client_t *self)
 {
     if (!self->has_asked || self->owes_body) {

@@ -11,7 +11,7 @@ module Crowd
   PROGRAM = File.expand_path('../../build/gcc/bin/bench-crowd', __dir__)
   KINDS = %i[consoles lazy comers halves guessers stoppers].freeze
 
-  TURN_SECONDS = 1 # Of a crowd, before its stops are counted.
+  TURN_SECONDS = 1 # Age of a crowd before its stops are counted.
 
   # Returns what became of the stops once at least `count` of them were answered.
   def self.until_answered(port, count, **counts)
@@ -34,7 +34,7 @@ module Crowd
   end
 end
 
-# What the bench does meanwhile: it homes, and moves from one target to the other under the pedal.
+# Motion of the bench meanwhile: it homes, and moves from one target to the other under the pedal.
 class Errand
   ROBOT = 'bench2'
   NM_PER_MM = 1_000_000

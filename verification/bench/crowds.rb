@@ -6,7 +6,7 @@ require_relative 'cyclictest'
 require_relative 'support'
 require_relative '../system/support/session_client'
 
-# What clients that crowd the HTTP server cost while the bench moves. Each crowd is met twice, for the same time: by the
+# Cost of clients that crowd the HTTP server while the bench moves. Each crowd is met twice, for the same time: by the
 # control loop, and by cyclictest in its place, beside a whole system without the loop's rights. The crowd leaves the loop's
 # core both times, as who is at another computer: beside cyclictest the loop's own elastic substitute kept it away from there,
 # beside the loop nothing did, and its packets were received on the core that it ran on.
@@ -16,7 +16,7 @@ class Crowds
              'flood' => { comers: 64 }, 'halves' => { halves: 300 }, 'guesses' => { guessers: 32 },
              'all' => { consoles: 8, lazy: 200, comers: 64, halves: 300, guessers: 32 } }.freeze
   STOPS = 200
-  STOP_SECONDS = 10 # Of stops at one port, if there are not STOPS before.
+  STOP_SECONDS = 10 # Duration of stops at one port, if there are not STOPS before.
   NO_RIGHTS = %w[prlimit --rtprio=0 --memlock=65536 setpriv --bounding-set=-sys_nice,-ipc_lock].freeze
   WAKE = { 'p50' => :p50, 'p99' => :p99, 'p99.9' => :p999, 'worst' => :worst }.freeze
   LOOP = { p50: 'wake_p50_us', p99: 'wake_p99_us', p999: 'wake_p999_us', worst: 'wake_worst_us' }.freeze

@@ -9,16 +9,16 @@ require 'tempfile'
 # The reference for wake-up latency, with the control loop's settings.
 class Cyclictest
   LAST_CORE = Etc.nprocessors - 1
-  LONGEST_US = 4095 # Of its histogram, as of the loop's.
+  LONGEST_US = 4095 # Longest time of its histogram, as of the loop's.
   QUANTILES = { p50: 0.5, p99: 0.99, p999: 0.999 }.freeze
-  # The control process leaves power saving as it is, so cyclictest is told to do the same.
+  # The control process leaves power saving as it is, so cyclictest is started to do the same.
   COMMAND = ['cyclictest', '-m', '-q', '-p80', '-i1000', '-t1', "-a#{LAST_CORE}", '--mainaffinity=0',
              '--default-system', "-h#{LONGEST_US + 1}"].freeze
 
   # Why it could not run.
   attr_reader :refusal
 
-  # Of so many seconds, in us; nil, with the reason kept, when it is not allowed or not installed.
+  # Latencies of so many seconds, in us; nil, with the reason kept, when it is not allowed or not installed.
   def measure(seconds)
     Tempfile.create('cyclictest') do |file|
       output, status = Open3.capture2e(*COMMAND, "-D#{seconds}", "--json=#{file.path}")

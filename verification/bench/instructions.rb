@@ -7,7 +7,7 @@ require_relative 'scene'
 # Instructions of controller_step() over a scene, by stage, as x86-64 and as Cortex-A9 code.
 class Instructions
   RESULT = File.join(BENCH_OUT, 'instructions.json')
-  CLOCK_MHZ = 667.0 # Of the Zynq-7020 on the controller board.
+  CLOCK_MHZ = 667.0 # Clock of the Zynq-7020 on the controller board.
 
   # Returns the table.
   def run

@@ -77,7 +77,7 @@ class Latency
     Table.render(head, rows << ['loop / cyclictest', *ratios, ''])
   end
 
-  # Of the means of the runs; of the worst the worst.
+  # Ratios of the means of the runs; of the worst times the worst.
   def ratios
     return Array.new(Cyclictest::QUANTILES.length + 1) if @reference.any?(&:nil?)
 

@@ -19,7 +19,7 @@ require_relative '../../tools/recorded_run'
 require_relative '../demo/report'
 require_relative '../system/support/session_client'
 
-# One run, and what is told of it.
+# One run, and the report on it.
 class RealTimeReport
   OUT = File.join(ROOT, 'build/rt-report')
   RECORDINGS = File.join(OUT, 'recordings')

@@ -282,7 +282,7 @@ static void retract(void)
     order("pedal release");
 }
 
-/* What is in doubt after a sweep is right. */
+/* A position in doubt after a sweep is right. */
 static void confirm(void)
 {
     say_phase(WORKPHASE_STOP);

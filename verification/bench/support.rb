@@ -47,7 +47,7 @@ def median(values)
   sorted[sorted.length / 2]
 end
 
-# What it runs on, for the remarks.
+# Computer that it runs on, for the remarks.
 def machine
   virtual = File.read('/proc/cpuinfo').match?(/^flags.*\bhypervisor\b/) ? 'a virtual machine' : 'a computer'
   real_time = File.exist?('/sys/kernel/realtime') && File.read('/sys/kernel/realtime').to_i == 1

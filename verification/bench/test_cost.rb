@@ -2,7 +2,7 @@
 # frozen_string_literal: true
 
 # Rule under test: a control cycle of either clinical robot needs no more instructions than its requirement allows, and no
-# more than verification/bench/cost.yml approves. What was measured is in build/bench/cost.yml.
+# more than verification/bench/cost.yml approves. The measured figures are in build/bench/cost.yml.
 
 require 'minitest/autorun'
 require_relative 'cost'

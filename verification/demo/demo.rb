@@ -29,7 +29,7 @@ class Demo
   ROOT = File.expand_path('../..', __dir__)
   LIMITS = JSON.parse(File.read("#{ROOT}/build/gen/limits/limits.json")).to_h { |limit| limit.values_at('name', 'value') }
 
-  # Nobody watches: up to so many times faster than the clock, or as fast as the machine can.
+  # No viewer watches: up to so many times faster than the clock, or as fast as the machine can.
   SPEEDUP = 100
   # How long the robot is carried and what it reached is treated, of its own time.
   CARRY_S = 10
@@ -37,7 +37,7 @@ class Demo
   # How far a hand pushes the probe, and how far in vain at the end.
   PUSH_MM = 10
   WRONG_PUSH_MM = 1
-  # What the counts of an axis at rest differ by.
+  # Difference of the counts of an axis at rest.
   TREMBLE_TICKS = 2
 
   # The rows of the table, and whether every one is within its limits.
@@ -95,7 +95,7 @@ class Demo
     @robot.simctl('scanner', 'off') if images
   end
 
-  # The pedal is up. What the counts of the axes add up to, SWR-AXIS-022 bounds.
+  # The pedal is up. SWR-AXIS-022 bounds the sum of the counts of the axes.
   def rest(what, seconds)
     strayed = moved { pass(seconds) }
     keep(strayed.empty?)
@@ -237,7 +237,7 @@ def leave_results(demo, is_replayed)
   Results.leave(results)
 end
 
-# Of the whole run; writes its motion to the file `csv`.
+# Replay of the whole run; writes its motion to the file `csv`.
 def replay(out, csv)
   run = RecordedRun.new(out, Boresight.program('boresight-replay'))
   is_equal = run.replay

@@ -8,7 +8,7 @@ require_relative '../system/support/session_client'
 module ManualPage
   private
 
-  # Of a robot that nobody commands.
+  # Page of a robot that no client commands.
   def page(robot)
     one = SessionClient.new(robot.http_port)
     one.log_in('anna')

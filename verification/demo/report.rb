@@ -11,7 +11,7 @@ class DemoReport
       system('gnuplot', '-e', text, File.expand_path(script, __dir__)) || raise("gnuplot could not draw #{script}")
     end
 
-    # Of one axis, a row each: :time, and its columns without its name.
+    # Motion of one axis, a row each: :time, and its columns without its name.
     def read(csv, axis)
       names, *rows = File.foreach(csv, chomp: true).map { |line| line.split(',') }
       places = names.each_index.select { |place| names[place].start_with?("#{axis}_") }

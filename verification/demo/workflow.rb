@@ -42,7 +42,7 @@ class Workflow
     order('ALIGN')
   end
 
-  # What entering the workphase has armed gives way to it.
+  # It replaces the order that entering the workphase has armed.
   def insert
     phase('MOVE_TO_TARGET')
     order('INSERT')
@@ -54,7 +54,7 @@ class Workflow
     order('POSE', name.upcase)
   end
 
-  # What the operator is told: the needle lies on the line of its target.
+  # Message to the operator: the needle lies on the line of its target.
   def aligned?
     heard = say('string', 'IS_IN_TARGETING_POS', 'IS_IN_TARGETING_POS')
     heard += say('wait', 'STRING', 'IS_IN_TARGETING_POS')

@@ -49,7 +49,7 @@ static const struct {
               {EVENT_AXIS_FOLLOWING_ERROR, "following error"},
               {EVENT_AXIS_STALLED, "stall"}};
 
-/* What is aimed at: ms, then mm and degrees. */
+/* Aims: ms, then mm and degrees. */
 #define BLIND_MS 30U
 #define WRONG_MS 150U
 static const double blind_ways[] = {0.3, 2.5};

@@ -17,7 +17,7 @@
 #define EVENTS_MAX 512U
 #define LONGEST 20000U
 
-/** What an inbox made of a stream. */
+/** Result of an inbox for a stream. */
 typedef struct {
     uint32_t count;
     uint64_t events[EVENTS_MAX];
@@ -92,7 +92,7 @@ static void check_inside(const igtl_message_t *message, const uint8_t *body, uin
 
 static igtl_message_t read_back(const igtl_packet_t *packet)
 {
-    static igtl_packet_t kept; /* What the message points into. */
+    static igtl_packet_t kept; /* The bytes that the message points into. */
     igtl_header_t header;
     igtl_message_t message;
 
@@ -104,7 +104,7 @@ static igtl_message_t read_back(const igtl_packet_t *packet)
     return message;
 }
 
-/* What was accepted, written by us, is the same again. */
+/* An accepted message, written by us, is the same again. */
 static void check_round(const igtl_message_t *message)
 {
     igtl_packet_t packet;

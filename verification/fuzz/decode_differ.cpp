@@ -216,7 +216,7 @@ void Damage(Bytes &bytes)
     }
 }
 
-// What the library makes of the content.
+// Result of the library for the content.
 template <class Message> typename Message::Pointer Read(const Bytes &plain)
 {
     igtl::MessageHeader::Pointer header = igtl::MessageHeader::New();
@@ -380,7 +380,7 @@ Bytes Written(const igtl_packet_t &packet)
     return Bytes(packet.bytes, packet.bytes + packet.length);
 }
 
-// What we answer with and never read.
+// Messages that we answer with and never read.
 void CompareAnswers()
 {
     static const char *const types[] = {"TRANSFORM", "STRING", "GET_CAPABIL"};

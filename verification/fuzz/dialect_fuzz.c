@@ -16,9 +16,9 @@
 #include <stddef.h>
 #include <string.h>
 
-#define CYCLES_MAX 700U /* Of a scene. */
+#define CYCLES_MAX 700U /* Most cycles of a scene. */
 #define SILENCE_CYCLES 16U
-#define SILENCES_MAX 150U /* Of a scene. */
+#define SILENCES_MAX 150U /* Most silences of a scene. */
 
 /** The bytes that are left, and what was said of the next message. */
 typedef struct {

@@ -19,15 +19,15 @@
 #define NM_MAX 2000000000.5
 #define SEEN 64U
 #define PREFIX 4U
-#define TRACKED_BYTES 70U   /* Of an element of a TDATA, */
+#define TRACKED_BYTES 70U   /* Size of an element of a TDATA, */
 #define TRACKED_NUMBERS 22U /* and where its numbers begin. */
 #define SECOND_US UINT64_C(1000000)
 #define JITTER_US UINT64_C(5000)
-/* Of a planner in the second after a pause. */
+/* Proposals of a planner in the second after a pause. */
 #define PROPOSALS ((LIMIT_IGTL_PROPOSAL_BURST - 1U) + (SECOND_US / LIMIT_IGTL_PROPOSAL_INTERVAL_US))
 #define ENTRY_MAX_Q30 INT32_C(1074815565) /* 1 + 1e-3. */
 
-/** What one peer was told since a dialect was called, and what it said before. */
+/** Messages to one peer since a dialect was called, and its own before. */
 typedef struct {
     uint32_t statuses;
     uint32_t answers; /**< All but acknowledgements. */
@@ -181,7 +181,7 @@ static bool is_named(const igtl_message_t *message, const char *name)
     return strcmp(message->name, name) == 0;
 }
 
-/* Of the needle alone. */
+/* Tracking is of the needle alone. */
 static void judge_tracking(const world_t *world, uint32_t place, const igtl_message_t *message)
 {
     uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
@@ -340,7 +340,7 @@ static bool says(const igtl_message_t *message, const char *text)
            (memcmp(message->text, text, message->text_bytes) == 0);
 }
 
-/* Of what is passed on at once. */
+/* Messages that are passed on at once. */
 static void judge_stops(const world_t *world, const igtl_message_t *said)
 {
     if (is_command(said) && says(said, "STOP")) {
@@ -416,7 +416,7 @@ static bool is_draping(const world_t *world, const igtl_request_t *pose)
            (pose->command.as.pose_name.pose == (uint32_t)POSE_DRAPING);
 }
 
-/* MANUAL was entered for DRAPING, of which the answer to its pose is told alone. */
+/* MANUAL was entered for DRAPING, of which only the answer to its pose is sent. */
 static bool goes_on_draping(const world_t *world, const igtl_request_t *was)
 {
     const workphase_peer_t *peer = &world->workphase.peers[was->peer];
@@ -425,7 +425,7 @@ static bool goes_on_draping(const world_t *world, const igtl_request_t *was)
            is_draping(world, request_of(&world->workphase.requests, peer->pending));
 }
 
-/* Who waits is told when it need not wait any more; of the rows of an array once. */
+/* A waiting peer is informed when it need not wait any more; for the rows of an array once. */
 static void judge_requests(const world_t *world)
 {
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
@@ -482,7 +482,7 @@ static void judge_pose(const igtl_message_t *said, const rigid_t *pose)
     judge_number(said->numbers[11], NM_PER_MM, NM_MAX, pose->translation.z_nm);
 }
 
-/* What a call has queued, and for whom. */
+/* Place of the connected peer `number`, or NOWHERE. */
 static uint32_t place_of(const world_t *world, uint32_t number)
 {
     for (uint32_t i = 0U; i < WORLD_PEERS; i++) {

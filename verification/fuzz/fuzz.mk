@@ -6,7 +6,7 @@ FUZZ := build/fuzz
 FUZZ_SEEDS := $(FUZZ)/seeds/.made
 FUZZ_WORDS := $(GEN)/fuzz/words.h
 FUZZ_CC := clang-19
-# What is fuzzed counts its branches and is watched; the controller and the box only play along, and are quick.
+# Fuzzed code counts its branches and is watched; the controller and the box only play along, and are quick.
 FUZZ_FLAGS := $(WARNINGS) -ffp-contract=off -O2 -g -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY) -fno-sanitize-recover=all
 FUZZ_WATCHED := -fsanitize=fuzzer-no-link,address,undefined
 FUZZED := $(wildcard app/igtl/wire/*.c app/igtl/dialect/*.c app/igtl/workphase/*.c app/igtl/lists/*.c) $(AXIS_TERMS) $(LIST_TERMS) $(IGTL_TABLES)
@@ -27,7 +27,7 @@ $(FUZZ)/%.o: %.c $(FUZZ_WORDS) | $(GENERATED)
 	@$(FUZZ_CC) $(FUZZ_FLAGS) $(FUZZ_WATCH) -MMD -MP -c $< -o $@
 
 $(FUZZ)/app/%.o $(FUZZ)/verification/fuzz/codec_fuzz.o $(FUZZ)/verification/fuzz/ports_fuzz.o $(FUZZ)/verification/fuzz/request_fuzz.o: FUZZ_WATCH = $(FUZZ_WATCHED)
-# The words of the scenes tell what is compared with; to trace it would take half of the time.
+# The words of the scenes contain the values of comparisons; to trace it would take half of the time.
 $(FUZZ)/app/igtl/dialect/%.o $(FUZZ)/app/igtl/workphase/%.o $(FUZZ)/app/igtl/lists/%.o: FUZZ_WATCH = $(FUZZ_WATCHED) -fno-sanitize-coverage=trace-cmp
 
 $(FUZZ)/bin/codec: $(call fuzz_object,verification/fuzz/codec_fuzz.c $(wildcard app/igtl/wire/*.c))
@@ -57,7 +57,7 @@ fuzz: bootstrap-test ## Look for inputs that break OpenIGTLink or HTTP, MINUTES=
 	@$(MAKE) --no-print-directory -j2 fuzz-programs
 	@ruby tools/fuzz.rb $(FUZZ) $(or $(MINUTES),5)
 
-# What our codec accepts of damaged messages, against the standard's own library.
+# Damaged messages that our codec accepts, against the standard's own library.
 $(BIN)/decode-differ: verification/fuzz/decode_differ.cpp $(CODEC)
 	@mkdir -p $(BIN)
 	g++ -std=c++14 -Wall -O1 -Iapp -isystem /usr/include/openigtlink $^ -lOpenIGTLink -lpthread -o $@

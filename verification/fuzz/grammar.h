@@ -15,7 +15,7 @@ typedef struct {
     uint8_t bytes[GRAMMAR_MESSAGE_MAX];
 } grammar_message_t;
 
-/** What of it is wrong on purpose. */
+/** Parts of it that are wrong on purpose. */
 typedef struct {
     bool is_wanted;
     uint32_t position; /**< Modulo the message's length. */

@@ -68,7 +68,7 @@ static void look_at_pose(const double matrix[16])
     hold((wrong < 16U) || (abs(pose.translation.x_nm) <= 2000000000));
 }
 
-/* What each route takes. */
+/* Body and query of each route. */
 static void try_routes(const char *bytes, size_t size)
 {
     for (size_t i = 0U; i < ROUTE_COUNT; i++) {

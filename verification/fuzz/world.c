@@ -249,7 +249,7 @@ static void step(world_t *self)
     }
 }
 
-/* Who has nothing to do looks around now and then only. */
+/* A process without a task looks around now and then only. */
 static bool is_turn(const world_t *self)
 {
     return ((self->moment.now_us % WORLD_TURN_US) == 0U) ||

@@ -22,16 +22,16 @@
 #define WORLD_PEERS 8U
 #define WORLD_LANE 16U                  /**< Commands on their way to control, */
 #define WORLD_STOPS 16U                 /**< and so many more of STOP and EMERGENCY. */
-#define WORLD_LOST_US UINT64_C(1000000) /**< Of silence of control. */
+#define WORLD_LOST_US UINT64_C(1000000) /**< Silence of control until it is lost. */
 
-#define WORLD_TURN_US 4000U                /**< Of the process, when nothing happens. */
-#define WORLD_NOTHING UINT32_C(0xA5A5A5A5) /**< In the outbox of who is not there. */
+#define WORLD_TURN_US 4000U                /**< Turn of the process, when nothing happens. */
+#define WORLD_NOTHING UINT32_C(0xA5A5A5A5) /**< In the outbox of an absent peer. */
 
 typedef struct {
     bool is_connected;
     bool is_hung; /**< Reads nothing. */
     uint32_t number;
-    uint32_t version;  /**< Of the headers that it writes, */
+    uint32_t version;  /**< Version of the headers that it writes, */
     bool has_spoken_2; /**< and whether one of version 2 has come, damaged or not. */
     igtl_language_t language;
     igtl_inbox_t inbox;
@@ -40,7 +40,7 @@ typedef struct {
 
 typedef struct {
     rig_t rig;
-    authority_oracle_t authority_oracle; /**< Who commands, as seen from outside. */
+    authority_oracle_t authority_oracle; /**< The holder of authority, as seen from outside. */
     workphase_dialect_t workphase;
     transform_dialect_t transform;
     world_peer_t peers[WORLD_PEERS];

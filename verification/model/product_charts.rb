@@ -9,7 +9,7 @@ module ProductCharts
   ROOT = File.expand_path('../..', __dir__)
   LIMITS = Chart::Limits.read(File.join(ROOT, 'build/gen/limits/limits.json')).freeze
 
-  # A chart that is refused is told in the words of its refusal.
+  # A chart that is refused is reported in the words of its refusal.
   def self.read(file)
     Chart.compile(file, LIMITS)
   rescue Chart::Refusal => e

@@ -2,8 +2,8 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-# Rule under test: each chart of the product is entered, checked, advanced and told events by its module, and by nobody
-# else. That the controller calls each module in every cycle, the integration tests show.
+# Rule under test: each chart of the product is entered, checked, advanced and given events by its module, and by no
+# other. That the controller calls each module in every cycle, the integration tests show.
 
 require 'minitest/autorun'
 require_relative 'product_charts'

@@ -6,12 +6,12 @@
 # reachable pair in any order, and every property of the whole holds. A pair is made of steps of charts: each step
 # is taken by code of gcc and of clang, here and on ARM, and compared with the interpreter's. Every pair is made of them by
 # an explorer of gcc's; with one axis (a twelfth of the configurations) by explorers of all four, and with two axes and
-# fewer stimuli by one of clang's. Of two configurations in which the axes have changed places one is explored for both:
+# fewer stimuli by one of clang's. One of two configurations in which the axes have changed places is explored for both:
 # that this is right is checked on all that composition.yml says, and on every pair.
 # SPIN, with one axis, comes into as many configurations and violates no property. The controller itself, on the
 # simulated box with an operator and a world that do anything, comes into no configuration and permits nothing that the
 # composition lacks. SCION has no part of its own here: on every pair of every chart it does what the interpreter does
-# (test_back_to_back.rb). What stands against motion is compared by name: composition.yml, permit_decide() and what the
+# (test_back_to_back.rb). The reasons against motion are compared by name: composition.yml, permit_decide() and what the
 # running controller shows have the same reasons.
 
 require 'minitest/autorun'
@@ -152,7 +152,7 @@ class TestComposition < Minitest::Test
     assert_found(/^not reached: /, 1, lacking, asked: controller_run)
   end
 
-  # Of this one the permit is the same: there are others whenever it stands.
+  # The permit is the same without this reason: there are others whenever it stands.
   def test_SWR_CHART_034_a_controller_that_forgets_a_reason_is_found
     seen = ControllerRun.seen(commands, episodes: 40) do |code|
       code.sub(/(?<=is_pedal_unproven = ).*(?=,)/, 'false')
@@ -167,7 +167,7 @@ class TestComposition < Minitest::Test
     assert_match(/^other reasons: /, findings)
   end
 
-  # What does not fit, and how it is told.
+  # Contents that do not fit, and the words of their refusal.
   {
     'no_yaml' => ['axes: 2', 'axes: [2', /did not find expected/], 'no_section' => [/^axes: 2\n/, '', /has no axes/],
     'a_section_of_another_kind' => ['axes: 2', 'axes: two', /axes is no Integer/],
@@ -241,7 +241,7 @@ class TestComposition < Minitest::Test
     assert_found(/^COMP-I26\.1: .*need\.ask_mo/, 1, lacking)
   end
 
-  # What the controller might forget, and the property that shows it with the shortest way there.
+  # Acts that the controller might forget, and the property that shows it with the shortest way there.
   {
     'arming does renew_pedal, tell: [pedal.renew]' => /^COMP-I11\.1: .*workphase\.request_start_up/,
     'workphase does discard_order, tell: [arming.discard]' => /^COMP-I10\.1: .*workphase\.request_stop$/,

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # Rule under test: the generated tests of a chart reach every line, every branch and every modified condition/decision
-# of its generated C. What the code includes is no part of it: the contracts in core/base/chart.h cannot be broken by a
+# of its generated C. Included code is no part of it: the contracts in core/base/chart.h cannot be broken by a
 # chart; verification/unit/base/test_chart.c fires them. The figures are printed and stand in build/conformance/mcdc.md.
 
 require 'fileutils'

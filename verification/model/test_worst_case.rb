@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # Rule under test: no call of a product chart, in any reachable pair, needs more instructions, stack or RAM than
-# verification/model/worst_case.yml approves. What was measured is in build/conformance/worst_case.yml.
+# verification/model/worst_case.yml approves. The measured figures are in build/conformance/worst_case.yml.
 
 require 'minitest/autorun'
 require_relative 'worst_case_table'

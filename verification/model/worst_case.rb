@@ -8,7 +8,7 @@ require_relative 'worst_case_counters'
 require_relative 'worst_case_stack'
 
 module WorstCase
-  # What one chart costs: instructions of every call, and bytes.
+  # Cost of one chart: instructions of every call, and bytes.
   class Measurement
     PROCESSORS = Program::CONFIGS.keys
 

@@ -26,7 +26,7 @@ module WorstCase
       pairs + checks
     end
 
-    # What is called; a chart without timers advances in the header.
+    # Called functions; a chart without timers advances in the header.
     def functions
       verbs = @document.timers.any? ? %w[dispatch advance check] : %w[dispatch check]
       verbs.map { |verb| @names.chart_function(verb) }

@@ -16,7 +16,7 @@ module WorstCase
       processor == 'x86' ? callgrind(program, functions) : emulator(program, functions)
     end
 
-    # What the calls of each line cost; there is one a line.
+    # Cost of the calls of each line; there is one a line.
     def callgrind(program, functions)
       Dir.mktmpdir do |folder|
         costs = File.join(folder, 'costs')

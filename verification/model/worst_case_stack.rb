@@ -31,7 +31,7 @@ module WorstCase
       @bytes[node] + deepest(@called.fetch(node, [])).to_i
     end
 
-    # Of functions that are alike gcc keeps one, under all their names.
+    # Gcc keeps one of several equal functions, under all their names.
     def twin(name)
       place = @places.fetch(name) { raise Failed, "the stack of #{name} is unknown" }
       @bytes.keys.find { |other| @places[other] == place } || raise(Failed, "the stack of #{name} is unknown")

@@ -61,7 +61,7 @@ module WorstCase
       end
     end
 
-    # What is more than in the approved table, one sentence each.
+    # Figures above those of the approved table, one sentence each.
     def complaints(approved)
       new, gone = [rows.keys - approved.rows.keys, approved.rows.keys - rows.keys]
       lines = new.map { |name| "#{name} is not approved" } + gone.map { |name| "#{name} is approved, but no chart" } +

@@ -4,7 +4,7 @@
 
 require_relative '../model/product_charts'
 
-# What the compiler says of a mutant. A rule whose message is mended by following it (an event that is taken or ignored
+# Verdict of the compiler on a mutant. A rule whose message is mended by following it (an event that is taken or ignored
 # now, a question that is asked no longer) refuses nothing: the mutant that follows is judged.
 module Judge
   # R24: an input that nothing reads; R25, R26: an event without transition or ignored in vain; R35: a guard that is

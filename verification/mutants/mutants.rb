@@ -97,7 +97,7 @@ class Mutants
     begun(@states.find { |one| one.attributes['id'] == element.attributes['initial'] })
   end
 
-  # Of each leaf of the safe configuration, every other one.
+  # For each leaf of the safe configuration, every other one.
   def refuges
     safe = @tree.attributes['bs:safe'].split
     safe.product(places - safe).each do |leaf, other|
@@ -154,7 +154,7 @@ class Mutants
     [actions[(@turn = (@turn || -1) + 1) % actions.length]]
   end
 
-  # What the guards of an event ask: [event, atom].
+  # Questions of the guards of an event: [event, atom].
   def questions
     @transitions.flat_map do |one|
       Guard.atoms(one.attributes['cond']).map { |atom| [one.attributes['event'], atom] }
@@ -185,7 +185,7 @@ class Mutants
        .each { |send| timer(one, send) }
   end
 
-  # What is ignored here is taken as it is elsewhere.
+  # An event that is ignored here is taken as it is elsewhere.
   def hear(state, event)
     @transitions.select { |one| one.attributes['event'] == event }
                 .uniq { |one| [one.attributes.values_at('target', 'bs:do'), one.children.map(&:attributes)] }

@@ -2,10 +2,10 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-# Rule under test: what is left out of a product chart, or is another one there, is refused by a rule or a property.
-# What is not refused stands in equivalent.yml with its reason, and does on every pair what the chart does. Those that
+# Rule under test: an element left out of a product chart, or replaced there, is refused by a rule or a property.
+# A mutant that is not refused stands in equivalent.yml with its reason, and does on every pair what the chart does. Those that
 # were once accepted are refused by name; some of them weaken several places, so that they fit each other.
-# Of the actions that may be added to a place, one is tried; `make mutants` tries all.
+# One of the actions that may be added to a place is tried; `make mutants` tries all.
 
 require 'etc'
 require 'minitest/autorun'

@@ -10,7 +10,7 @@ require 'tmpdir'
 # the test's own.
 class BareTree
   OWN = %w[unshare --mount --pid --fork --kill-child --mount-proc].freeze
-  # Of those who are no root.
+  # Options of a user who is not root.
   AS_ROOT = %w[--user --map-root-user].freeze
   INSIDE = 'BORESIGHT_APART'
   FOLDERS = %w[usr layer work proc dev tmp run etc/init.d var/lib/dpkg/info var/lib/dpkg/updates].freeze
@@ -41,7 +41,7 @@ class BareTree
     File.write("#{@root}/var/lib/dpkg/status", Open3.capture2('dpkg-query', '-s', *libraries).first)
   end
 
-  # What stands in front of a command that shall run in the tree.
+  # Words in front of a command that shall run in the tree.
   def prefix
     ['env', "PATH=#{PATH}", 'LC_ALL=C', 'chroot', @root]
   end

@@ -88,7 +88,7 @@ class TestReleases < SystemTest
     assert_equal 3, service('status').last
   end
 
-  # What a service runs with.
+  # Configuration that a service runs with.
   def configure(more = '')
     @ports ||= %w[http-port brp-port igtl-port].zip(Boresight.free_ports(3)).map { |pair| "#{pair.join(' ')}\n" }.join
     File.write(@tree.path(CONFIGURATION), "#{@ports}recordings /var/lib/boresight\nrobot bench2\n#{more}")

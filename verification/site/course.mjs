@@ -18,7 +18,7 @@ const UTC = 1790000000;
 const AFTER_CYCLES = 300;
 const RENEWAL_CYCLES = 500;
 const RENEWALS = 9;
-const PAGE_NUMBER = 4_000_000_007; // Of more than 31 bits.
+const PAGE_NUMBER = 4_000_000_007; // A number of more than 31 bits.
 
 const [file, name, leftOut] = process.argv.slice(2);
 const module = new WebAssembly.Module(readFileSync(file));

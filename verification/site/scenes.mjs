@@ -30,7 +30,7 @@ function read(expectation) {
   return { expectation, cycle: Number(cycle), what };
 }
 
-// The robot in the cycle of an input, with all inputs before it. What scenes have in common is played once.
+// The robot in the cycle of an input, with all inputs before it. Inputs that scenes have in common are played once.
 function stateBefore(scene, at) {
   const { inputs } = scene;
   const key = `${writeScene({ ...scene, inputs: inputs.slice(0, at) })} ${inputs[at].cycle}`;

@@ -58,7 +58,7 @@ export class Server {
     return this.ask("POST", path, { id: this.#acts, ...fields });
   }
 
-  // What the stream has brought.
+  // Data of the stream so far.
   listen() {
     this.calls += "listen\n";
     const messages = this.#hear(this.exports.listen()).split("\n\n").slice(0, -1);

@@ -15,7 +15,7 @@ const UTC = 1790000000;
 const PAGE_NUMBER = "7";
 // A page renews what it holds, authority and pedal; the box lets go after three times as long.
 const RENEWAL_CYCLES = 500;
-// Of a motion, and a bound against hanging.
+// Most renewals of a motion, and a bound against hanging.
 const MOST_RENEWALS = 240;
 
 const [file, name] = process.argv.slice(2);
@@ -48,7 +48,7 @@ function live() {
   ["box", "authority"].forEach((path) => ask("PUT", path));
 }
 
-// What the last act has become.
+// Outcome of the last act.
 function ended() {
   const told = robot.listen().filter(({ type }) => type === "act");
   return told.map(({ data }) => JSON.parse(data)).find(({ id, state }) => id === acts && state !== "accepted");

@@ -24,7 +24,7 @@ class TestScenes < Minitest::Test
     said
   end
 
-  # What the robot makes of all scenes.
+  # Reactions of the robot to all scenes.
   def played
     @@played ||= begin
       scenes = SCENES.to_h { |hazard| [hazard.id, { scene: hazard.scene, expects: hazard['expects'] }] }

@@ -29,7 +29,7 @@ class TestSite < Minitest::Test
   RECORDED = "#{ROOT}/build/site/recorded.wasm"
   RECORDED_PAGE = "#{ROOT}/build/site/page/replay.html"
   RECORDED_PAGE_BYTES = 300_000
-  # Of a recording, cut short in a block: the replay of all of it would last.
+  # Size of a recording, cut short in a block: the replay of all of it would last.
   RECORDED_BYTES = 100_000
   DAMAGED_AT = 50_000
   HEADER_VERSION = 8
@@ -71,7 +71,7 @@ class TestSite < Minitest::Test
     19600 order nonsense
   LINES
 
-  # Of one run of the page.
+  # Results of one run of the page.
   def self.results
     @results ||= Dir.mktmpdir do |folder|
       figure = "#{folder}/figure"
@@ -298,7 +298,7 @@ class TestSite < Minitest::Test
     assert_match(/\ACycle 1500 /, said)
   end
 
-  # What the page has done, and what became of it when a link of that is played.
+  # Acts of the page, and their outcome when a link of them is played.
   def course(*words)
     (@@courses ||= {})[words] ||= begin
       said, status = node('--no-warnings', "#{__dir__}/course.mjs", SERVED, *words)
@@ -359,7 +359,7 @@ class TestSite < Minitest::Test
     assert_parts 'SWR-SITE-015'
   end
 
-  # What the module says of a file, and what the replay does; the latter without its notes on builds.
+  # Output of the module for a file, and of the replay; the latter without its notes on builds.
   def read_twice(file)
     Dir.chdir(File.dirname(file)) do
       name = File.basename(file)

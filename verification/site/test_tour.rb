@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rule under test: what docs/tour.md tells its reader to do and to read is so. Its commands for the chart compiler are run as
+# Rule under test: the commands and the output that docs/tour.md gives to its reader are true. Its commands for the chart compiler are run as
 # they are written, its link is played, and what the page says is what site.e2e.ts reads there. `make client`, `make run` and
 # the replay are tested elsewhere.
 
@@ -15,7 +15,7 @@ class TestTour < Minitest::Test
   MODULES = %w[robot served].map { |name| "#{ROOT}/build/site/#{name}.wasm" }
   CYCLES = '2500'
 
-  # Of the part with that number: what is to be typed, and what is to be read.
+  # Commands and output of the part with that number.
   def part(number)
     text = TOUR[/^## #{number}\. .*?(?=^## |\z)/m]
     [text.scan(/^ {4}(\S.*)$/).flatten, text.scan(/^ *> (.*)$/).flatten]

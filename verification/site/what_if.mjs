@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// What would be if an input were another one from a cycle on: prints the first difference, in words, in robot.wasm.
+// Run with another input from a cycle on: prints the first difference, in words, in robot.wasm.
 //
 //   node what_if.mjs ROBOT.wasm SCENE CHANGED CYCLE CYCLES    of SCENE, so many cycles from CYCLE on; both are scenes
 

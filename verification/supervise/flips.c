@@ -29,7 +29,7 @@ typedef struct {
 typedef struct {
     bool is_table;
     bool is_moving;
-    uint32_t byte; /* Of the word. */
+    uint32_t byte; /* Byte of the word. */
     uint32_t mask;
 } flip_t;
 

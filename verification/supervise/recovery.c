@@ -10,7 +10,7 @@
 
 #include <stdio.h>
 
-#define BREAKS_LATER 3U /* Of the history, it breaks after a third. */
+#define BREAKS_LATER 3U /* Parts of the history: it breaks after a third. */
 #define LATE_PARTS 4U   /* In one of so many scenes nothing breaks, and the loop is late. */
 #define SETTLE_CYCLES 3U
 #define ASTRAY 4U /* One of so many scenes begins where the way to the target is refused... */

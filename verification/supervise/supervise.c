@@ -8,7 +8,7 @@
  *
  * Plays COUNT scenes from SEED on (1), or as many as COUNT moves need. Prints how often each
  * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken, with 3
- * when the robot cannot give the play. With "taps" also tells the enemy's plan of each such scene.
+ * when the robot cannot give the play. With "taps" also prints the enemy's plan of each such scene.
  * With "flips", COUNT times up to 3 bits of a word of the controller's memory change in random
  * scenes. The file DIGESTS gets a line for each scene: two builds that say the same have the same.
  */
@@ -29,7 +29,7 @@
 #define SCENE_CYCLES 20000U
 #define TAPS_CYCLES 40000U
 #define PLAN_SIZE 256U
-#define MOVES_CYCLES 120000U /* Of a scene that is all moves. */
+#define MOVES_CYCLES 120000U /* Length of a scene that is all moves. */
 #define LONG_WAY_MS 15000    /* A robot with a longer one at full speed has longer scenes. */
 #define BROKEN 1
 #define UNPLAYED 2
@@ -87,7 +87,7 @@ static void play_scene(play_t play, uint32_t seed)
     }
 }
 
-/* What the enemy of the scene `seed` does. */
+/* Prints the acts of the enemy of the scene `seed`. */
 static void tell_plan(uint32_t seed)
 {
     char text[PLAN_SIZE];
@@ -135,7 +135,7 @@ static void report_orders(void)
     printf("\n");
 }
 
-/* What time and faults have done, beside the sentences. */
+/* Effects of time and faults, beside the sentences. */
 static void report_found(void)
 {
     static const event_id_t ids[] = {EVENT_LOOP_STOPPED,     EVENT_CARD_LOST,
@@ -158,7 +158,7 @@ static bool has_run_and_stop(void)
     return has_it;
 }
 
-/* What was broken: an axis or a coupled limit. */
+/* The subject of the broken sentence: an axis or a coupled limit. */
 static void report_broken(sentence_t sentence, const verdict_t *verdict)
 {
     const bool is_limit = sentence == SENTENCE_COUPLED;

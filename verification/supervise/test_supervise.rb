@@ -23,7 +23,7 @@ class TestSupervise < Minitest::Test
             rivals: 50, modes: 14, programs: 6, sweeps: 60, operator: 40, late: 40 }.freeze
   # Those of scenes, whether or not a move comes about.
   SCENES = %i[random jogs taps rivals modes programs sweeps operator late].freeze
-  # What an axis of the robot must have, a card, for a play; and why else not.
+  # Card that an axis of the robot must have for a play; and the reason why not otherwise.
   NEEDS = { magnitude: ['non_pwm', 'no axis of it takes run and stop'],
             sweeps: ['high_frequency', 'no axis of it takes waves'] }.freeze
   FLIPS = 100
@@ -70,7 +70,7 @@ class TestSupervise < Minitest::Test
     SWR_AUTH_003_only_who_has_authority_arms: /Only who has authority arms/
   }.freeze
 
-  # What of its file decides what it can show.
+  # Facts of its file that decide what it can show.
   def self.facts(robot)
     YAML.safe_load_file(File.expand_path("../../core/robot//#{robot}/robot.yml", __dir__))
   end

@@ -2,7 +2,7 @@
 /**
  * @file
  * A process that damages what every process may write in the exchange: random words, parts of words
- * and extremes in each of its fields in turn, until its time is over or it is told to end.
+ * and extremes in each of its fields in turn, until its time is over or it is asked to end.
  *
  *     neighbour INSTANCE MILLISECONDS SEED
  */

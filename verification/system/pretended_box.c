@@ -52,7 +52,7 @@ __attribute__((constructor)) static void switch_on(void)
     }
 }
 
-/* Of what the cards are made of. */
+/* Contract of the code that the cards are made of. */
 void contract_broken(const char *module, uint32_t id)
 {
     (void)module;

@@ -16,7 +16,7 @@ class TestElasticTime < SystemTest
     boresight.log.map { |event| event['name'] } & TROUBLE
   end
 
-  # What a busy or paused machine does to them: held together, at any moment; now one, now the other goes on first.
+  # Effect of a busy or paused machine on them: held together, at any moment; now one, now the other goes on first.
   def pause_machine(seconds, number)
     boresight.while_stopped(*PROGRAMS.rotate(number)) { sleep seconds }
   end
@@ -84,7 +84,7 @@ class TestElasticTime < SystemTest
     assert_equal [2, "\"21\" is no pace of this box; give a number from 1 to 20, which --fast says\n"], [status.exitstatus, text]
   end
 
-  # As the kernel tells it: 0 is SCHED_OTHER.
+  # As the kernel reports it: 0 is SCHED_OTHER.
   def policy_of(program)
     File.read("/proc/#{boresight.pid_of(program)}/stat").split[40].to_i
   end

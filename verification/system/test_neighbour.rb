@@ -10,7 +10,7 @@ require_relative 'support/system_test'
 class TestNeighbour < SystemTest
   LASTS_MS = 1500
   SEED = Integer(ENV.fetch('SEED', '33'))
-  DAMAGE_END_MS = 5000 # Of the world's time; SWR-EXCH-023.
+  DAMAGE_END_MS = 5000 # Span of the world's time; SWR-EXCH-023.
   SERVED_BY = %w[control recorder igtl http].freeze
   REPLACED = SERVED_BY.drop(1).freeze
 
@@ -32,7 +32,7 @@ class TestNeighbour < SystemTest
     end
   end
 
-  # What is awaited comes true within the bound, counted in cycles of 1 ms: elastic time does not hurry.
+  # An awaited condition comes true within the bound, counted in cycles of 1 ms: elastic time does not hurry.
   def in_time(reason, &)
     self.assertions += 1
     boresight.patiently(&)

@@ -34,7 +34,7 @@ class TestRealBoard < Minitest::Test
     assert_equal '200', boresight.post_stop.code
   end
 
-  # What control opens is no name: another text of the wiring must find the same positions.
+  # The wiring that control opens is no name: another text of the wiring must find the same positions.
   def test_SWR_STORE_031_positions_are_kept_for_the_instance_whatever_its_wiring_says
     assert_operator WIRING.size, :>, 200
     wait_until('they are kept') { kept == ["positions-#{boresight.instance}", "positions-#{boresight.instance}.key"] }

@@ -164,7 +164,7 @@ class TestSupervisor < SystemTest
     assert_equal(REPLACED, replacements.map { |text| text[/(\w+): gave no sign of life/, 1] }.sort)
   end
 
-  # What a STOP has refused is sent again, with the same number.
+  # A note that a STOP has refused is sent again, with the same number.
   def replacements
     boresight.log.select { |event| event['name'] == 'NOTE' }.uniq { |event| event['value'] }
              .map { |event| event['text'] }.grep(/gave no sign of life/)
@@ -272,7 +272,7 @@ class TestSupervisor < SystemTest
     instance&.kill_all
   end
 
-  # What is shown, and what is in the log from `first` on.
+  # The shown state, and the log from `first` on.
   def assert_nothing_pulled(instance, first)
     status = instance.status
     assert_equal(%w[PEDAL ESTOP SCANNER GATE], status['unread_inputs'].map { |input| input['name'] })

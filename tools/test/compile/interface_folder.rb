@@ -107,7 +107,7 @@ module InterfaceFolder
     end
   end
 
-  # What it says, and whether it is content.
+  # Its output, and whether it succeeds.
   def run_tool(folder, output, *headers)
     errors = StringIO.new
     status = Interface::Command.run([folder, File.join(folder, 'charts.json'), output,

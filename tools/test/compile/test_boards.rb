@@ -50,7 +50,7 @@ class TestBoards < Minitest::Test
     assert_equal Board::DIALECTS, header.scan(/CARD_DIALECT_(\w+) = /).flatten.map(&:downcase)
   end
 
-  # What the board tells control of itself is in its sources.
+  # The data that the board gives control about itself is in its sources.
   def test_SWR_CHECK_009_the_board_says_the_same_of_its_cards
     files = Dir[File.join(ROOT, 'bsp/*/board.yml')]
     foreign = files.select { |file| File.read(file).match?(/^cards: aim32$/) }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# The rule under test: what stands in a column of a value is what the processes do with it, and a wrong column is refused
+# The rule under test: the processes do with a value as its columns state, and a wrong column is refused
 # with its line.
 
 require 'fileutils'
@@ -128,7 +128,7 @@ class TestInterfaceColumns < Minitest::Test
     end
   end
 
-  # What it says, and whether it is content.
+  # Its output, and whether it succeeds.
   def run_tool(folder)
     errors = StringIO.new
     status = Interface::Command.run([File.join(folder, 'core/interface'), File.join(folder, 'charts.json'),

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# The rule under test: what core/interface says of a value is what operator and network are told, and a wrong file is
+# The rule under test: operator and network receive the words of core/interface about a value, and a wrong file is
 # refused with its line.
 
 require 'minitest/autorun'
@@ -35,7 +35,7 @@ class TestInterfaceCompiler < Minitest::Test
     end
   end
 
-  # What two robots add to the colours.
+  # Colours that two robots add.
   ROBOTS = {
     'colours.yml' => COLOURS.sub("says: Why something was refused.\n", "says: Why.\n    robots: refusals\n"),
     '../robot/ant/kinematics.yml' => <<~YAML,
@@ -255,7 +255,7 @@ class TestInterfaceCompiler < Minitest::Test
     assert_includes refusal('colours.yml' => SHOWN, 'messages.yml' => messages), 'bounds what is no whole number'
   end
 
-  # What is wrong with a number beside others of a tin; nil: nothing.
+  # Fault of a number beside others of a tin; nil: none.
   def found_with(members)
     refusal('colours.yml' => SHOWN, 'messages.yml' => MESSAGES + members)
   end

@@ -54,7 +54,7 @@ class TestInterfaceField < Minitest::Test
     }
   CODE
 
-  # What sees a snapshot; the rest of the core is in the library.
+  # Sources that see a snapshot; the rest of the core is in the library.
   SOURCES = %w[core/controller/*.c core/controller/*/*.c app/http/view/{alarm_json,alarms,card_alarms,json_forms,shown,telemetry_json,telemetry_units}.c
                app/common/{axis_terms,clock,drive_terms,event_text,utc_text}.c app/replay/{data/table,verify/field_name}.c
                build/gen/assets/chart_names.c].freeze

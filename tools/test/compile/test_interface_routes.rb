@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# The rule under test: what is described of a route is what is served, read, documented and known to the console; a wrong
+# The rule under test: a route is served, read, documented and known to the console as it is described; a wrong
 # description is refused with its line.
 
 require 'fileutils'
@@ -439,7 +439,7 @@ class TestInterfaceRoutes < Minitest::Test
     end
   end
 
-  # What it says against it.
+  # Its complaint.
   def run_tool(folder, output)
     errors = StringIO.new
     FileUtils.mkdir_p(output)

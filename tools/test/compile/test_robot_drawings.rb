@@ -4,7 +4,7 @@
 require 'minitest/autorun'
 require_relative '../../compile/robot_drawings'
 
-# Rule under test: what the console draws of a robot is what its file says, and a drawing that cannot be drawn is refused.
+# Rule under test: the console draws a robot as its file states, and a drawing that cannot be drawn is refused.
 class RobotDrawingsTest < Minitest::Test
   FOLDER = File.expand_path('../../../core/robot', __dir__)
   PATH = File.join(FOLDER, 'bench2/robot.yml')

@@ -6,7 +6,7 @@ require 'open3'
 require 'tmpdir'
 require_relative '../../compile/robots'
 
-# Rule under test: what names all robots is made from their folders, and a robot more changes nothing of the others.
+# Rule under test: the code that names all robots is made from their folders, and a robot more changes nothing of the others.
 class RobotsTest < Minitest::Test
   ROOT = File.expand_path('../../..', __dir__)
   ROBOTS = File.join(ROOT, 'core/robot')

@@ -13,7 +13,7 @@ class TestCardTables < Minitest::Test
   PAGE = File.read(File.join(ROOT, 'docs/card-protocol.md'), encoding: 'UTF-8')
   REFERENCE = File.read(File.join(ROOT, 'verification/unit/sim/test_sim_card.c'), encoding: 'UTF-8')
   LIMITS = { 'longest' => Struct.new(:value).new('70') }.freeze
-  # What the codec itself calls words.
+  # Words of the codec itself.
   CODEC = File.read(File.join(ROOT, 'core/card/card_frame.c'), encoding: 'UTF-8')
 
   def block(name)

@@ -23,7 +23,7 @@ class TestKnownLimits < Minitest::Test
     refute_match(/\{\w+\}/, lines.join)
   end
 
-  # What docs/commissioning.md has written down at the end.
+  # Records that docs/commissioning.md asks for at the end.
   def test_SWR_TOOL_031_no_acceptance_with_real_cards_is_recorded
     assert_empty Dir.glob("#{ROOT}/docs/acceptance/*")
     assert_includes File.read("#{ROOT}/docs/commissioning.md"), '`docs/acceptance`'

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# The rule under test: what is said of the accuracy of measured points is right, as is what a correction would leave; the
+# The rule under test: the stated accuracy of measured points is right, as is the remainder after a correction; the
 # tables of thesis 5.2 are reckoned anew from their points.
 
 require 'matrix'
@@ -95,7 +95,7 @@ class TestPoints < Minitest::Test
     assert_includes run_tool("#{HEAD}1,2,3,1,2,3\n").first, 'No turn is fitted'
   end
 
-  # Six of their nine coordinates go into the fit; what is left looks less than it is.
+  # Six of their nine coordinates go into the fit; the remainder looks less than it is.
   def test_SWR_POINTS_004_three_points_that_a_turn_would_fit_well_are_not_believed
     targets = [Vector[0.0, 0, 0], Vector[50.0, 2, 0], Vector[100.0, 0, 0]]
     refute_predicate fit_of(targets.zip(targets.zip([0.5, -0.5, 0.5]).map { |at, up| at + Vector[0, 0, up] })), :turns?
@@ -136,7 +136,7 @@ class TestPoints < Minitest::Test
     Points::Report.new(Points::List.read(list(name)), plane).to_s
   end
 
-  # What the tool prints of such a file, and whether it took it.
+  # Output of the tool for such a file, and whether it took it.
   def run_tool(text, *plane)
     Tempfile.create(['points', '.csv']) do |file|
       file.write(text)

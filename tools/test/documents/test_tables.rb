@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# The rule under test: what the manual says of a reason, a status or a limit is what its source says, or a gate fails.
+# The rule under test: the manual states a reason, a status or a limit as its source does, or a gate fails.
 
 require 'fileutils'
 require 'minitest/autorun'

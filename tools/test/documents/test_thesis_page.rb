@@ -51,7 +51,7 @@ class TestThesisPage < Minitest::Test
 
   private
 
-  # What is said of these lines by themselves.
+  # Complaints about these lines by themselves.
   def complaints_of(lines)
     ThesisPage.new(ROOT, lines.join("\n"), sources: SOURCES).complaints.grep_v(/has no row/)
   end

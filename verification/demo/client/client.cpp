@@ -265,7 +265,7 @@ class Client
         return id;
     }
 
-    // What was received before is no answer to what is sent now.
+    // A message received before is no answer to the one that is sent now.
     void Begin()
     {
         while (Readable(0) && Receive()) {

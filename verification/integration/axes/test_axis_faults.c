@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Faults of an axis on the simulated box: what its encoder, motor or switch does to a motion, how
+ * Faults of an axis on the simulated box: effect of its encoder, motor or switch on a motion, how
  * soon it is noticed, and what is known of the axis afterwards.
  * In every test the rig counts cycles that drive without the pedal; there must be none.
  */
@@ -100,7 +100,7 @@ void test_SWR_AXIS_019_an_axis_that_trembles_in_place_is_reported_once(void)
     rig_expect_nothing_known(&rig, NEURO_AXIS_INSERTION);
 }
 
-/* What its watchdog finds is told, whatever else has found nothing. */
+/* A finding of its watchdog is reported, even if no other check finds it. */
 void test_SWR_STALL_003_a_stall_is_told_with_its_place(void)
 {
     stall_watchdog_chart_t *const stall = &rig.controller.axes[NEURO_AXIS_HEAD].supervision.stall;

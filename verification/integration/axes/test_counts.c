@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: what the counts of an axis fall short of its motor's way is added up. No pause
+ * Rule under test: the way by which counts of an axis fall short of its motor is added up. No pause
  * of the pedal, no fault that comes and goes, no slow axis and no START_UP hides it, on the
  * simulated box, whose true positions are compared with those believed.
  */
@@ -323,7 +323,7 @@ void test_SWR_CTRL_014_exchanges_apart_from_the_wake_ups_make_no_sound_encoder_u
     expect_even(&near, 400U);
 }
 
-/* What was sent while the box stood has not gone out; its first command took effect late. */
+/* A frame sent while the box stood has not gone out; its first command took effect late. */
 void test_SWR_AXIS_047_a_box_that_stands_for_some_cycles_makes_no_count_wrong(void)
 {
     static robot_t near;

@@ -101,7 +101,7 @@ void test_SWR_COUPLE_004_every_robot_stands_inside_its_coupled_limits_when_it_is
     for_each_robot(expect_home_inside);
 }
 
-/* What the compiler of robots has computed another way. */
+/* The same as the compiler of robots has computed another way. */
 static void expect_poses_inside(const robot_t *robot)
 {
     for (uint32_t pose = 0U; pose < POSE_NAME_COUNT; pose++) {

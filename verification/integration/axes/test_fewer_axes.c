@@ -32,7 +32,7 @@ void setUp(void)
     robot.start_ticks[NEEDLE] = robot_neuro.start_ticks[NEURO_AXIS_INSERTION];
     robot.start_ticks[SIDE] = robot_neuro.start_ticks[NEURO_AXIS_LATERAL];
     robot.axis_count = 2U;
-    robot.kind = 0U; /* Nobody's kinematics. */
+    robot.kind = 0U; /* No robot's kinematics. */
     robot.needle_axis = NEEDLE;
     robot.coupled_limit_count = 0U;
     robot.seal = seal_of(SEAL_START, (const uint8_t *)&robot, offsetof(robot_t, seal));

@@ -250,7 +250,7 @@ void test_SWR_NEXT_003_of_two_whose_counts_have_broken_one_is_placed_before_star
     home_for(BIT(PROSTATE_AXIS_FRONT_LEFT), BEYOND_CYCLES);
 }
 
-/* Of how many poses; POSES=200 SEED=7 plays others. */
+/* Number of poses, and seed; POSES=200 SEED=7 plays others. */
 static uint32_t asked(const char *name, uint32_t otherwise)
 {
     const char *const text = getenv(name);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: what a scan leaves behind in a coarse encoder is no reason to doubt where the
+ * Rule under test: counts that a scan leaves in a coarse encoder are no reason to doubt where the
  * needle's tip is.
  */
 #include "integration/support/rig.h"

@@ -493,7 +493,7 @@ void test_SWR_AXIS_041_a_press_from_before_does_not_confirm_the_home(void)
     expect_grade(AXIS_REFERENCE_UNVERIFIED, NEURO_AXIS_FEET);
 }
 
-/* Somebody else asks for authority while the home that was set waits to be confirmed. */
+/* Another client asks for authority while the home that was set waits to be confirmed. */
 static void start_asked(void)
 {
     const command_t ask = {.source = (uint32_t)COMMAND_SOURCE_HTTP,

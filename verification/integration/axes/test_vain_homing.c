@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: what vain START_UPs move is added up and bounded; beyond the bound nothing is
+ * Rule under test: the way of vain START_UPs is added up and bounded; beyond the bound nothing is
  * homed until the operator has said where an axis is, and what lets the needle out is cleared all
  * the same. In every test the rig counts cycles that drive without the pedal; there must be none.
  */
@@ -253,7 +253,7 @@ void test_SWR_AXIS_080_once_it_is_said_at_the_box_that_it_is_mended_START_UP_lea
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MENDED));
 }
 
-/* Nobody has compared it: the screen asked for service. */
+/* The operator has not compared it: the screen asked for service. */
 void test_SWR_AXIS_080_the_press_that_says_it_confirms_no_position(void)
 {
     spend();

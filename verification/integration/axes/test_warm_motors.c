@@ -79,7 +79,7 @@ void test_SWR_DRIVE_016_a_warm_motor_that_counts_half_is_found(void)
     rig_release(&rig);
 }
 
-/* How long after the time that was told at its beginning a jog is done, ms. */
+/* Time by which a jog is done later than was reported at its beginning, ms. */
 static uint32_t lateness_ms(uint32_t axis, int32_t ticks)
 {
     const command_t command = {.kind = (uint32_t)COMMAND_JOG_BY,

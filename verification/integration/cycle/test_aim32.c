@@ -117,7 +117,7 @@ static uint32_t grade(void)
     return rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].reference;
 }
 
-/* Whether it has begun to count anew nobody tells. */
+/* No report shows whether it has begun to count anew. */
 void test_SWR_REF_009_an_axis_whose_card_falls_silent_at_rest_is_unverified(void)
 {
     start_jog();

@@ -197,7 +197,7 @@ void test_SWR_AUTH_005_releasing_it_ends_the_order_in_that_cycle(void)
     }
 }
 
-/* Who stands where after so many cycles. */
+/* Positions of the axes after so many cycles. */
 static void run_on(uint32_t cycles, int32_t ticks[ROBOT_AXIS_MAX])
 {
     rig_cycles(&rig, cycles);
@@ -489,7 +489,7 @@ void test_SWR_MEMORY_002_a_holder_that_changes_by_itself_is_forgotten(void)
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
 }
 
-/* `kind` of a note of which the events tell. */
+/* `kind` of a note that the events name. */
 static void expect_note(note_kind_t kind, event_id_t id)
 {
     rig_forget(&rig);

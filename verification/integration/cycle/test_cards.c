@@ -2,7 +2,7 @@
 /**
  * @file
  * Rule under test: each slot of the box has its link. A card without an axis is judged, shown and
- * told of, and no axis stops for it; one that the robot does not name is told of once.
+ * reported, and no axis stops for it; one that the robot does not name is reported once.
  */
 #include "integration/support/rig.h"
 
@@ -42,7 +42,7 @@ static const snapshot_card_t *shown(uint32_t slot)
     return &rig.outputs.snapshot.cards[slot];
 }
 
-/* How often `id` was told of the card in `slot`. */
+/* Number of times that `id` was reported of the card in `slot`. */
 static uint32_t told(event_id_t id, uint32_t slot)
 {
     uint32_t count = 0U;

@@ -629,7 +629,7 @@ void test_SWR_EVENT_003_each_repaired_chart_is_named_with_its_card_or_axis(void)
     expect_all_charts_named();
 }
 
-/* Whatever the damaged copy says, lost and absent among it. */
+/* For any value of the damaged copy, lost and absent among them. */
 void test_SWR_LINK_003_a_damaged_link_is_a_lost_card(void)
 {
     for (uint32_t state = 0U; state < 8U; state++) {

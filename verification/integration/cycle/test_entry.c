@@ -2,7 +2,7 @@
 /**
  * @file
  * Rule under test: an entry point decides the depth of a target only when the one who commands has
- * sent or accepted it; what is proposed decides nothing, and can be withdrawn.
+ * sent or accepted it; a proposal decides nothing, and can be withdrawn.
  */
 #include "unit/support/commands.h"
 #include "integration/support/rig.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: what requirements/known_limits.yml says is so. A test of these that fails is
+ * Rule under test: requirements/known_limits.yml is true. A test of these that fails is
  * no fault of the product: the limit has gone, and its entry is to be changed or taken out.
  * On the simulated box, whose true positions are compared with those believed.
  */

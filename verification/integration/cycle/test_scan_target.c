@@ -25,7 +25,7 @@ void tearDown(void)
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
 }
 
-/* What noise makes of `axis` in a cycle or more. */
+/* Effect of noise on `axis` in a cycle or more. */
 static void drift_to(uint32_t axis, int32_t ticks)
 {
     drift_audit_t *const drift = &rig.controller.axes[axis].drift;

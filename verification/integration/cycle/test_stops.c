@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What stops a motion on the simulated box, and what it needs to go on: the e-stop, links, the
+ * Stops of a motion on the simulated box, and the conditions to go on: the e-stop, links, the
  * scanner, late cycles, workphases.
  * In every test the rig counts cycles that drive without the pedal; there must be none.
  */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: an input of the box that is not read stops as one that is low does, and nobody
- * is told that it is low: the e-stop was not pulled, no scan has begun.
+ * Rule under test: an input of the box that is not read stops as one that is low does, and it
+ * is not reported as low: the e-stop was not pulled, no scan has begun.
  */
 #include "integration/support/rig.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: how each card is, whether or not it has an axis, is told when it changes and
+ * Rule under test: how each card is, whether or not it has an axis, is reported when it changes and
  * shown in its slot; a driver that is too hot is not driven, and everything else goes on. One that
  * is not heard any more is lost by what became of its frame.
  */
@@ -182,7 +182,7 @@ void test_SWR_CARD_013_a_card_that_hears_nothing_trips_and_is_lost(void)
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, shown(SENSOR)->link);
 }
 
-/* The cause that the loss of the card in `slot` was told with. */
+/* The reported cause of the loss of the card in `slot`. */
 static int32_t cause_of_loss(uint32_t slot)
 {
     int32_t cause = -1;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: each wire inside the controller is there. What it shows is what is so, whichever
+ * Rule under test: each wire inside the controller is there. It shows the true state, whichever
  * axis it concerns; each fact reaches the permit, the cards and the record.
  */
 #include "integration/support/rig.h"
@@ -407,7 +407,7 @@ void test_SWR_AXIS_005_an_active_switch_stops_what_drives_towards_it(void)
     TEST_ASSERT_DOUBLE_WITHIN(10.0, (double)maximum_ticks, true_ticks[NEURO_AXIS_PITCH]);
 }
 
-/* Nobody knows where the lateral axis is, on its way to its switch, which chatters far from there.
+/* The lateral axis is at an unknown place, on its way to its switch, which chatters far from there.
  */
 void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(void)
 {

@@ -171,7 +171,7 @@ void test_SWR_ALIGN_004_a_needle_does_not_go_in_beside_the_line(void)
     start_aimed();
     (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_ALIGNED, status_of(insert));
-    /* What was armed stays armed. */
+    /* The armed order stays armed. */
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_WAITING, rig.outputs.snapshot.order);
 }
 
@@ -274,7 +274,7 @@ void test_SWR_FLOW_003_a_push_that_moves_the_axis_is_a_fault_by_name(void)
                              rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
 }
 
-/* Whatever is armed, and before the pedal lets it run. */
+/* Any armed order, also before the pedal lets it run. */
 void test_SWR_FLOW_003_a_push_ends_what_is_armed(void)
 {
     start_aimed();

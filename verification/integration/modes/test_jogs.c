@@ -336,7 +336,7 @@ void test_SWR_COUPLE_003_no_jog_drives_the_head_towards_a_switch_that_the_limit_
     TEST_ASSERT_DOUBLE_WITHIN(0.1, before - (100.0 / 78.74), true_mm(NEURO_AXIS_HEAD));
 }
 
-/* Told at the jogged axis in every cycle, whether it is driven just then or not. */
+/* The jogged axis reports it in every cycle, whether it is driven just then or not. */
 void test_SWR_JOG_001_a_needle_that_comes_in_stops_the_jog_that_runs(void)
 {
     start_manual();
@@ -559,7 +559,7 @@ void test_SWR_CMD_005_what_nobody_knows_is_refused_as_unknown(void)
                       send_as(COMMAND_SOURCE_HTTP, (uint32_t)COMMAND_WORKPHASE, WORKPHASE_COUNT));
 }
 
-/* Of a connection, which takes authority with it. */
+/* A command of a connection, which takes authority with it. */
 static uint32_t by_network(command_kind_t kind, uint32_t argument, int32_t value)
 {
     command_t command = commands_of_number(kind, argument);

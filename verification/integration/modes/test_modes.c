@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What every mode has in common: trouble of an axis ends what is armed, and after that the axes
- * that have none go on, but for what needs them all.
+ * Rules that every mode has in common: trouble of an axis ends what is armed, and after that the
+ * axes that have none go on, but for what needs them all.
  */
 #include "unity.h"
 

@@ -2,8 +2,9 @@
 /**
  * @file
  * Rule under test: a treatment program that was sent and judged for the accepted target is an armed
- * order like any other: under the pedal alone, paused by pedal and scanner, ended by its gate, told
- * at its end, replayed bit by bit. On the simulated box, whose true positions are looked at.
+ * order like any other: under the pedal alone, paused by pedal and scanner, ended by its gate,
+ * reported at its end, replayed bit by bit. On the simulated box, whose true positions are looked
+ * at.
  */
 #include "unit/support/commands.h"
 #include "integration/support/rig.h"

@@ -2,8 +2,8 @@
 /**
  * @file
  * Rule under test: in every workphase the needle is drawn out by a command of its own, under a
- * pedal that is pressed anew; afterwards the robot may be sent to its target again. What an image
- * shows of the needle moves nothing. On the simulated box, whose true positions are looked at.
+ * pedal that is pressed anew; afterwards the robot may be sent to its target again. A needle
+ * seen in an image moves nothing. On the simulated box, whose true positions are looked at.
  */
 #include "integration/support/rig.h"
 

@@ -247,7 +247,7 @@ static uint32_t homed_grade(void)
     return grade();
 }
 
-/* What was lost stays lost: the operator compares, and the step says so. */
+/* Lost counts stay lost: the operator compares, and the step says so. */
 void test_SWR_SWEEP_025_counts_lost_in_a_sweep_leave_a_doubt_that_the_operator_ends(void)
 {
     begin();
@@ -322,7 +322,7 @@ void test_SWR_SWEEP_008_a_released_pedal_drives_nothing_and_the_step_begins_anew
     rig_release(&rig);
 }
 
-/* What is said beforehand. */
+/* The outlook beforehand. */
 static void expect_outlook(mode_kind_t kind, status_t status)
 {
     TEST_ASSERT_EQUAL_UINT32(status,

@@ -2,7 +2,7 @@
 /**
  * @file
  * Rule under test: a trajectory that was sent and judged row by row is an armed order like any
- * other: driven under the pedal alone, each point in its time, told at its end, replayed bit by
+ * other: driven under the pedal alone, each point in its time, reported at its end, replayed bit by
  * bit. On the simulated box, whose true positions are looked at.
  */
 #include "unit/support/commands.h"
@@ -336,7 +336,7 @@ void test_SWR_TRAJ_014_the_list_is_part_of_the_state_that_is_replayed(void)
     TEST_ASSERT_EQUAL_UINT64(3000U, replay.replayed);
 }
 
-/* A checkpoint has rows as they came: what became of one afterwards is known to nobody. */
+/* A checkpoint has rows as they came: the fate of one afterwards is not known. */
 void test_SWR_TRAJ_014_a_row_that_was_damaged_differs_in_the_cycle_that_finds_it(void)
 {
     static trajectory_row_t sent[LIMIT_TRAJECTORY_ROWS];

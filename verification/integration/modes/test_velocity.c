@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Rule under test: axes run at commanded speeds only in MANUAL and under the pedal, as the motors
- * let them, come to rest before every limit, and what has ended them is told. On the simulated box,
- * whose true positions are looked at.
+ * let them, come to rest before every limit, and what has ended them is reported. On the simulated
+ * box, whose true positions are looked at.
  */
 #include "integration/support/rig.h"
 

@@ -260,7 +260,7 @@ void test_SWR_MEMORY_003_the_numbers_of_every_axis_and_card_are_under_seal(void)
     }
 }
 
-/* What one mode alone reads. */
+/* State that one mode alone reads. */
 void test_SWR_MEMORY_003_what_only_speeds_need_is_under_seal_while_they_were_armed_last(void)
 {
     static rig_t moving;
@@ -402,7 +402,7 @@ void test_SWR_MEMORY_005_a_target_that_does_not_lead_to_its_pose_is_not_armed(vo
     }
 }
 
-/* Wild numbers that the seal does not tell of: they came within a cycle. */
+/* Wild numbers that the seal does not reveal: they came within a cycle. */
 void test_SWR_MEMORY_006_a_wild_slot_or_axis_stays_within_its_array(void)
 {
     const command_t jog = {.kind = (uint32_t)COMMAND_JOG,

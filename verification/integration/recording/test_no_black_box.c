@@ -47,8 +47,8 @@ static void expect_step(next_step_t step)
 }
 
 /* Programs that end and start again in the same power-on, without a recorder that writes; of the
- * needle `grade` is kept, `in_ticks` from home, and it has counted `way_ticks` since. Of the others
- * nothing was known. */
+ * needle `grade` is kept, `in_ticks` from home, and it has counted `way_ticks` since. The others
+ * were not known. */
 static void restart(kept_grade_t grade, int32_t in_ticks, int32_t way_ticks)
 {
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {

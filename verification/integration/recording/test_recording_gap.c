@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: a gap in the recording is told when it begins and, in the first cycle that is
- * recorded again, with its length; nothing else comes of it.
+ * Rule under test: a gap in the recording is reported when it begins and, in the first cycle that
+ * is recorded again, with its length; nothing else comes of it.
  */
 #include "integration/support/rig.h"
 
@@ -73,7 +73,7 @@ void test_SWR_REC_021_the_event_says_whether_the_recorder_does_not_read_or_canno
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_recorder_failing);
 }
 
-/* The minutes that are left; @return whether it is told that they are few. */
+/* The minutes that are left; @return whether it is reported that they are few. */
 static bool tells_of(uint32_t minutes)
 {
     rig.recording_left_min = minutes;
@@ -102,7 +102,7 @@ void test_SWR_REC_036_a_disk_that_is_full_soon_is_logged_once_until_there_is_twi
     TEST_ASSERT_EQUAL_UINT32(3U, rig_count(&rig, EVENT_RECORDING_ENDS_SOON));
 }
 
-/* What is asked for next while the recorder can and cannot write. */
+/* The next step while the recorder can and cannot write. */
 static void expect_steps(next_step_t with, next_step_t without)
 {
     rig.is_recorder_failing = 1U;

@@ -33,7 +33,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#define FIRST_CYCLES 60U /* Of the first file, */
+#define FIRST_CYCLES 60U /* Cycles of the first file, */
 #define AGAIN_CYCLES 20U /* the last of which are in the second again. */
 #define LATER_CYCLES 30U /* And these follow. */
 
@@ -71,7 +71,7 @@ void tearDown(void)
     (void)unlink(paths[1]);
 }
 
-/* What is there again, then the rest of the run. */
+/* The repeated cycles, then the rest of the run. */
 static void write_second(void)
 {
     const recording_header_t header = recorded.writer.header;

@@ -25,7 +25,7 @@
 static rig_t rig;
 static kept_positions_t kept;
 
-/* What was kept of the rig's axes. */
+/* Keeps the positions of the rig's axes. */
 static void keep(uint32_t verdict)
 {
     kept.power_on = POWER_ON;

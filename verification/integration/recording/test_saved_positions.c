@@ -156,7 +156,7 @@ void test_SWR_STORE_020_lost_axes_are_restored_before_START_UP_and_the_button_co
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
 }
 
-/* The switch is not met where the saved position has it: told as after a restart. */
+/* The switch is not met where the saved position has it: reported as after a restart. */
 void test_SWR_STORE_020_a_switch_that_contradicts_a_saved_position_is_told(void)
 {
     start_homed(WORKPHASE_MANUAL);

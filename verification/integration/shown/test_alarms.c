@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Rule under test: what is wrong is listed with its part, its cause and since when, in the
+/** @file Rule under test: each fault is listed with its part, its cause and its beginning, in the
  * words of the log, and where the needle was known to stand last outlives what is wrong. */
 #include "unity.h"
 
@@ -18,7 +18,7 @@
 #include <string.h>
 
 #define US_PER_CYCLE 1000U
-#define LOOK_CYCLES 100U /* Of the server. */
+#define LOOK_CYCLES 100U /* Between two looks of the server. */
 
 static rig_t rig;
 static telemetry_view_t view;
@@ -312,7 +312,7 @@ void test_SWR_HTTP_150_a_card_that_answers_and_is_another_or_does_not_obey_is_lo
         look();
         TEST_ASSERT_FALSE(is_over(0));
     }
-    /* Of a cause that nobody knows the controller decides. */
+    /* The controller decides about a cause that is not known. */
     view.alarms.cards[3].is_known = false;
     look();
     TEST_ASSERT_TRUE(is_over(0));

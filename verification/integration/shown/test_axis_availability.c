@@ -61,7 +61,7 @@ static int32_t some_place(const axis_config_t *axis)
                             (int32_t)below((uint32_t)(axis->maximum_ticks - axis->minimum_ticks)));
 }
 
-/* What is obeyed at once, and a jog that is driven to its end or a part of its way. */
+/* Commands that are obeyed at once, and a jog that is driven to its end or a part of its way. */
 static void change_state(void)
 {
     static const workphase_t phases[] = {WORKPHASE_MANUAL, WORKPHASE_MANUAL, WORKPHASE_PLANNING,

@@ -74,7 +74,7 @@ static command_t command_of(command_kind_t kind)
     return command;
 }
 
-/* What hangs on the axis, on the numbers or on a movement that is not shown. */
+/* Refusals that depend on the axis, on the numbers or on a movement that is not shown. */
 static bool is_of_command(command_kind_t kind, status_t status)
 {
     bool is_its = (status == STATUS_HARDWARE_NOT_READY) && (kind != COMMAND_CLEAR_AXIS);
@@ -112,7 +112,7 @@ static void plan(void)
     (void)rig_command(&rig, command_of(COMMAND_TARGET));
 }
 
-/* What people and programs do meanwhile. */
+/* Acts of people and programs meanwhile. */
 static void go_on(void)
 {
     static const workphase_t ways[] = {

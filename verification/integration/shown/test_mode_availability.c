@@ -145,7 +145,7 @@ void test_SWR_MODE_004_what_is_said_of_each_mode_is_what_becomes_of_its_command(
                 (mode_rows[kinds[j]].axes == (uint32_t)MODE_AXES_COMMANDED) &&
                 ((became == STATUS_NEEDLE_IN) || (became == STATUS_SWITCH_ZONE));
             if (is_of_command) {
-                continue; /* What is said of a command for this axis comes first. */
+                continue; /* The refusal of a command for this axis comes first. */
             }
             TEST_ASSERT_EQUAL_UINT32_MESSAGE(became, said, mode_kind_name((int32_t)kinds[j]));
             allowed += (said == STATUS_OK) ? 1U : 0U;

@@ -46,7 +46,7 @@ static status_t tell_probe(void)
     return (status_t)rig_command(&rig, command).status;
 }
 
-/* What is asked for next, and what becomes of it. */
+/* The next step, and its outcome. */
 static status_t follow(next_step_t step)
 {
     static const workphase_t ways[] = {[NEXT_STEP_START_UP] = WORKPHASE_START_UP,
@@ -87,7 +87,7 @@ static void start(workphase_t workphase, knowledge_t knowledge)
     plan(knowledge);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, workphase).status);
     if (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) {
-        rig_let_expire(&rig); /* What is armed expires. */
+        rig_let_expire(&rig); /* The armed order expires. */
     }
     if (knowledge == WITHOUT_PROBE) {
         (void)memcpy(probe_nm, rig.outputs.snapshot.probe_nm, sizeof probe_nm);

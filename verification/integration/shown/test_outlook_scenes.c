@@ -31,7 +31,7 @@
 #define BLIND_STEPS 3U /* The last ones, of every eighth scene. */
 #define PICKS 4U       /* So many axes in each step. */
 #define STATUSES 128U
-#define PARTS_OF_AWAY 19 /* Of 2^30: the entry point is 56 mm before its target. */
+#define PARTS_OF_AWAY 19 /* Parts of 2^30: the entry point is 56 mm before its target. */
 
 static rig_t rig;
 static rig_t next;
@@ -63,7 +63,7 @@ static void copy(rig_t *to, const rig_t *from)
     (void)memcpy((char *)to + end, (const char *)from + end, sizeof *from - end);
 }
 
-/* What becomes of `command` in the next cycle. The page comes back for it. */
+/* Outcome of `command` in the next cycle. The page comes back for it. */
 static status_t becomes(command_t command)
 {
     copy(&trial, &rig);
@@ -153,7 +153,7 @@ static void compare_acts(void)
     }
 }
 
-/* Of which the facts that are shown make use. */
+/* The shown facts make use of this. */
 static void expect_live_cards_to_be_healthy(void)
 {
     for (uint32_t i = 0U; i < rig.robot.axis_count; i++) {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The numbers of what is told, and the limit that refuses, in the log of events, on the simulated
- * box.
+ * The numbers in reported events, and the limit that refuses, in the log of events, on the
+ * simulated box.
  */
 #include "unit/support/commands.h"
 #include "integration/support/rig.h"

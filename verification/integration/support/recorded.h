@@ -2,7 +2,7 @@
 /**
  * @file
  * A rig whose cycles are recorded as the recorder does, in simulated time: the same file on every
- * run. What is left to a machine is how late the cycles come; here some microseconds, by chance.
+ * run. Only the lateness of the cycles is left to a machine; here some microseconds, by chance.
  */
 #ifndef BORESIGHT_RECORDED_H
 #define BORESIGHT_RECORDED_H

@@ -16,9 +16,9 @@
 /* So low that at home_speed a tick ahead still leaves more than the slowest speed. */
 #define MAGNITUDE_GAIN_PER_S 24U
 #define NEAR_SHARE 16       /* So much of a second at full speed away from its switch. */
-#define HOME_CYCLES 150000U /* Of the slowest robot. */
+#define HOME_CYCLES 150000U /* Homing of the slowest robot. */
 
-/* Whose magnitudes a card without pwm could take. */
+/* The axis whose magnitudes a card without pwm could take. */
 static const axis_config_t *last_pwm(const robot_t *robot)
 {
     const axis_config_t *found = &robot->axes[0];
@@ -92,7 +92,7 @@ static void keep_authority(rig_t *self)
     self->command_count++;
 }
 
-/* What the cards make of the frames of the cycle before. */
+/* Answers of the cards to the frames of the cycle before. */
 static void exchange(rig_t *self)
 {
     self->inputs.frames_received =
@@ -136,7 +136,7 @@ static int32_t next_shift(rig_t *self)
     return (int32_t)self->shift_us - (int32_t)before_us;
 }
 
-/* What the last cycle has made leaves in it; a test acts just before. */
+/* The frames of the last cycle leave in it; a test acts just before. */
 static void gather(rig_t *self)
 {
     keep_authority(self);

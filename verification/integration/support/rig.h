@@ -17,7 +17,7 @@
 #define RIG_EVENTS 512U
 #define RIG_PAGE 1U            /**< The page that commands. */
 #define RIG_CONNECTION 2U      /**< The connection that proposes. */
-#define RIG_OWN_ID 4000000000U /**< Of what the page does by itself; its answers are not kept. */
+#define RIG_OWN_ID 4000000000U /**< Ids of the page's own acts; their answers are not kept. */
 
 typedef struct {
     box_t box;
@@ -27,7 +27,7 @@ typedef struct {
     controller_outputs_t outputs;
     command_t commands[CONTROLLER_COMMANDS]; /**< For the next cycle. */
     uint32_t command_count;
-    uint32_t elapsed_us; /**< Of every cycle; 1000 unless a test changes it. */
+    uint32_t elapsed_us; /**< Length of every cycle; 1000 unless a test changes it. */
     uint32_t
         late_us; /**< So much longer than 1000 us lasts the next cycle, in the world as well. */
     uint32_t early_us; /**< So much shorter; with the jitter less than 1000. */
@@ -40,8 +40,8 @@ typedef struct {
      * that answer comes too late. */
     uint32_t held_cycles;
     bool is_held;                                           /**< It stands. */
-    sim_random_t random;                                    /**< Of the jitter. */
-    uint8_t held_frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES]; /**< What was sent last. */
+    sim_random_t random;                                    /**< Random numbers of the jitter. */
+    uint8_t held_frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES]; /**< Frames that were sent last. */
     board_inputs_t board_inputs;
     uint32_t unread; /**< BSP_IN_ bits that the board does not read. */
     uint32_t next_id;
@@ -99,7 +99,7 @@ answer_t rig_workphase(rig_t *self, workphase_t workphase);
 void rig_press(rig_t *self);
 void rig_release(rig_t *self);
 
-/** What is armed expires in the second cycle from now: the time without the pedal until then has
+/** The armed order expires in the second cycle from now: the time without the pedal until then has
  * passed at once. */
 void rig_let_expire(rig_t *self);
 

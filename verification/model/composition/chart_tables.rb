@@ -20,7 +20,7 @@ class ChartTables
     [compiled, table].join("\n")
   end
 
-  # What tells the number of a configuration from the chart's own fields.
+  # C that reads the number of a configuration from the chart's own fields.
   def numbers
     [vectors, number].join("\n")
   end

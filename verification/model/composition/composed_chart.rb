@@ -4,7 +4,7 @@
 
 require_relative 'composition'
 
-# A composition as one chart in SCXML, for SPIN: each member is a region, what the members tell each other is raised,
+# A composition as one chart in SCXML, for SPIN: each member is a region, the events between the members are raised,
 # and a region "world" takes each stimulus with each value of the free inputs.
 class ComposedChart
   def initialize(composition)
@@ -70,7 +70,7 @@ class ComposedChart
     end
   end
 
-  # What has a condition goes by the world, which decides when it is heard.
+  # An event with a condition goes by the world, which decides when it is heard.
   def raises(reactions)
     reactions.map do |reaction|
       event = reaction.condition ? "told.#{@composition.reactions.index(reaction)}" : told(reaction)
@@ -128,7 +128,7 @@ class ComposedChart
     name.tr('.', '_')
   end
 
-  # The values of free inputs are set, and reset when what was told at once has been heard.
+  # The values of free inputs are set, and reset when the events raised with them have been heard.
   def world
     ['<state id="world">', @composition.stimuli.each_with_index.map { |one, number| stimulus(one, number) },
      @composition.reactions.each_with_index.map { |one, number| reaction(one, number) },

@@ -51,7 +51,7 @@ class Composition
 
   private
 
-  # What is common, and its own.
+  # Common expressions of each axis, and its own.
   def of_each_axis(section)
     (1..@axes).map do |axis|
       @rows.fetch(section).values.reduce(:merge).transform_values { |text| expression(number(text, axis)) }
@@ -150,7 +150,7 @@ class Composition
     raise Wrong, "#{text}: #{e.message}"
   end
 
-  # Of names of states, joined by ! && ||.
+  # Checks an expression of names of states, joined by ! && ||.
   def check(expression, words)
     kind, *operands = expression
     case kind
@@ -212,7 +212,7 @@ class Composition
       @inputs.reject { |_name, given| Chart::Expression.atoms(given).include?([:variable, 'any']) }.keys
   end
 
-  # The free inputs that this stimulus, or what the reactions then tell, may read.
+  # The free inputs that this stimulus, or the events of its reactions, may read.
   def read_by(member, number)
     known = []
     waiting = [[member, number]]

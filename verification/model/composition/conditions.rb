@@ -45,7 +45,7 @@ class CompositionConditions
     "is_in(config, #{@numbers.fetch(member)}U, #{set(member, id)}U)"
   end
 
-  # What a member reads: free inputs, and conditions on the others.
+  # Inputs of a member: free inputs, and conditions on the others.
   def inputs
     cases = @members.each_with_index.map do |member, number|
       values = member.chart.document.inputs.each_with_index.map { |input, bit| input_row(member, input, bit) }

@@ -5,7 +5,7 @@
 require 'open3'
 require_relative 'program'
 
-# What the controller itself comes into, and permits there (controller_run.c).
+# Configurations that the controller itself comes into, and its permits there (controller_run.c).
 class ControllerRun
   ROOT = CompiledChart::ROOT
   SOURCES = %w[verification/model/composition/controller_run.c verification/integration/support/rig.c].freeze
@@ -24,7 +24,7 @@ class ControllerRun
     end
   end
 
-  # What of it speaks of this composition.
+  # Part of it about this composition.
   def self.part(seen, composition)
     places = [*composition.members.map(&:name), *composition.permits.keys].map { |name| COLUMNS.index(name) }
     seen.map { |numbers| numbers.values_at(*places) }.uniq

@@ -15,7 +15,7 @@ class Exchange
     @alone = lacking(@reactions.values)
   end
 
-  # What a name becomes.
+  # New name for a name.
   def name(text)
     @composition.axes > 1 ? text.sub(PLACE) { |found| found.tr('12', '21') } : text
   end

@@ -9,7 +9,7 @@
  *
  * A chart's step is a function of its configuration, the event and its inputs alone. So each is
  * taken once by the compiled chart and by the table, and every pair of the composition is made of
- * such steps. Of two configurations that are each other's when the axes change places, one is
+ * such steps. One of two configurations that are each other's when the axes change places is
  * explored for both. Still each of its pairs is taken by both, and must come out alike, unless a
  * reaction of one axis alone has a part in it; and in the end both are reached by ways of their
  * own.
@@ -38,7 +38,7 @@ typedef struct {
     bool is_same; /* Compiled as interpreted. */
 } cell_t;
 
-/* What a stimulus came to, with all that it made the charts tell each other. */
+/* Result of a stimulus, with all events that it made the charts send each other. */
 typedef struct {
     config_t after;
     uint64_t actions;
@@ -367,7 +367,7 @@ static config_t config_at(uint32_t place)
     return ((place % 2U) == 0U) ? config : exchanged(config);
 }
 
-/* Of every side that was found: it is reached as it is said, without an exchange. */
+/* Every side that was found is reached as recorded, without an exchange. */
 static void check_ways(void)
 {
     for (uint32_t place = 2U; place < (found_count * 2U); place++) {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What composition.h, which is generated, tells explorer.c; it defines the sizes before, and NEVER
- * for what cannot happen.
+ * Data that composition.h, which is generated, gives to explorer.c; it defines the sizes before,
+ * and NEVER for what cannot happen.
  */
 #ifndef BORESIGHT_EXPLORER_H
 #define BORESIGHT_EXPLORER_H
@@ -24,7 +24,7 @@ typedef enum { TRIGGER_ENTERS, TRIGGER_DOES, TRIGGER_HEARS } trigger_t;
 /** One member's step from one of its own configurations to another, or NEVER. */
 typedef uint32_t step_t(uint32_t own, uint32_t event, uint32_t inputs, uint32_t *actions);
 
-/** What a chart's interpreter did. */
+/** Step of a chart's interpreter. */
 typedef struct {
     uint16_t after;
     uint16_t actions;
@@ -43,7 +43,7 @@ typedef struct {
     uint32_t member;
     uint32_t event;
     uint32_t free; /**< Bits of the free inputs that it may come to read. */
-    uint32_t twin; /**< What it is when the axes change places. */
+    uint32_t twin; /**< The same stimulus when the axes change places. */
 } stimulus_t;
 
 typedef struct {

@@ -30,7 +30,7 @@ typedef struct {
 
 typedef struct {
     config_t config;
-    uint64_t objections[2]; /**< Of the properties, one bit each, to each side. */
+    uint64_t objections[2]; /**< Objections of the properties, one bit each, to each side. */
     uint32_t sides;         /**< Bit n: side n was found. */
     uint32_t last_before;   /**< The row whose successor it became last. */
     way_t ways[2];

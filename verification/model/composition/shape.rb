@@ -2,12 +2,12 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-# What composition.yml has to hold, before anything of it is understood: sections, and in them rows with their words.
+# Required contents of composition.yml, before anything of it is understood: sections, and in them rows with their words.
 class CompositionShape
   SECTIONS = { 'axes' => Integer, 'members' => Hash, 'facts' => Hash, 'permit' => String, 'reasons' => Hash,
                'inputs' => Hash, 'stimuli' => Array, 'reactions' => Array, 'properties' => Array }.freeze
   PARTS = %w[facts reasons].freeze
-  # What the rows of a section must say, and what they may.
+  # Required and possible words of the rows of a section.
   ROWS = {
     'stimuli' => [%w[tell], { 'tell' => String, 'when' => String }],
     'reactions' => [%w[after tell], { 'after' => String, 'tell' => Array, 'when' => String, 'of' => String }],
@@ -15,7 +15,7 @@ class CompositionShape
                      { 'id' => String, 'req' => String, 'always' => String, 'after' => Array, 'only' => Array,
                        'from' => String, 'then' => String, 'reaches' => String, 'steps' => Integer }]
   }.freeze
-  # What a property of a kind says as well.
+  # Further words of a property of a kind.
   KINDS = { 'always' => [], 'after' => %w[then], 'only' => %w[from then], 'reaches' => [] }.freeze
 
   # wrong: the class of what is raised.

@@ -19,7 +19,7 @@
 #define HOLD_CYCLES ((LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 100U)
 #define LOOK_CYCLES 300U
 #define COOL_CYCLES 4000U    /* A scan and a hot motor last so long here. */
-#define RUNAWAY_CYCLES 9000U /* What has not come to rest by then does not. */
+#define RUNAWAY_CYCLES 9000U /* A motion that has not ended by then does not. */
 #define FOUND_CYCLES 600000U /* The longest order that he finds, as a sweep, ends by then. */
 #define CHECK_PARTS 211U     /* In one of so many cycles the promise of the step is tried. */
 #define MOST_TRIES 1U        /* Then he starts anew. */
@@ -59,7 +59,7 @@ static bool is_broken(const rig_t *rig, uint32_t axis)
            (part->limit_switch.fault != SIM_SWITCH_NORMAL);
 }
 
-/* What is named is truly broken. */
+/* The named part is truly broken. */
 static bool is_named_broken(const rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
@@ -141,7 +141,7 @@ static void act_by_command(operator_t *self, rig_t *rig, uint32_t step)
     rig->command_count++;
 }
 
-/* What is named is broken, or was mended meanwhile: the button for SERVICE, START_UP for COMPARE,
+/* The named part is broken, or was mended meanwhile: the button for SERVICE, START_UP for COMPARE,
  * and if that does not help, anew. */
 static void call_service(operator_t *self, rig_t *rig, uint32_t step)
 {
@@ -338,7 +338,7 @@ static void wait_on(operator_t *self, rig_t *rig)
     }
 }
 
-/* With a target he goes on to it; without one he would have to know more than he is told. */
+/* With a target he goes on to it; without one he would have to know more than is shown. */
 static bool may_command(const snapshot_t *shown)
 {
     const uint32_t step = shown->next_step;

@@ -11,10 +11,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Of each command of the operator. */
+/** Id of each command of the operator. */
 #define OPERATOR_COMMAND_ID 3000000U
 
-/** The party that commands; the page while nobody does. */
+/** The party that commands; the page while none does. */
 authority_party_t operator_commander(const rig_t *rig);
 
 /** @return false: the step is no command that can be given without knowing more */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What was before the operator comes into a scene, by the seed of the scene.
+ * History of a scene before the operator comes into it, by the seed of the scene.
  */
 #ifndef BORESIGHT_OPERATOR_HISTORY_H
 #define BORESIGHT_OPERATOR_HISTORY_H
@@ -21,7 +21,7 @@ uint32_t operator_history_cycles(uint32_t seed);
 /** Something breaks in it; of every axis each part in turn. */
 void operator_break(rig_t *rig, uint32_t seed);
 
-/** What somebody has left as he comes: something pressed, pulled, unplugged or not read, a scan
+/** State that others have left: something pressed, pulled, unplugged or not read, a scan
  * that goes on, with an axis that has drifted in it or without, a full disk. */
 void operator_leave(rig_t *rig, uint32_t *chance);
 

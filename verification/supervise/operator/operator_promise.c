@@ -6,7 +6,7 @@
 
 #define PROMISE_ID (OPERATOR_COMMAND_ID + 1U)
 
-/* What becomes of the command in the next cycle, beside those of the rig. */
+/* Outcome of the command in the next cycle, beside those of the rig. */
 static status_t send(rig_t *rig, const command_t *command)
 {
     rig->commands[0] = *command;

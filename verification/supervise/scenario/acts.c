@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-#define ANYWHERE_PARTS 8U /* Of the homes that are set one is set wherever the axis stands. */
+#define ANYWHERE_PARTS 8U /* One of so many homes that are set is set wherever the axis stands. */
 
 bool acts_is_shown_true(const rig_t *rig)
 {

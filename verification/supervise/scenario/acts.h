@@ -8,12 +8,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Whoever looks at the robot sees it where it is shown: the axes that a confirmation would verify.
- */
+/** The robot is seen where it is shown: the axes that a confirmation would verify. */
 bool acts_is_shown_true(const rig_t *rig);
 
 /**
- * One of the acts for some axis. What takes an axis for home where it stands is for one that truly
+ * One of the acts for some axis. The act that sets a home where it stands is for one that truly
  * stands there, as the operator sees; a home that is set elsewhere now and then is for the button
  * to refuse.
  */

@@ -16,7 +16,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** What a scene is about. */
+/** Subject of a scene. */
 typedef enum {
     FOE_TAPS = 0,     /**< The pedal is tapped; an encoder, or nothing, is broken for good. */
     FOE_FLICKER = 1,  /**< An encoder is broken for some ms of every few. */
@@ -29,9 +29,9 @@ typedef enum {
 
 #define FOE_PLANS 7U
 
-/** What the operator does when all axes are homed and nothing is armed. */
+/** Acts of the operator when all axes are homed and nothing is armed. */
 typedef enum {
-    FOE_ASKS_TARGETS = 0, /**< What the console asks for. */
+    FOE_ASKS_TARGETS = 0, /**< The step that the console asks for. */
     FOE_ASKS_NEAR = 1,    /**< The same, with each target near the one before. */
     FOE_ASKS_JOGS = 2,    /**< Jogs of its axis to anywhere. */
     FOE_ASKS_SHORT = 3,   /**< Jogs of its axis by a few ticks. */
@@ -54,13 +54,13 @@ typedef struct {
     adversary_wish_t wish;
     uint32_t start; /**< 0: power-on, 1: homed, 2: with a target. */
     uint32_t axis;
-    coupled_limit_jogs_t apart; /**< Of FOE_COUPLED. */
-    uint32_t part; /**< Of the axis, and how it is broken; indices into lists of adversary.c. */
+    coupled_limit_jogs_t apart; /**< Jogs of FOE_COUPLED. */
+    uint32_t part; /**< Part of the axis, and its fault; indices into lists of adversary.c. */
     uint32_t fault;
     double load;
     adversary_when_t when;
     uint32_t from_cycle;
-    uint32_t broken_ms; /**< Of its rhythm; 0: nothing is ever broken. */
+    uint32_t broken_ms; /**< Broken time of its rhythm; 0: nothing is ever broken. */
     uint32_t whole_ms;  /**< 0: it stays broken. */
     uint32_t on_ms;     /**< The pedal's rhythm; 0: the operator has it. */
     uint32_t off_ms;
@@ -70,7 +70,7 @@ typedef struct {
     int32_t past_ticks; /**< And pressed again so far beyond its place. */
     uint32_t approach_ms;
     bool has_mercy; /**< It is whole for a while after it was found out. */
-    /* Of the play. */
+    /* State of the play. */
     uint32_t cycle;
     bool was_homed;
     bool is_broken;
@@ -87,7 +87,7 @@ typedef struct {
 /** Makes a plan for the scene `seed` of `robot` and starts the rig that it needs. */
 void adversary_begin(adversary_t *self, rig_t *rig, const robot_t *robot, uint32_t seed);
 
-/** What the enemy does before the next cycle, after the operator. @return something is broken */
+/** Acts of the enemy before the next cycle, after the operator. @return something is broken */
 bool adversary_play(adversary_t *self, rig_t *rig);
 
 /** The jog that the operator wishes for now. */

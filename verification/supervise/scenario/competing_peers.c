@@ -46,7 +46,7 @@ void competing_peers_begin(competing_peers_t *self, rig_t *rig, uint32_t seed)
     rig->is_page_away = true;
 }
 
-/* What anyone may try. Of a connection that has gone its process releases what it had. */
+/* Commands that any peer may try. The process of a lost connection releases its authority. */
 static command_t some_command(competing_peers_t *self)
 {
     static const command_t tries[] = {

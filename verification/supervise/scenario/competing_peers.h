@@ -26,7 +26,7 @@ void competing_peers_begin(competing_peers_t *self, rig_t *rig, uint32_t seed);
 /** Before a cycle. @return true: `command` is to be sent */
 bool competing_peers_play(competing_peers_t *self, rig_t *rig, command_t *command);
 
-/** Whose `command` of the operator is: mostly of who has authority. */
+/** Sets the sender of the operator's `command`: mostly the holder of authority. */
 void competing_peers_sign(competing_peers_t *self, const rig_t *rig, command_t *command);
 
 #endif

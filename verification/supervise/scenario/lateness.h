@@ -13,13 +13,13 @@
 
 #include <stdint.h>
 
-/** State of the enemy. Of each thing one in so many cycles; 0: never. */
+/** State of the enemy. Each `parts` is one in so many cycles; 0: never. */
 typedef struct {
     sim_random_t random;
     uint32_t late_parts;
     uint32_t late_us;    /**< A cycle is late by so much at most. */
     uint32_t late_burst; /**< So many in a row at most. */
-    uint32_t late_left;  /**< Of this burst. */
+    uint32_t late_left;  /**< Left of this burst. */
     uint32_t hold_parts;
     uint32_t hold_cycles; /**< The box stands for so many at most. */
     uint32_t refuse_parts;

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 #define ROWS_MOST 6U
-#define WAY_PARTS 16 /* Of an axis' whole way, a row is no farther from the one before. */
+#define WAY_PARTS 16 /* Part of an axis' whole way: a row is no farther from the one before. */
 #define SPEED_SHARE 0.5
 #define SLOWEST_MS 50.0
 #define SPEEDS 2 /* No faster than one of so many parts. */
@@ -125,7 +125,7 @@ static void of_sweep(orders_t *self, const rig_t *rig, uint32_t *chance, command
 
 typedef void (*make_t)(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command);
 
-/* What there is, and where it has a chance. */
+/* The possible orders, and the workphases in which they have a chance. */
 static const struct {
     command_kind_t kind;
     workphase_t phase;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What an operator may order besides moves and jogs to a position, by chance: one row of a table
- * for each command.
+ * Orders of an operator besides moves and jogs to a position, by chance: one row of a table for
+ * each command.
  */
 #ifndef BORESIGHT_ORDERS_H
 #define BORESIGHT_ORDERS_H
@@ -18,20 +18,20 @@ typedef struct {
     uint32_t next; /**< The row that is sent next; beyond them the end, and the order to run it. */
     uint32_t sum;
     bool is_program;
-    trajectory_row_t row; /**< Of a trajectory, the last one. */
+    trajectory_row_t row; /**< Last row of a trajectory. */
 } orders_t;
 
-/** What there is for a robot. */
+/** Orders that are wished for a robot. */
 typedef struct {
-    workphase_t phase;    /**< Of this workphase alone; WORKPHASE_COUNT: of any. */
-    command_kind_t theme; /**< Of this kind alone, where the workphase has it; COMMAND_NONE: any. */
+    workphase_t phase;    /**< Orders of this workphase alone; WORKPHASE_COUNT: of any. */
+    command_kind_t theme; /**< This kind alone, where the workphase has it; COMMAND_NONE: any. */
 } orders_wish_t;
 
 /** Some order by `wish`. @return false: there is none */
 bool orders_choose(orders_t *self, const rig_t *rig, orders_wish_t wish, uint32_t *chance,
                    command_t *command);
 
-/** What comes next of a list that was begun. @return false: nothing */
+/** Next part of a list that was begun. @return false: nothing */
 bool orders_go_on(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command);
 
 #endif

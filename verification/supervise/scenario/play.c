@@ -48,7 +48,7 @@ command_kind_t play_theme(play_t play)
     } else if (play == PLAY_SWEEPS) {
         theme = COMMAND_SWEEP;
     } else {
-        /* Of anything. */
+        /* Any orders. */
     }
     return theme;
 }

@@ -8,7 +8,7 @@
 
 #include <stdbool.h>
 
-/** What is played. */
+/** Kind of play. */
 typedef enum {
     PLAY_RANDOM = 0,      /**< Anything, with at most one fault at a time. */
     PLAY_CORNERS = 1,     /**< Moves to targets at the ends of the axes' ways; no fault. */
@@ -29,7 +29,7 @@ typedef enum {
                              the enemy; in every other scene something of an axis breaks as well. */
 } play_t;
 
-/** Of all plays, between bars. */
+/** Names of all plays, between bars. */
 #define PLAY_NAMES                                                                                 \
     "random|corners|interrupted|spread|jogs|taps|magnitude|rivals|modes|programs|sweeps|flips|"    \
     "operator|late"
@@ -40,7 +40,7 @@ int play_find(const char *name);
 /** Why `robot` cannot give `play`, as a sentence; NULL: it can. */
 const char *play_refusal(const robot_t *robot, play_t play);
 
-/** What most of its orders are, COMMAND_NONE: of anything. */
+/** Kind of most of its orders, COMMAND_NONE: any. */
 command_kind_t play_theme(play_t play);
 
 /** One order after the other is given. */

@@ -16,7 +16,7 @@
 #define ORDERS_MOST 32U
 #define SHARE_STEPS 1000000U
 #define RISE_SPREAD 0.1
-#define DEAD_ZONE_SPREAD 0.005 /* Of all words. */
+#define DEAD_ZONE_SPREAD 0.005 /* Share of all words. */
 #define BREAK_PARTS 40000U     /* In one of so many cycles of motion something breaks... */
 #define BREAK_LATE_PARTS 3000U /* The same where time is the enemy... */
 #define REPAIR_CYCLES 6000U    /* ...and is repaired after these at the latest. */
@@ -154,8 +154,8 @@ static bool ends_with(const char *line, const char *word)
     return (length >= strlen(word)) && begins_with(&line[length - strlen(word)], word);
 }
 
-/* To be drawn by lot: what disturbs. By where the axes are the oracle would take a hand for a
- * drive. Who holds from afar is waited for in the world's time, of which a scene has none. */
+/* To be drawn by lot: orders that disturb. By where the axes are the oracle would take a hand for a
+ * drive. A client that holds from afar is timed in the world's time, of which a scene has none. */
 static bool is_disturbance(const char *line)
 {
     return !begins_with(line, "show") && !begins_with(line, "probe ") &&
@@ -193,8 +193,8 @@ static void disturb(scenario_t *self, rig_t *rig)
     rig_box(rig, order);
 }
 
-/* A motor that runs by itself and an encoder that counts nothing hide each other from whoever sees
- * no more than the frames: two faults, which no supervision can tell from rest. */
+/* A motor that runs by itself and an encoder that counts nothing hide each other from a reader
+ * of the frames alone: two faults, which no supervision can distinguish from rest. */
 static void part_hidden_pairs(rig_t *rig)
 {
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
@@ -255,7 +255,7 @@ static void let_gate_change(scenario_t *self, rig_t *rig)
     self->gate_cycles--;
 }
 
-/* Whatever was broken of an axis. */
+/* Repairs all broken parts of an axis. */
 static void repair(rig_t *rig)
 {
     static const char *const parts[] = {"card", "encoder", "motor", "switch"};

@@ -24,17 +24,17 @@ typedef struct {
     uint32_t wants_target; /**< 0 or 1: the last target was reached, the next is to be sent. */
     uint32_t is_chaotic;   /**< 1: the operator does anything at any time. */
     uint32_t cycle;
-    uint32_t whim; /**< Of the operator: a chance of its own. */
+    uint32_t whim; /**< Whim of the operator: a chance of its own. */
     watcher_t watcher;
     orders_t orders;
     uint32_t wish;            /**< workphase_t of PLAY_MODES' next order. */
-    uint32_t gate_cycles;     /**< Of PLAY_PROGRAMS: until the gate changes. */
+    uint32_t gate_cycles;     /**< In PLAY_PROGRAMS: until the gate changes. */
     uint32_t is_brittle;      /**< 0 or 1: of a play with a theme; in motion something may break. */
-    adversary_t adversary;    /**< Of PLAY_TAPS. */
-    competing_peers_t rivals; /**< Of PLAY_RIVALS. */
-    lateness_t lateness;      /**< Of PLAY_LATE. */
+    adversary_t adversary;    /**< Enemy of PLAY_TAPS. */
+    competing_peers_t rivals; /**< Peers of PLAY_RIVALS. */
+    lateness_t lateness;      /**< Enemy of PLAY_LATE. */
     const robot_t *robot;
-    robot_t magnitude_robot; /**< Of PLAY_MAGNITUDE. */
+    robot_t magnitude_robot; /**< Robot of PLAY_MAGNITUDE. */
 } scenario_t;
 
 /** Sets the scene `seed` of `robot`, which must outlive the rig: the rig fresh, homed or targeted,
@@ -47,7 +47,7 @@ bool scenario_is_disturbed(const scenario_t *self);
 /** Nothing of an axis was broken. */
 bool scenario_is_sound(const scenario_t *self);
 
-/** What the players do before the next cycle. */
+/** Acts of the players before the next cycle. */
 void scenario_play(scenario_t *self, rig_t *rig);
 
 #endif

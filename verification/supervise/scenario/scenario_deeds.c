@@ -7,7 +7,7 @@
 #include "supervise/scenario/scenario_sends.h"
 
 #define OTHER_PARTS 6U     /* One of so many orders is not of the theme of the play. */
-#define NEEDLE_PARTS 12    /* Of its way, the needle goes in before a sweep. */
+#define NEEDLE_PARTS 12    /* Part of its way that the needle goes in before a sweep. */
 #define SWEEP_PATIENCE 32U /* A sweep is given so much longer than any other order. */
 
 void scenario_do_anything(scenario_t *self, rig_t *rig)
@@ -106,7 +106,7 @@ static void confirm(scenario_t *self, rig_t *rig)
     }
 }
 
-/* What the console asks for. */
+/* The step that the console asks for. */
 void scenario_do_next_step(scenario_t *self, rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
@@ -216,7 +216,7 @@ static bool is_free(const snapshot_t *shown)
              (shown->next_step <= (uint32_t)NEXT_STEP_NOTHING)));
 }
 
-/* What the console asks for, or jogs where it asks for none. */
+/* The step that the console asks for, or jogs where it asks for none. */
 void scenario_do_wish(scenario_t *self, rig_t *rig)
 {
     self->wait_cycles = 20U + scenario_random_below(self, 120U);

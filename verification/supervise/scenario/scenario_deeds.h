@@ -15,7 +15,7 @@ void scenario_do_jog(scenario_t *self, rig_t *rig);
 /** As the next step says. */
 void scenario_do_next_step(scenario_t *self, rig_t *rig);
 
-/** What leads to the workphase that he wishes for. */
+/** The command that leads to the workphase that he wishes for. */
 void scenario_do_wish(scenario_t *self, rig_t *rig);
 
 /** The next order of a play of orders, or what leads to it. */

@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-#define BEFORE_NM 20000000 /* Of the target, on the needle's line. */
+#define BEFORE_NM 20000000 /* Way before the target, on the needle's line. */
 #define OTHER_PARTS 6U     /* One of so many orders is not of the theme of the play. */
 
 void scenario_send(scenario_t *self, rig_t *rig, command_t command)
@@ -140,7 +140,7 @@ void scenario_send_probe(scenario_t *self, rig_t *rig)
     scenario_send(self, rig, command);
 }
 
-/* Of any mode, mostly that of the play; WORKPHASE_COUNT: wherever it is. */
+/* An order of any mode, mostly that of the play; WORKPHASE_COUNT: wherever it is. */
 void scenario_send_order(scenario_t *self, rig_t *rig, workphase_t phase)
 {
     const command_kind_t theme = play_theme(self->play);

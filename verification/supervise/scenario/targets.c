@@ -11,7 +11,7 @@
 #include <stddef.h>
 
 #define TRIES 32U
-#define NEAR_PARTS 50 /* Of the ways of the axes, one is near. */
+#define NEAR_PARTS 50 /* Part of the ways of the axes that is near. */
 #define ONE_Q30 1073741824
 
 static bool is_neuro(const robot_t *robot)

@@ -4,7 +4,7 @@
 #include "supervise/scenario/prng.h"
 
 #define WAIT_CYCLES 700U
-#define BURST_PARTS 4U /* Of its proposals one comes right after the one before. */
+#define BURST_PARTS 4U /* One of so many proposals comes right after the one before. */
 #define LINE_MM 100U   /* Before and behind the target. */
 #define ONE_MM_NM 1000000
 

@@ -9,12 +9,12 @@
 
 #include <stddef.h>
 
-/* What one cycle says of it. */
+/* Authority in one cycle. */
 typedef struct {
     const rig_t *rig;
     authority_party_t before;
     authority_party_t after;
-    authority_party_t taken; /* By whom it was taken last; peer 0: by nobody. */
+    authority_party_t taken; /* The party that took it last; peer 0: none. */
     uint32_t losses;         /* Bits of authority_loss_t. */
     bool is_damaged;         /* Memory of it may have been forgotten. */
     bool is_armed;           /* An order was. */
@@ -143,7 +143,7 @@ static bool is_armed_wrongly(const view_t *view)
     return !is_by_holder || (is_order && (view->after.peer == 0U));
 }
 
-/* What was pressed, and for how long, before the controller looks at it. */
+/* Time for which the button was pressed, before the controller looks at it. */
 static void watch_button(authority_oracle_t *self, const rig_t *rig)
 {
     const controller_inputs_t *const inputs = &rig->inputs;

@@ -22,20 +22,20 @@ typedef enum {
 } authority_oracle_rule_t;
 
 #define REIGN_RULES 5U
-#define REIGN_LOSSES 4U /**< Of authority_loss_t. */
+#define REIGN_LOSSES 4U /**< Values of authority_loss_t. */
 
 /** At first all zero. */
 typedef struct {
     bool has_looked;
-    authority_party_t holder; /**< As shown in the cycle before; peer 0: nobody. */
-    authority_party_t asked;  /**< Who asked for it last. */
-    bool is_ending;           /**< It was lost and nobody has had it since. */
+    authority_party_t holder; /**< As shown in the cycle before; peer 0: none. */
+    authority_party_t asked;  /**< The party that asked for it last. */
+    bool is_ending;           /**< It was lost and no party has had it since. */
     uint32_t lost_us;         /**< So long ago. */
     bool has_rested;          /**< All axes at once, in a cycle since the loss. */
     uint32_t silent_us;       /**< Since its holder's last accepted command. */
-    bool has_heard;      /**< Of a holder from before the first look that command is unknown. */
-    uint32_t pressed_us; /**< The button, with the pedal released. */
-    bool is_barred;      /**< Since a loss nobody has armed and then pressed. */
+    bool has_heard;           /**< False for a holder from before the first look. */
+    uint32_t pressed_us;      /**< The button, with the pedal released. */
+    bool is_barred;           /**< Since a loss nobody has armed and then pressed. */
     bool is_armed_anew;
     bool was_moving;               /**< In the cycle before. */
     uint32_t losses[REIGN_LOSSES]; /**< How many there were, by authority_loss_t. */

@@ -5,9 +5,9 @@
 
 #include <math.h>
 
-#define FAR_PART 0.93  /* Of the range: so far one carriage goes from the other... */
+#define FAR_PART 0.93  /* Part of the range that one carriage goes from the other... */
 #define OUT_PART 0.45  /* ...and the second from its home. */
-#define EDGE_PART 0.01 /* Of the range: no jog is to end nearer to an end. */
+#define EDGE_PART 0.01 /* Part of the range: no jog is to end nearer to an end. */
 #define EDGE_TRIES 24U
 
 static uint32_t between(sim_random_t *random, uint32_t least, uint32_t most)
@@ -128,7 +128,7 @@ static command_t some_jog(const coupled_limit_jogs_t *self, sim_random_t *random
     return jog(index, axis->target_minimum_ticks + (int32_t)sim_random_below(random, span + 1U));
 }
 
-/* Of some jogs the one that ends nearest to the end of a limit. */
+/* The one of some jogs that ends nearest to the end of a limit. */
 static command_t edge_jog(const coupled_limit_jogs_t *self, const rig_t *rig, sim_random_t *random)
 {
     double places[ROBOT_AXIS_MAX] = {0.0};

@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Whose limit it is. */
+/** Robot and coupled limit of the jogs. */
 typedef struct {
     const robot_t *robot;
     uint32_t limit;

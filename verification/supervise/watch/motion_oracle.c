@@ -17,7 +17,7 @@
 #define REACHED_MM 0.1
 #define REACHED_DEG 1.0
 #define NEEDLE_OUT_MM 0.625
-#define HOME_MM 0.05 /* Of the place where homing sees a switch. */
+#define HOME_MM 0.05 /* Tolerance of the place where homing sees a switch. */
 #define HOME_DEG 0.2
 /* On the slowest robot: the carriages and then the needle go over their strokes. */
 #define ENDS_CYCLES 120000U
@@ -178,8 +178,8 @@ static void judge_belief(motion_oracle_t *self, const rig_t *rig, uint32_t axis,
     }
 }
 
-/* What is allowed, and what the motor runs until it is noticed. Who shows half of a way is found
- * out after twice as much. */
+/* The allowed way, and the way of the motor until it is noticed. An encoder that shows half of a
+ * way is found out after twice as much. */
 static double most_off(motion_oracle_t *self, const rig_t *rig, uint32_t axis)
 {
     const double allowed = truth_in_words(
@@ -274,7 +274,7 @@ static void judge_homing(motion_oracle_t *self, const rig_t *rig)
     }
 }
 
-/* What the controller remembers later may have been damaged. */
+/* A target that the controller remembers later may have been damaged. */
 static void remember_target(motion_oracle_t *self, const rig_t *rig)
 {
     bool is_new = !self->has_looked;
@@ -325,7 +325,8 @@ static void judge_probe(motion_oracle_t *self, const rig_t *rig)
     }
 }
 
-/* What is shown is at the target, and what is true no farther from it than a broken part may hide.
+/* The shown position is at the target, and the true one no farther from it than a broken part
+ * hides.
  */
 static double beyond_target(const motion_oracle_t *self, const rig_t *rig, uint32_t axis,
                             double truth, bool is_disturbed)
@@ -358,7 +359,7 @@ static void judge_reached(motion_oracle_t *self, const rig_t *rig,
     }
 }
 
-/* What a broken part may hide until it is found is the matter of another sentence. */
+/* Another sentence judges the way that a broken part may hide until it is found. */
 static double slack(const rig_t *rig, uint32_t axis, bool is_disturbed)
 {
     const double hidden = is_length(rig, axis) ? BELIEVED_MM : BELIEVED_DEG;
@@ -371,7 +372,7 @@ static bool is_of(const rig_t *rig, uint32_t limit, uint32_t axis)
     return ((truth_coupled_axes(rig->box.robot, limit) >> axis) & 1U) != 0U;
 }
 
-/* What the slack of that axis which acts most does to a limit. */
+/* Effect on a limit of the slack of that axis which acts most. */
 static double coupled_slack(const rig_t *rig, uint32_t limit, const double truth[ROBOT_AXIS_MAX],
                             bool is_disturbed)
 {
@@ -392,7 +393,7 @@ static double coupled_slack(const rig_t *rig, uint32_t limit, const double truth
     return most;
 }
 
-/* Who jogs an axis that is not known may bring it beyond, and so may a motor that runs by itself;
+/* A jog of an axis that is not known may bring it beyond, and so may a motor that runs by itself;
  * then it comes back. No other order takes it farther out, not even homing. */
 static void judge_coupled(motion_oracle_t *self, const rig_t *rig, uint32_t limit,
                           const double truth[ROBOT_AXIS_MAX], bool is_disturbed)
@@ -585,7 +586,7 @@ static void judge_events(motion_oracle_t *self, const rig_t *rig, bool is_distur
         const event_t *const event = &rig->outputs.events[i];
         is_done = is_done || (event->id == (uint32_t)EVENT_ORDER_DONE);
         judge_accusation(self, rig, event);
-        /* What is not homed may be jogged against its switch. */
+        /* An axis that is not homed may be jogged against its switch. */
         const bool is_jog_blocked = (event->id == (uint32_t)EVENT_ORDER_OVERDUE) &&
                                     !homing_part_is_homed(rig, event->subject);
         if (!is_disturbed && !is_jog_blocked &&

@@ -20,9 +20,9 @@
 #define MOTION_ORACLE_SECOND 1000U /**< Cycles. */
 #define MOTION_ORACLE_MEAN                                                                         \
     (LIMIT_MEAN_SPEED_TIME_US / LIMIT_CYCLE_US) /**< Cycles of a mean speed. */
-#define MOTION_ORACLE_LATE 10000U /**< Cycles after the end of a profile that are told apart. */
+#define MOTION_ORACLE_LATE 10000U               /**< Cycles after a profile's end, counted apart. */
 
-/** What must hold in every cycle. */
+/** Sentences that must hold in every cycle. */
 typedef enum {
     SENTENCE_PERMIT = 0,   /**< A drive leaves only with pedal, e-stop, scanner, cards, order. */
     SENTENCE_BELIEVED = 1, /**< A homed axis without a fault stands where it is believed to. */
@@ -37,10 +37,10 @@ typedef enum {
     SENTENCE_SPEED = 9,    /**< In a short mean no axis is faster than its speed. */
     SENTENCE_ACROSS = 10,  /**< No jog drives anything across a needle that is in. */
     SENTENCE_INWARDS = 11, /**< A needle that is not homed is not jogged inwards. */
-    SENTENCE_HOMING = 12,  /**< Homing drives only who homes, and who follows it. */
-    SENTENCE_TARGET = 13,  /**< What is proposed changes no target that was accepted. */
+    SENTENCE_HOMING = 12,  /**< Homing drives only the axis that homes, and its followers. */
+    SENTENCE_TARGET = 13,  /**< A proposal changes no target that was accepted. */
     SENTENCE_OUT = 14,     /**< A retraction drives the needle outwards only. */
-    SENTENCE_PROBE = 15,   /**< Lengths of the probe are those told last, or none. */
+    SENTENCE_PROBE = 15,   /**< Lengths of the probe are those sent last, or none. */
     SENTENCE_ACCUSED = 16, /**< An axis of which nothing is broken is not called faulty. */
     SENTENCE_ORDER = 17,   /**< From here on: those of order_rule_t. */
     /** From here on: those of sweep_rule_t. */
@@ -56,13 +56,13 @@ typedef enum {
 /** A sentence's record. */
 typedef struct {
     uint32_t episodes; /**< In which it was broken. */
-    uint32_t seed;     /**< Of the first of them. */
+    uint32_t seed;     /**< Scene of the first of them. */
     uint32_t cycle;
-    uint32_t axis; /**< Of SENTENCE_COUPLED: the limit. */
+    uint32_t axis; /**< In SENTENCE_COUPLED: the limit. */
     double worst;  /**< In its own unit: mm or degrees, seconds. */
 } verdict_t;
 
-/** What ends after a profile. */
+/** Motion that ends after a profile. */
 typedef enum {
     ENDING_MOVE = 0,   /**< A move. */
     ENDING_NON_PWM = 1 /**< A leg of a move in which an axis without pwm has a way. */
@@ -100,8 +100,8 @@ typedef struct {
     int32_t target_ticks[ROBOT_AXIS_MAX]; /**< As accepted. */
     bool has_looked;
     bool was_homing;
-    plan_t plan;   /**< Of the cycle before. */
-    probe_t probe; /**< That was told last. */
+    plan_t plan;   /**< Plan of the cycle before. */
+    probe_t probe; /**< The probe that was sent last. */
     order_watch_t order_watch;
     sweep_watch_t sweep_watch;
     program_watch_t program_watch;

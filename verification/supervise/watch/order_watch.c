@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#define STILL_MM 0.1 /* What the servo may correct. */
+#define STILL_MM 0.1 /* Way that the servo may correct. */
 #define STILL_DEG 1.0
 
 static uint32_t rule(order_rule_t which, bool is_broken)
@@ -151,7 +151,7 @@ static void follow_needle(order_watch_t *self, const rig_t *rig, const double tr
     self->inwards += is_inwards ? fmax(0.0, truth[along] - self->before[along]) : 0.0;
 }
 
-/* Of an order that moves the needle alone, one that drives it at all, and a list. */
+/* Rules of an order that moves the needle alone, one that drives it at all, and a list. */
 static uint32_t judge_axis(const order_watch_t *self, const rig_t *rig, uint32_t axis, double truth)
 {
     const bool is_needle = axis == rig->box.robot->needle_axis;

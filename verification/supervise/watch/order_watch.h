@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What an order may drive, for somebody who sees commands, answers, frames and the true positions,
+ * Axes that an order may drive, for a reader of commands, answers, frames and the true positions,
  * and no mode. Holds some rules against every cycle.
  */
 #ifndef BORESIGHT_ORDER_WATCH_H
@@ -20,7 +20,7 @@ typedef enum {
     ORDER_COMMANDED = 3, /**< Jogs, speeds, sweeps and programs drive the axes that they name. */
     ORDER_DISABLED = 4,  /**< An axis that was disabled is not driven. */
     ORDER_LISTED = 5,    /**< A trajectory keeps each axis between its rows. */
-    ORDER_TOLD = 6       /**< The end of an order is told. */
+    ORDER_TOLD = 6       /**< The end of an order is reported. */
 } order_rule_t;
 
 #define ORDER_RULES 7U
@@ -28,13 +28,13 @@ typedef enum {
 /** At first all zero. */
 typedef struct {
     uint32_t kind;       /**< command_kind_t of the order that was accepted and has not ended. */
-    uint32_t swept_axis; /**< Of a sweep; of another order 0. */
+    uint32_t swept_axis; /**< Axis of a sweep; of another order 0. */
     uint32_t axes;       /**< Bit n: axis n is named by it. */
-    uint32_t disabled;   /**< Bit n: axis n was disabled, and nobody has enabled it. */
+    uint32_t disabled;   /**< Bit n: axis n was disabled, and not enabled since. */
     double from[ROBOT_AXIS_MAX];    /**< Where the axes were when it was accepted. */
     double before[ROBOT_AXIS_MAX];  /**< In the cycle before. */
     double inwards;                 /**< Way of the needle under drives that take it in, ticks. */
-    double lowest[ROBOT_AXIS_MAX];  /**< Of the rows that were accepted. */
+    double lowest[ROBOT_AXIS_MAX];  /**< Lowest of the accepted rows. */
     double highest[ROBOT_AXIS_MAX]; /**< The same. */
     uint32_t armed[COMMAND_KIND_COUNT]; /**< How many orders there were, by command_kind_t. */
     uint32_t done[COMMAND_KIND_COUNT];  /**< How many of them ended as asked. */

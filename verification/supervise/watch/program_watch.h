@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a treatment program may do, for somebody who sees commands, frames, events and the true
+ * Permitted acts of a treatment program, for a reader of commands, frames, events and the true
  * positions, and no mode. Holds some rules against every cycle.
  */
 #ifndef BORESIGHT_PROGRAM_WATCH_H

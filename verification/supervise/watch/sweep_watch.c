@@ -9,7 +9,7 @@
 #define SLOWEST_HZ 55000.0 /* The higher the frequency, the slower. */
 #define FASTEST_HZ 45000.0
 #define OUT_MM 0.625
-#define OUT_SLACK_MM 1.0 /* What a broken part may hide. */
+#define OUT_SLACK_MM 1.0 /* Way that a broken part may hide. */
 #define RUN_US 5000000U
 #define RUN_SLACK_US 3000U
 #define WAY_SLACK_TICKS 6.0 /* Between where it is and where it is counted. */

@@ -20,7 +20,7 @@ double truth_measure(const axis_config_t *axis, double ticks)
     return truth_in_words(axis->unit, ticks * (double)axis->unit_per_tick_q16 / 65536.0);
 }
 
-/* Of a robot of which nobody has said it otherwise. */
+/* Coupled limit of a robot without a reference of its own, by the core. */
 static double core_coupled(const robot_t *robot, uint32_t index, const double ticks[ROBOT_AXIS_MAX])
 {
     int32_t whole[ROBOT_AXIS_MAX] = {0};

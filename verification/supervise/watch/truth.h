@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What is true of a robot where its simulated axes stand, in double precision and mm or degrees. A
+ * Truth about a robot where its simulated axes stand, in double precision and mm or degrees. A
  * robot says what its coupled limits measure without the functions of the core that judge the same:
- * core/robot/<name>/test/<name>_truth.h. Of one that does not, the core's are believed.
+ * core/robot/<name>/test/<name>_truth.h. For a robot without them, the core's are believed.
  */
 #ifndef BORESIGHT_TRUTH_H
 #define BORESIGHT_TRUTH_H
@@ -19,7 +19,7 @@ double truth_in_words(uint8_t unit, double units);
 /** `ticks` counts of `axis`. */
 double truth_measure(const axis_config_t *axis, double ticks);
 
-/** Of the coupled limit `index`, below robot->coupled_limit_count: what it measures. */
+/** Measure of the coupled limit `index`, below robot->coupled_limit_count. */
 double truth_coupled(const robot_t *robot, uint32_t index, const double ticks[ROBOT_AXIS_MAX]);
 
 /** How far beyond its range that is; inside below 0: how far from the nearer end. */

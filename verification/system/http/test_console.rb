@@ -48,7 +48,7 @@ class TestConsole < Minitest::Test
   # would arm nothing in a homed robot.
   SLOW = %w[--slow 8].freeze
 
-  # Of one run against one system.
+  # Results of one run against one system.
   def self.results
     @results ||= with_system { |boresight, service| BrowserRun.results('console.e2e.ts', environment(boresight, service)) }
   end

@@ -166,7 +166,7 @@ class TestHttpActs < Minitest::Test
     end
   end
 
-  # Each line is a fault and its reason; of two faults the one that stands first here is told.
+  # Each line is a fault and its reason; of two faults the one that stands first here is reported.
   FAULTS = {
     'HOST_REFUSED' => ->(head, _) { head['Host'] = 'evil.example' },
     'ORIGIN_REFUSED' => ->(head, _) { head['Origin'] = 'http://evil.example' },

@@ -58,7 +58,7 @@ class TestHttpArchive < Minitest::Test
     fetch_json('/api/v1/recordings')['recordings']
   end
 
-  # A line of the log's file as the event that HTTP tells; the subject's words stand in no line.
+  # A line of the log's file as the event that HTTP reports; the subject's words stand in no line.
   def event_of(line)
     words = line.split(' ', 10)
     keyed = words[2..].grep(/=/).to_h { |word| word.split('=', 2) }
@@ -140,7 +140,7 @@ class TestHttpArchive < Minitest::Test
     path = boresight.log_files.find { |file| File.basename(file) == present['name'] }
     response = get("/api/v1/logs/#{present['name']}")
     assert_equal File.binread(path, response.body.bytesize), response.body
-    lines = response.body.byteslice(0, present['bytes']).lines # Of the list; there may be more by now.
+    lines = response.body.byteslice(0, present['bytes']).lines # Bytes of the list; there may be more by now.
     assert lines.last.end_with?("\n")
     assert_equal [lines.first.split.first, lines.last.split.first], present.values_at('first', 'last')
     assert_match(/\Aevents-\d{6}-\d{8}T\d{6}Z\.log\z/, present['name'])

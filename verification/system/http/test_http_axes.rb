@@ -31,7 +31,7 @@ class TestHttpAxes < Minitest::Test
     fetch_json('/api/v1/motors').fetch('axes').find { |one| one['name'] == axis }.fetch('reference')
   end
 
-  # Of the status: what is armed, and how far it has come.
+  # Armed mode of the status, and its progress.
   def shown_mode
     status = fetch_json('/api/v1/status')
     [status.dig('mode', 'name'), *status.values_at('done_per_mille', 'left_ms')]
@@ -166,7 +166,7 @@ class TestHttpAxes < Minitest::Test
     boresight.simctl('pedal', 'release')
   end
 
-  # The checksum that its end tells.
+  # The checksum that its end states.
   def send_steps(client, *steps)
     lines = ["BEGIN #{steps.size}", *steps.each_with_index.map { |step, index| "STEP #{index} #{step}" }, 'END']
     told = lines.map do |line|
@@ -375,7 +375,7 @@ class TestHttpAxes < Minitest::Test
     end
   end
 
-  # Of what may be commanded, the reason against this act.
+  # The reason against this act, from the list of possible commands.
   def reason_against(act, client)
     modes = assert_described('/api/v1/modes', 'GET', client.request('get', '/api/v1/modes'))
     JSON.parse(modes.body).fetch('commands').find { |one| one['name'] == act }.fetch('reason')

@@ -27,7 +27,7 @@ class TestHttpBox < Minitest::Test
     one.request(method, PATH, order && JSON.generate(order), { SessionClient::PAGE => one.page.to_s }.merge(headers))
   end
 
-  # What is seen after an order, or the name of its refusal.
+  # State after an order, or the name of its refusal.
   def give(one, order)
     response = assert_described(PATH, 'POST', ask(one, 'post', order))
     JSON.parse(response.body).then { |body| response.code == '200' ? body : body.fetch('code') }
@@ -51,7 +51,7 @@ class TestHttpBox < Minitest::Test
     wait_until('the pedal is pressed') { give(one, { pedal: 'hold' })['pedal_holder'] == one.page && box['is_pedal_pressed'] }
   end
 
-  # What the block has found while the page held the pedal all the time; the same.
+  # Result of the block while the page held the pedal all the time; the same.
   def while_held(one)
     found = nil
     wait_until('the box has not let go meanwhile') do

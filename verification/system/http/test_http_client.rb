@@ -31,7 +31,7 @@ class TestHttpClient < Minitest::Test
     end
   end
 
-  # What the axes truly do, as the box says it: places and drives.
+  # True state of the axes, as the box reports it: places and drives.
   def truth
     boresight.box_axes.map { |words| words.first(6) }
   end

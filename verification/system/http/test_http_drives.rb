@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rule under test: a robot with a piezo motor on an analog card is started by its name, homes and jogs as any other, and tells
-# what type of card it has.
+# Rule under test: a robot with a piezo motor on an analog card is started by its name, homes and jogs as any other, and reports
+# its type of card.
 
 require_relative '../support/page_test'
 

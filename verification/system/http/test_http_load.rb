@@ -8,7 +8,7 @@ require_relative '../support/session_client'
 require_relative '../support/system_test'
 require_relative '../../bench/crowd'
 
-# What a system did in a crowd: it homed, moved to a target, and was stopped on the way to another one.
+# Course of a system in a crowd: it homed, moved to a target, and was stopped on the way to another one.
 class CrowdedRun
   attr_reader :off_nm, :early_events, :stop_codes, :counts, :server_kb, :seen, :event_numbers, :replayed
 
@@ -104,7 +104,7 @@ class TestHttpLoad < SystemTest
     end
   end
 
-  # What each thread of a program is willing to leave to others, 0 to 19; how many there are of each.
+  # Niceness of each thread of a program, 0 to 19; with the number of threads.
   def niceness_of(name)
     Dir.glob("/proc/#{boresight.pid_of(name)}/task/*/stat").map { |path| Integer(File.read(path).split(') ').last.split[16]) }.tally
   end
@@ -130,7 +130,7 @@ class TestHttpLoad < SystemTest
   HALF = "GET /api/v1/status HTTP/1.1\r\nHost: "
 
   # They come while nobody serves them, a whole request last; a quarter of them holds every worker until its time is over.
-  # Who is dismissed is told so; a pause of the machine may let the time of some run out.
+  # A dismissed client is informed; a pause of the machine may let the time of some run out.
   def test_SWR_LOAD_008_half_requests_give_way_the_oldest_first
     half, whole = boresight.while_stopped('http') do
       [Array.new(WORKERS * 4) { send_to_console(HALF) },

@@ -162,7 +162,7 @@ class TestHttpPositions < Minitest::Test
     assert_equal 'done', restore(shown['token'])['state'], engineer.last.body
     assert_described "#{PATH}/restore", 'POST', engineer.last
     assert_restored shown, -350
-    assert_equal 'done', restore(shown['token'], id: engineer.id)['state'] # What was done is not judged again.
+    assert_equal 'done', restore(shown['token'], id: engineer.id)['state'] # An act that was done is not judged again.
     assert_equal 'PREVIEW_CHANGED', restore(shown['token'])['code']
     assert_described "#{PATH}/restore", 'POST', engineer.last
     confirm

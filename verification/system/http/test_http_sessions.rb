@@ -206,7 +206,7 @@ class TestHttpSessions < Minitest::Test
     end
   end
 
-  # What a second server of this instance says before it ends.
+  # Output of a second server of this instance before it ends.
   def server_says(words)
     answer, status = Open3.capture2e(Boresight.program('boresight-http'), '--instance', boresight.instance,
                                      '--recordings', boresight.recordings,

@@ -245,7 +245,7 @@ class TestHttpStop < Minitest::Test
     end
   end
 
-  # What is known from the head is answered at once.
+  # A fault known from the head is answered at once.
   def test_SWR_HTTP_059_a_stop_without_a_body_or_with_one_that_is_refused_is_answered_at_once
     { '0' => 200, '300' => 413 }.each do |length, status|
       answer = send_raw(stop_head({ 'Content-Length' => length, 'Expect' => '100-continue' }), at: stop_port)

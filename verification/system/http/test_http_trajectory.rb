@@ -174,7 +174,7 @@ class TestHttpTrajectory < Minitest::Test
     rows.each_with_index.flat_map { |row, index| [([index, 2].min * 480) + (index * 20), *row, *([0] * row.size)] }
   end
 
-  # Of what is refused nothing is held.
+  # No part of a refused list is held.
   def refuse_arrays(client)
     columns = (axes.size * 2) + 1
     still = array(rows(0))

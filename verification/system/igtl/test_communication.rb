@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rule under test: who commands is told by name wherever people look, and so is each connection of OpenIGTLink; a connection
-# is ended, and told whether it is kept alive, by who has authority.
+# Rule under test: the holder of authority is named wherever people look, and so is each connection of OpenIGTLink; the
+# holder of authority ends a connection, and asks whether it is still there.
 
 require_relative '../support/igtl_client'
 require_relative '../support/page_test'

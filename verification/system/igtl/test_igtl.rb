@@ -364,7 +364,7 @@ class TestIgtl < Minitest::Test
     boresight.status['ports'].last
   end
 
-  # Asks again until it is not told that all places are taken: by then one has been silent for long.
+  # Asks again until the answer is not that all places are taken: by then one has been silent for long.
   def served_after_asking?(port)
     raw(port) do |socket|
       boresight.wait_until('the asking one has a place') do

@@ -15,7 +15,7 @@ class TestIgtlDialects < SystemTest
   IDENTITY = '1 0 0 0 0 1 0 0 0 0 1 0'
   QUIET = 'listen 300' # Nothing follows.
 
-  # What a client of 2013 hears. The stream of positions counts as one.
+  # Messages to a client of 2013. The stream of positions counts as one.
   HEARD_2013 = [
     '> phase START_UP', 'STRING ACK_0001', 'STATUS CURRENT_STATUS 1 START_UP',
     'STATUS START_UP 1 START_UP',
@@ -37,7 +37,7 @@ class TestIgtlDialects < SystemTest
     '> phase START_UP', 'STRING ACK_0012', 'STATUS CURRENT_STATUS 1 START_UP', 'STATUS START_UP 1 START_UP'
   ].freeze
 
-  # What a client of 2021 hears: armed is entered, and where the needle is it asks.
+  # Messages to a client of 2021: armed is entered, and where the needle is it asks.
   HEARD_2021 = [
     '> phase START_UP', 'STRING ACK_0001', 'STATUS CURRENT_STATUS 1 START_UP',
     'STATUS START_UP 1 START_UP',
@@ -171,7 +171,7 @@ class TestIgtlDialects < SystemTest
     ports[0]
   end
 
-  # Asks until it is there, and tells nothing of that.
+  # Asks until it is there, and does not record that.
   def await_arrival
     wait_until('the needle has arrived') do
       @client.run('string HAS_REACHED_TARGET')
@@ -184,7 +184,7 @@ class TestIgtlDialects < SystemTest
     @heard.reverse_each.find { |line| !line.start_with?('>') }
   end
 
-  # Carries out commands; the first one is told. A stream of positions is one line.
+  # Carries out commands; the first one is recorded. A stream of positions is one line.
   def hear(*commands)
     @heard << "> #{commands.first.split.first(commands.first.match?(/\A(phase|string)/) ? 2 : 1).join(' ')}"
     listen(*commands)

@@ -12,7 +12,7 @@ class TestIgtlPlanning < Minitest::Test
   TARGET = '-0.719331 -0.593747 -0.360594 11.173943 -0.074838 0.582304 -0.809519 225.277747 ' \
            '0.690625 -0.555326 -0.463305 66.443691'
   IDENTITY = '1 0 0 0 0 1 0 0 0 0 1 0'
-  # As core/robot/neuro/robot.yml tells them.
+  # As core/robot/neuro/robot.yml lists them.
   ORDER = %w[lateral yaw pitch insertion rotation head feet].freeze
   LENGTHS = { 'cannula_to_treatment' => 5, 'treatment_to_tip' => 10, 'robot_to_entry' => 5,
               'robot_treatment_home' => 41 }.freeze
@@ -44,7 +44,7 @@ class TestIgtlPlanning < Minitest::Test
     self.class.boresight
   end
 
-  # Who has gone commands until the axes rest.
+  # A client that has disconnected keeps authority until the axes rest.
   def setup
     boresight.wait_until('nobody commands') { boresight.status['authority']['state'] == 'nobody' }
   end
@@ -67,7 +67,7 @@ class TestIgtlPlanning < Minitest::Test
     end
   end
 
-  # Of the port of the workphase protocol, and what the other port is told of it.
+  # A probe by the port of the workphase protocol, and the messages of the other port about it.
   def test_SWR_PROBE_007_another_probe_is_told_at_once
     planning do |client|
       client.await('STRING', 'robot_treatment_home')

@@ -32,7 +32,7 @@ class TestPositionStore < SystemTest
     axes
   end
 
-  # Of the newer one of the two records.
+  # Kept grades of the newer one of the two records.
   def kept_grades
     bytes = File.binread(store)
     records = [0, SLOT].filter_map { |slot| bytes[slot, RECORD] }.select { |record| record.bytesize == RECORD }

@@ -96,7 +96,7 @@ class TestRecorder < SystemTest
     assert_equal 3, code, text
   end
 
-  # It is held while cycles come, and told to end before it has written them.
+  # It is held while cycles come, and asked to end before it has written them.
   def test_SWR_SUP_013_a_recorder_that_is_behind_writes_the_whole_run_before_it_ends
     record(1000) do
       boresight.kill('recorder', 'STOP')

@@ -64,7 +64,7 @@ class TestReplay < SystemTest
     rows.map { |row| names.zip(row.map(&:to_f)).to_h }
   end
 
-  # What the board said, one hash for each cycle.
+  # Data of the board, one hash for each cycle.
   def board_of(file)
     text, status = Open3.capture2e(Boresight.program('boresight-replay'), '--board', file)
     assert_equal 0, status.exitstatus, text

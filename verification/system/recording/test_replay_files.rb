@@ -29,7 +29,7 @@ class TestReplayFiles < StoppedHoming
     end
   end
 
-  # Of all of it, read once.
+  # Contents of all of it, read once.
   def csv
     @@csv ||= written('csv') { |file| CSV.read(file, headers: true).map(&:to_h) }
   end
@@ -202,7 +202,7 @@ class TestReplayFiles < StoppedHoming
     end
   end
 
-  # What the page of a recording holds, as it was written.
+  # Contents of the page of a recording, as it was written.
   def page
     @@page ||= written('html') { |file| File.read(file) }
   end
@@ -247,7 +247,7 @@ class TestReplayFiles < StoppedHoming
     joined(recording[0, HEADER], parts_of(recording).tap { |parts| parts.delete_at(number) })
   end
 
-  # Of the blocks behind it only the first cycle of each was kept whole.
+  # Only the first cycle of each block behind it was kept whole.
   def test_SWR_REPLAY_021_a_page_says_from_which_cycle_to_which_nothing_is_known
     from, to = parts_of(recording)[1, 2].map { |fields, _| fields[8, 4].unpack1('V') }
     content = written('html', without_block(1), code: 3) { |file| page_content(File.read(file)) }

@@ -20,7 +20,7 @@ class TestWhatIf < StoppedHoming
     printed('--what-if', cycles.to_s, *changes).lines(chomp: true)
   end
 
-  # What is said of one cycle.
+  # Lines about one cycle.
   def of_cycle(lines, cycle)
     lines.filter_map { |line| line[/\ACycle #{cycle} \(\d+\.\d{3} s\): (.*)/, 1] }
   end

@@ -25,7 +25,7 @@ class Boresight
   # How often something is asked for in all.
   TRIES = 3
 
-  # What was waited for did not happen.
+  # The awaited event did not happen.
   class TimedOut < StandardError; end
 
   class << self
@@ -103,7 +103,7 @@ class Boresight
     @pid
   end
 
-  # Tells it to stop; returns its exit code.
+  # Asks it to stop; returns its exit code.
   def stop(signal = 'TERM')
     Process.kill(signal, @pid)
     wait_for_end
@@ -147,7 +147,7 @@ class Boresight
     Dir.glob(File.join(recordings, 'events-*.log')).sort
   end
 
-  # Of the newest log.
+  # Lines of the newest log.
   def log_lines
     log_files.last(1).flat_map { |path| File.readlines(path, chomp: true) }
   end
@@ -157,7 +157,7 @@ class Boresight
     log_lines.grep_v(/ CARD_COUNTS /)
   end
 
-  # Number of the event that tells of the last pause of the machine that ended a motion; nil: of none.
+  # Number of the event that reports the last pause of the machine that ended a motion; nil: of none.
   def last_pause
     log.select { |entry| entry['name'] == 'LOOP_STOPPED' || entry['text'].include?('SILENT') }.last&.fetch('number')
   end
@@ -205,7 +205,7 @@ class Boresight
     http(port) { |connection| connection.post('/api/v1/stop', '', 'Content-Type' => 'application/json') }
   end
 
-  # The port for stops, as the page is told.
+  # The port for stops, as the server gives it to the page.
   def stop_port
     Integer(http { |connection| connection.get('/') }.body[/name="boresight-stop-port" content="(\d{5})"/, 1], 10)
   end
@@ -294,7 +294,7 @@ class Boresight
     end
   end
 
-  # What a system is started with whose homing nobody looks at.
+  # Options of a system whose homing no test looks at.
   FAST = %w[--fast 20].freeze
 
   # The same in fast time; what follows passes at the pace of the world.

@@ -6,7 +6,7 @@ require 'net/http'
 require 'socket'
 require_relative 'system_test'
 
-# What the tests share: requests, raw bytes, and patience with a deadline.
+# Common parts of the tests: requests, raw bytes, and patience with a deadline.
 module HttpClient
   PATIENCE = Boresight::PATIENCE_SECONDS
   SAFETY_HEADERS = %w[Content-Security-Policy X-Content-Type-Options X-Frame-Options Referrer-Policy

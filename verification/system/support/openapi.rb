@@ -4,7 +4,7 @@
 require 'json'
 require 'json_schemer'
 
-# The document that describes the HTTP server, and answers held against it. What a schema does not name is not there.
+# The document that describes the HTTP server, and answers held against it. A member that a schema does not name is not there.
 class Openapi
   attr_reader :document
 
@@ -17,7 +17,7 @@ class Openapi
     document.fetch('paths')
   end
 
-  # What is wrong with an answer, in words; nil: nothing.
+  # Faults of an answer, in words; nil: none.
   def fault(path, method, status, type, body)
     answer = paths.dig(path, method.downcase, 'responses', status.to_s)
     return "#{method} #{path} may not answer #{status}" unless answer

@@ -5,7 +5,7 @@ require_relative 'http_client'
 require_relative 'openapi'
 require_relative 'session_client'
 
-# What tests of pages share: one running system with accounts for all tests of a file, pages that are logged out with the test,
+# Common parts of tests of pages: one running system with accounts for all tests of a file, pages that are logged out with the test,
 # and answers that are held against their description.
 module PageTest
   include HttpClient
@@ -81,7 +81,7 @@ module PageTest
     JSON.parse(response.body)['code']
   end
 
-  # What became of an act.
+  # Outcome of an act.
   def assert_answer(code, state, response)
     told = JSON.parse(response.body)
     assert_equal [code, state], [response.code, told['state'] || told['code']], response.body

@@ -3,7 +3,7 @@
 
 require 'etc'
 
-# What the machine, and not the programs, took of the world's time: a program could have run and something else ran on
+# Share of the world's time that the machine took, and not the programs: a program could have run and something else ran on
 # its core (/proc/PID/schedstat), or the hypervisor ran another machine (/proc/stat). A time is judged by the test only
 # after these pauses of the same seconds were taken off. An act passes from program to program, so their waits add up,
 # of the threads of one only the longest; on a machine that is left to them there is next to none.

@@ -31,7 +31,7 @@ class StoppedHoming < SystemTest
     end
   end
 
-  # What the replay says of it, of which every output is equal.
+  # Output of the replay for it, of which every output is equal.
   def printed(*words)
     text, code = in_file { |file| replay(*words, file) }
     assert_equal 0, code, text

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: an axis that is driven and not counted is told, and one whose counts fall short
- * of its motor, whether it runs on or is tapped; told once, and called by what it is.
+ * Rule under test: an axis that is driven and not counted is reported, and one whose counts fall
+ * short of its motor, whether it runs on or is tapped; reported once, and by its name.
  */
 #include "unity.h"
 
@@ -304,7 +304,7 @@ void test_SWR_AXIS_027_a_turn_or_a_count_that_is_not_of_the_drive_begins_anew(vo
     expect_begun(true);
 }
 
-/* What is missing of counts, in hundredths of ticks; the motor has shown what it is. */
+/* Loses counts, in hundredths of ticks; the motor has shown its speed. */
 static void lose_counts(supervision_t *which)
 {
     which->account.short_e2_q16 = 100;
@@ -373,7 +373,7 @@ static card_drive_t slow_drive(void)
     return slow;
 }
 
-/* What a motor has shown that runs steadily for a short while, again and again, each time until it
+/* Share shown by a motor that runs steadily for a short while, again and again, each time until it
  * stands between so much of a tick and so much. */
 static int32_t shown_percent(int32_t percent, int64_t least_q16, int64_t most_q16)
 {
@@ -445,7 +445,7 @@ static uint32_t missed(card_drive_t sent, uint32_t cycles, int32_t percent)
     return step(sent, (int32_t)(way_q16 / 65536) - before_ticks, (cycles + 1U) * CYCLE_US);
 }
 
-/* Of three reports one comes. */
+/* One of three reports comes. */
 static uint32_t run_missed(int32_t percent, uint32_t reports)
 {
     uint32_t notes = 0U;

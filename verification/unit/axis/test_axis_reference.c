@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: an axis knows how far its position is trusted. What was lost or is in doubt
+ * Rule under test: an axis knows how far its position is trusted. A position lost or in doubt
  * becomes true again by the edge of a switch or by the operator, and by nothing else.
  */
 #include "unity.h"

@@ -65,7 +65,7 @@ static bool cycle(int32_t model_ticks, int32_t counted_ticks)
     return step((int64_t)model_ticks * 65536, counted_ticks, CYCLE_US);
 }
 
-/* True when one of these cycles is told, the last one then. */
+/* True when one of these cycles is reported, the last one then. */
 static bool run(uint32_t cycles, int32_t model_ticks, int32_t counted_ticks)
 {
     bool is_told = false;

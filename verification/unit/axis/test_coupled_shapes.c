@@ -2,7 +2,7 @@
 /*
  * Rule under test: limits of any shape are kept wherever the axes would stop. The robot of this
  * test has three: a sum of two axes, a sum of four, and a saddle of four, which turns around in
- * each of them. What the guard says is compared with each place where the axes might stop.
+ * each of them. The verdict of the guard is compared with each place where the axes might stop.
  */
 #include "unity.h"
 
@@ -245,7 +245,7 @@ void test_SWR_COUPLE_005_a_curved_limit_of_four_axes_is_kept(void)
     TEST_ASSERT_GREATER_THAN_UINT32(SCENES(500U), compare_many(SADDLE, true, 1000));
 }
 
-/* Of q0 * q0 both ways lead up from 0. */
+/* Both ways lead up from 0 of q0 * q0. */
 void test_SWR_COUPLE_005_a_limit_that_turns_around_blocks_what_takes_it_further_out_only(void)
 {
     set_limit(SADDLE, 0xFU, -FAR_NM, 5000000);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: a driven axis whose counts come and go is told, whatever its motor's speed; one
- * whose states are of unequal width never. A cycle of these makes a quarter of a tick, or more.
+ * Rule under test: a driven axis whose counts come and go is reported, whatever its motor's speed;
+ * one whose states are of unequal width never. A cycle of these makes a quarter of a tick, or more.
  */
 #include "axis/edge_spacing.h"
 #include "limits/requirement_limits.h"
@@ -12,7 +12,7 @@
 #define TICK 65536U
 #define LONG 100000U
 
-/* Of four, as in an encoder whose widths differ by a tenth (rms), in 1/1000. */
+/* Widths of four states, as in an encoder whose widths differ by a tenth (rms), in 1/1000. */
 static const uint32_t widths[4] = {1094U, 859U, 1094U, 953U};
 
 static edge_spacing_t pace;
@@ -33,7 +33,7 @@ static bool cycle(uint32_t way_q16, uint32_t ticks)
         &pace, &(edge_spacing_view_t){.way_q16 = way_q16, .after_q16 = 0U, .ticks = ticks});
 }
 
-/* Counts, each after so much of the model's way. True when one is told, the last one then. */
+/* Counts, each after so much of the model's way. True when one is reported, the last one then. */
 static bool run(uint32_t counts, uint32_t way_q16)
 {
     bool is_told = false;

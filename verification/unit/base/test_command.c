@@ -15,7 +15,7 @@ void tearDown(void)
 {
 }
 
-/* Whatever its form, what it says begins where all of them do. */
+/* The data of a command begins at the same place in every form. */
 static const void *read_as(command_form_t form, const command_t *command)
 {
     switch (form) {

@@ -83,7 +83,7 @@ void test_SWR_CARD_002_a_checksum_may_end_at_any_byte(void)
     }
 }
 
-/* What a frame has between its header and its checksum. */
+/* Bytes of a frame between its header and its checksum. */
 #define FRAME_BYTES 244U
 
 static void fill(uint8_t bytes[FRAME_BYTES], size_t before, size_t zeros)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Rule under test: a seal tells of every change within one word. */
+/* Rule under test: a seal reveals every change within one word. */
 #include "base/seal.h"
 #include "unity.h"
 

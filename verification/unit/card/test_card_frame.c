@@ -241,8 +241,8 @@ void test_SWR_CARD_002_word_63_is_the_crc_of_the_252_bytes_before_it(void)
     }
 }
 
-/* What is zero while a drive is off is not read for the checksum: each bit of it must still be
- * found. */
+/* A word that is zero while a drive is off is not read for the checksum: each bit of it must still
+ * be found. */
 void test_SWR_CARD_002_each_bit_that_is_zero_while_the_drive_is_off_is_found(void)
 {
     const card_command_t command = {.slot = 2U, .watchdog_us = 5000U};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: what a card measures and counts of itself is told when it leaves its range and
+ * Rule under test: a value that a card measures or counts is reported when it leaves its range and
  * when it is back, once each, however it trembles at the border.
  */
 #include "unity.h"
@@ -36,7 +36,7 @@ void tearDown(void)
 {
 }
 
-/* Looks at this supply so often that a lasting one must be told. */
+/* Looks at this supply so often that a lasting one must be reported. */
 static uint32_t look_long(uint32_t supply_mv)
 {
     uint32_t changed = 0U;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Rule under test: only fresh, whole and healthy frames keep a card usable; a card that is silent,
- * faulty, or does not do as told is lost, and stays lost until a reset in a cycle with a good
+ * faulty, or does not obey is lost, and stays lost until a reset in a cycle with a good
  * frame.
  */
 #include "unity.h"
@@ -19,7 +19,7 @@
 #define SLOT 4U
 #define FIRMWARE 0x010200U
 #define FIRST_SEQUENCE 100U
-#define ERROR_US 300U /* Of the board. */
+#define ERROR_US 300U /* Error of the board. */
 #define HISTORY 3U
 
 static const uint32_t fault_bits[] = {CARD_STATUS_DRIVER_FAULT, CARD_STATUS_WATCHDOG,
@@ -33,8 +33,8 @@ static card_samples_t samples;
 static uint32_t elapsed_us;
 static uint8_t bytes[CARD_FRAME_BYTES];
 static card_report_t report;       /* The card's next one. */
-static card_drive_t drive;         /* What is commanded from now on. */
-static card_drive_t sent[HISTORY]; /* What was commanded, newest first. */
+static card_drive_t drive;         /* The command from now on. */
+static card_drive_t sent[HISTORY]; /* Past commands, newest first. */
 static uint32_t sequence;
 
 static void command(void)

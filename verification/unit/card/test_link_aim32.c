@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Rule under test: a card of the dialect aim32 is live while valid frames arrive and lost when they
- * are too old, and only then; what it cannot tell is counted here.
+ * are too old, and only then; numbers that it does not report are counted here.
  */
 #include "unity.h"
 

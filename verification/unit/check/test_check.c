@@ -185,7 +185,7 @@ void test_SWR_CHECK_011_the_timer_of_an_arm_core_is_no_device(void)
               "Interrupt 24 (other_gt) has come 5031 times to core 1.");
 }
 
-/* What came before it was looked at does not count. */
+/* An interrupt before the first look does not count. */
 void test_SWR_CHECK_002_an_interrupt_that_has_come_meanwhile(void)
 {
     const char *const path = "/proc/interrupts";

@@ -76,7 +76,7 @@ typedef struct {
     int kept;
 } hearing_t;
 
-/* What is said on standard error from now on is heard, */
+/* Output on standard error from now on is heard, */
 static hearing_t hear(void)
 {
     int ends[2];

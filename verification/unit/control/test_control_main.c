@@ -38,10 +38,10 @@
 #define MOST_EXCHANGES 64U
 #define TEXT_SIZE 1024U
 
-/* What happens in the last cycle. */
+/* End of the last cycle. */
 typedef enum { BY_CONTRACT = 0, BY_SIGNAL = 1, BY_REQUEST = 2 } end_t;
 
-/* What the cards heard in one exchange. */
+/* Frames that the cards received in one exchange. */
 typedef struct {
     uint32_t slots;
     uint32_t driving;
@@ -62,14 +62,14 @@ typedef struct {
     uint32_t lamps;      /* That were lit last. */
     uint32_t awake;      /* How often control has asked for no deep sleep. */
     uint32_t last_cycle; /* While it is asked to end at rest. */
-    uint32_t unfit;      /* As the controller was told in the last cycle. */
+    uint32_t unfit;      /* Input of the controller in the last cycle. */
     uint32_t dialect;
     uint32_t is_dialect_accepted;
     uint32_t is_recorder_failing;
     uint32_t lacks_black_box;
     uint32_t recording_left_min;
-    uint32_t cycles_lost;   /* As the controller was told in the last cycle. */
-    uint32_t late_stage[2]; /* As it was told in the last two cycles, */
+    uint32_t cycles_lost;   /* Input of the controller in the last cycle. */
+    uint32_t late_stage[2]; /* Its input in the last two cycles, */
     uint32_t elapsed_us[2]; /* the same. */
     uint32_t silent_us;     /* For which it has not heard http, in the last cycle. */
     uint32_t ways_given;    /* How often it gave its real-time priority back. */
@@ -81,7 +81,7 @@ static exchange_t *segment;
 static record_t *record;
 static end_t end;
 static int end_signal;
-static bsp_slot_result_t fate; /* Of all frames. */
+static bsp_slot_result_t fate; /* Result of all frames. */
 static bool is_board_there;
 static bool is_wire_good;
 static bool is_simulated;
@@ -195,7 +195,7 @@ static void light(uint32_t lamps, int calls)
     record->lamps = lamps;
 }
 
-/* What control goes on for. */
+/* Reasons for which control goes on. */
 typedef enum { BUSY_DRIVE = 0, BUSY_ORDER = 1, BUSY_WORKPHASE = 2, BUSY_KINDS = 3 } busy_t;
 
 #define BUSY_CYCLES 5U
@@ -275,7 +275,7 @@ static void step(controller_t *self, const robot_t *robot, const controller_inpu
     self->cycle++;
 }
 
-static uint32_t board_robot_crc; /* 0: the board cannot tell. */
+static uint32_t board_robot_crc; /* 0: the board does not know it. */
 
 /* Words with and without the option of a trajectory. */
 #define WITHOUT_LIST 9
@@ -613,7 +613,7 @@ void test_SWR_CTRL_010_a_box_that_answers_nothing_is_told_off_and_nothing_is_cla
         fate = fates[i];
         const int status = control_ends(BY_SIGNAL, SIGTERM);
         TEST_ASSERT_TRUE(WIFEXITED(status));
-        TEST_ASSERT_EQUAL_UINT32(0U, record->frames_received); /* The controller was told so. */
+        TEST_ASSERT_EQUAL_UINT32(0U, record->frames_received); /* The controller knows of it. */
         expect_off(LIMIT_OFF_EXCHANGES);
         TEST_ASSERT_NOT_NULL(strstr(said, "\"off\" was sent to all 7 cards, 0 confirm it"));
     }

@@ -28,7 +28,7 @@ static uint32_t naps;
 static uint32_t reads_at; /* In which nap the recorder reads */
 static uint32_t reads;    /* so many, */
 static uint32_t beats_until;
-static uint32_t stops_at; /* and control is told to end. */
+static uint32_t stops_at; /* and control is asked to end. */
 static volatile sig_atomic_t stop;
 
 static void read_cycles(uint32_t count)

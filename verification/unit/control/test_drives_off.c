@@ -19,12 +19,12 @@
 #define TIME_US 4711U
 #define ALL_SLOTS 0x0FEU
 
-/* What the cards are like. */
+/* State of the cards. */
 static uint32_t answering;
 static uint32_t damaged;
-static uint32_t driving; /* Go on, whatever they are told. */
+static uint32_t driving; /* Go on, whatever they are sent. */
 
-/* What control did. */
+/* Acts of control. */
 static uint32_t exchanges;
 static card_command_t heard[CARD_SLOT_COUNT]; /* The last ones. */
 static uint32_t told[LIMIT_OFF_EXCHANGES];
@@ -94,7 +94,7 @@ static void expect_text(const drives_off_t *done, const char *expected)
     TEST_ASSERT_EQUAL_STRING(expected, text);
 }
 
-static uint8_t off[CARD_FRAME_BYTES]; /* As cards of aim32 are told. */
+static uint8_t off[CARD_FRAME_BYTES]; /* As cards of aim32 receive it. */
 
 static void start_aim32(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
                         int calls)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Rule under test: whatever a neighbour has written into the part of the segment that every process
- * may write, nothing is carried out that nobody has sent, and once it has gone all works again,
- * whether the other processes live on or were started anew. What may be written is in the table
- * that is made from the segment's declaration.
+ * may write, nothing is carried out that no process has sent, and once it has gone all works again,
+ * whether the other processes live on or were started anew. The fields that may be written are in
+ * the table that is made from the segment's declaration.
  */
 #include "unity.h"
 
@@ -289,7 +289,7 @@ static void check_turn(void)
     TEST_ASSERT_FALSE_MESSAGE(exchange_take_order(igtl, &order), scene);
 }
 
-/* What was noted, or nothing. */
+/* The note, or nothing. */
 static void check_believed(void)
 {
     for (uint32_t i = 0U; i < EXCHANGE_FILES; i++) {

@@ -134,7 +134,7 @@ void test_SWR_HTTP_038_the_box_obeys_each_word_of_the_tables(void)
     }
 }
 
-/* Numbered alike, so what is seen at the box can be told in the same words. */
+/* Numbered alike, so that the state of the box is reported in the same words. */
 void test_SWR_HTTP_038_faults_are_numbered_as_the_words_are(void)
 {
     expect_words("motor 3 hot", "{\"slot\": 3, \"motor_fault\": \"hot\"}");

@@ -140,7 +140,7 @@ void test_SWR_HTTP_023_an_id_stands_for_one_act_and_grows(void)
     do_act(7U, UINT32_MAX);
 }
 
-/* Or who sends another target would be told what has become of the one before. */
+/* Otherwise the sender of another target would get the outcome of the one before. */
 void test_SWR_HTTP_023_an_id_does_not_stand_for_another_pose_or_way(void)
 {
     const command_t target = {.kind = COMMAND_TARGET, .as.pose.pose.translation.x_nm = 1000};
@@ -161,7 +161,7 @@ void test_SWR_HTTP_023_an_id_does_not_stand_for_another_pose_or_way(void)
     TEST_ASSERT_EQUAL_UINT32(1U, take_commands());
 }
 
-/* Of a probe and of positions that are restored, and of axes that run at speeds. */
+/* Commands of a probe, of positions that are restored, and of axes that run at speeds. */
 void test_SWR_HTTP_023_an_id_does_not_stand_for_other_ticks_or_speeds(void)
 {
     const uint32_t last = ROBOT_PROBE_LENGTHS - 1U;

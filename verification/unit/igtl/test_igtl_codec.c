@@ -524,7 +524,7 @@ void test_SWR_IGTL_003_each_byte_of_a_text_is_judged(void)
     }
 }
 
-/* A body of version 2 at 58, as large as is told: `content_bytes` of zeros, then the metadata of
+/* A body of version 2 at 58, as large as is stated: `content_bytes` of zeros, then the metadata of
  * keys and values in turn. */
 static uint32_t put_with_metadata(uint32_t content_bytes, const char *const *words, uint32_t count)
 {
@@ -570,7 +570,7 @@ void test_SWR_IGTL_054_transform_that_is_valid_is_taken(void)
 void test_SWR_IGTL_054_transform_without_metadata_is_taken(void)
 {
     put(58U, 12U, 2U);
-    (void)memset(&bytes[118], 0xFF, 64U); /* What stands behind the message. */
+    (void)memset(&bytes[118], 0xFF, 64U); /* Bytes behind the message. */
     frame(2U, "TRANSFORM", 12U + IGTL_TRANSFORM_BYTES);
     TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
 }

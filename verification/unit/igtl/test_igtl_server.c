@@ -196,7 +196,7 @@ static void ask(uint32_t client)
     send_packet(client, &packet);
 }
 
-/* What Slicer sends when it connects. */
+/* Messages that Slicer sends when it connects. */
 static void announce(uint32_t client)
 {
     static const igtl_status_t nothing = {0U, "", ""};

@@ -98,7 +98,7 @@ void test_SWR_IGTL_101_of_a_silent_controller_each_turn_counts(void)
     expect(15000U, 15000U);
 }
 
-/* What it had before it fell silent has been counted. */
+/* The cycles before it fell silent have been counted. */
 void test_SWR_IGTL_101_cycles_count_once(void)
 {
     turn(1000U, 6U);

@@ -2,8 +2,8 @@
 /**
  * @file
  * Rule under test: one procedure, with refusals, a stop and an e-stop, is the same conversation
- * every time, in each dialect its own. What the client says begins with ">"; what the robot does by
- * itself stands in brackets.
+ * every time, in each dialect its own. Messages of the client begin with ">"; acts of the robot
+ * without a command stand in brackets.
  */
 #include "base/crc.h"
 #include "base/fixed.h"

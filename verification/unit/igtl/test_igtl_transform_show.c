@@ -421,7 +421,7 @@ void test_SWR_IGTL_037_neither_poses_nor_joints_are_streamed_before_they_are_kno
     snapshot.desired_ticks[0] = 1;
     snapshot.order = (uint32_t)ARMING_STATE_MOVING;
     pass_us(IGTL_STREAM_US);
-    EXPECT(0U, ""); /* The reasons were told. */
+    EXPECT(0U, ""); /* The reasons were sent. */
 }
 
 void test_SWR_IGTL_037_who_proposes_is_told_the_reasons_again(void)

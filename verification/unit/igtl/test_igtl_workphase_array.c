@@ -66,7 +66,7 @@ static void put_at(uint32_t row, uint32_t column, double value)
     write_double(value, &content[HEADER + (8U * ((row * COLUMNS) + column))]);
 }
 
-/* Of `rows` rows 100 ms after each other; every number tells where it stands. */
+/* Array of `rows` rows 100 ms after each other; every number shows its place. */
 static void make(uint32_t rows)
 {
     array = (igtl_message_t){.kind = IGTL_KIND_ARRAY,
@@ -284,7 +284,7 @@ void test_SWR_TRAJ_024_an_array_without_room_for_its_begin_is_refused(void)
     TEST_ASSERT_FALSE(dialect.array.is_busy);
 }
 
-/* Those that were behind it on their way are refused as well, and not told. */
+/* Those that were behind it on their way are refused as well, and not reported. */
 void test_SWR_TRAJ_024_a_refused_row_is_told_once_and_ends_it(void)
 {
     command_t last;

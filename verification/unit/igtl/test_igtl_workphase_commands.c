@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: every command is acknowledged at once; who may not command is told so; who
- * disappears with a motion armed stops it.
+ * Rule under test: every command is acknowledged at once; a peer that may not command is informed;
+ * a peer that disappears with a motion armed stops it.
  */
 #include "base/crc.h"
 #include "base/fixed.h"

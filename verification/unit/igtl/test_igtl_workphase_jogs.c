@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: a client jogs an axis by one word, to a position or by a way; it is told that it
- * is armed, and how it has ended.
+ * Rule under test: a client jogs an axis by one word, to a position or by a way; it is informed
+ * that it is armed, and how it has ended.
  */
 #include "base/crc.h"
 #include "base/fixed.h"

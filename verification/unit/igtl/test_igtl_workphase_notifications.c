@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: who commands is told at once what happens by itself, once each, after the
- * answers that it is owed; nobody else is, and nothing is said of what its own command did.
+ * Rule under test: the commanding client is informed at once of events without a command, once
+ * each, after the answers that it is owed; no other client is, and nothing is said of what its own
+ * command did.
  */
 #include "base/crc.h"
 #include "base/fixed.h"
@@ -301,7 +302,7 @@ void test_SWR_IGTL_033_nobody_is_told_while_nobody_commands(void)
         EXPECT(i, "");
     }
     snapshot.estop = (uint32_t)ESTOP_LATCH_STATE_LATCHED;
-    enter(1U, "CMD_1", "PLANNING"); /* Nothing of the past is told to who commands next. */
+    enter(1U, "CMD_1", "PLANNING"); /* The next commanding client gets nothing of the past. */
     pass_us(0U);
     EXPECT(1U, "STRING ACK_1 PLANNING");
     EXPECT(1U, "STATUS CURRENT_STATUS 1 PLANNING|");

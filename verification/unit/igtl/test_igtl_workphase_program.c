@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: who commands sends a treatment program step by step or as one array, in the
- * units of the axes, has the one run that is meant, and is told how far it has come.
+ * Rule under test: the commanding client sends a treatment program step by step or as one array, in
+ * the units of the axes, has the one run that is meant, and is informed of its progress.
  */
 #include "base/crc.h"
 #include "base/fixed.h"
@@ -217,7 +217,7 @@ static void run_program(void)
 {
     send_program();
     EXPECT_BEGIN(0U, "STATUS PROGRAM 1 ");
-    snapshot.program_step = 2U; /* Of the run before. */
+    snapshot.program_step = 2U; /* Step of the run before. */
     snapshot.program_steps = 2U;
     snapshot.program_crc = sum_of_both();
     say(0U, "Text", "PROGRAM RUN");

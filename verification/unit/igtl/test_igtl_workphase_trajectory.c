@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: who commands sends a trajectory row by row, is told of each, and has the list
- * run that it has sent.
+ * Rule under test: the commanding client sends a trajectory row by row, is informed of each, and
+ * has the list run that it has sent.
  */
 #include "base/crc.h"
 #include "base/fixed.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: a client commands speeds by one word, with axes, speeds and seconds; it is told
- * that they are armed, and how they have ended.
+ * Rule under test: a client commands speeds by one word, with axes, speeds and seconds; it is
+ * informed that they are armed, and how they have ended.
  */
 #include "base/crc.h"
 #include "base/fixed.h"

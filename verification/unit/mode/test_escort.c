@@ -26,7 +26,7 @@
 #define CARRIAGES 4U
 
 #define POSES SCENES(30U)
-/* Of a cycle, here; at most the shorter way ahead until it is looked at again. */
+/* Step of a cycle, here; at most the shorter way ahead until it is looked at again. */
 #define STEP_TICKS 12
 #define MOST_STEPS 60000U
 

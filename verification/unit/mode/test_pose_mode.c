@@ -108,7 +108,8 @@ void test_SWR_POSE_003_a_damaged_pose_is_not_gone_to(void)
     TEST_ASSERT_EQUAL(STATUS_OK, judge(POSE_EGRESS));
 }
 
-/* What a limit measures that is not curved lies between its ends, which the compiler has judged. */
+/* The measure of a limit that is not curved lies between its ends, which the compiler has judged.
+ */
 void test_SWR_POSE_004_a_way_that_leaves_a_coupled_limit_is_refused_by_its_name(void)
 {
     pose_t *const pose = &robot.poses[POSE_PARK];

@@ -22,7 +22,7 @@
 
 #include <string.h>
 
-#define DEPTH 60000 /* Of the target. */
+#define DEPTH 60000 /* Depth of the target. */
 
 static program_list_t list;
 static robot_t robot;

@@ -28,7 +28,7 @@
 #include <string.h>
 
 #define LONG_CYCLES 20000U
-#define DEPTH 20000 /* Of the target. */
+#define DEPTH 20000 /* Depth of the target. */
 #define DWELL_MS 300U
 
 static program_list_t list;

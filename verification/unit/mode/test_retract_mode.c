@@ -86,7 +86,7 @@ void test_SWR_MOTION_023_the_needle_goes_outwards_and_nothing_else_moves(void)
     TEST_ASSERT_EQUAL_UINT32(0U, result.note_count);
 }
 
-/* Whose fault it may be, and whoever pushes it. */
+/* Also with a fault, and when a hand pushes one. */
 void test_SWR_MOTION_023_the_other_axes_rest(void)
 {
     world_put(NEURO_AXIS_INSERTION, DEEP_TICKS);

@@ -38,7 +38,7 @@ static mode_note_t notes[NOTES];
 static uint32_t note_count;
 static double place;
 static double speeds[LIMIT_SWEEP_POINTS + 1U]; /* In ticks/s, of the fine steps from its first. */
-static double down_share;                      /* Of the speed upwards. */
+static double down_share;                      /* Share of the speed upwards. */
 static uint32_t cycles;
 static uint32_t driven;
 

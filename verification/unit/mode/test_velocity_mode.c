@@ -79,7 +79,7 @@ static int32_t magnitude(int32_t value)
     return (value < 0) ? -value : value;
 }
 
-/* What must hold of every set-point in every cycle in which it ramps. */
+/* Checks that must hold for every set-point in every cycle in which it ramps. */
 static void expect_ramps(void)
 {
     for (uint32_t i = 0U; i < robot.axis_count; i++) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: the cubic begins and ends exactly where and as fast as it was told, its speed is
- * how its position changes, and what is judged of its control points holds all along it.
+ * Rule under test: the cubic begins and ends exactly where and as fast as was requested, its speed
+ * is how its position changes, and what is judged of its control points holds all along it.
  */
 #include "unity.h"
 

@@ -37,7 +37,7 @@ void setUp(void)
     rigid_set_identity(&identity);
 }
 
-/* Whatever was done to it. */
+/* The plan is whole after any test. */
 void tearDown(void)
 {
     TEST_ASSERT_FALSE_MESSAGE(plan_is_damaged(&plan), "It changed without being sealed.");

@@ -137,7 +137,7 @@ void test_SWR_PHASE_002_start_up_is_refused_with_the_reason(void)
     expect_refused(start_up, &inputs.is_confirmation_due, true, STATUS_CONFIRM_POSITIONS);
 }
 
-/* Whatever is armed, in whatever workphase, whether it waits or moves. */
+/* For any armed order, in any workphase, whether it waits or moves. */
 void test_SWR_PHASE_005_every_change_discards_what_was_armed_and_a_refusal_does_not(void)
 {
     static const workphase_t armed_in[] = {WORKPHASE_START_UP, WORKPHASE_MOVE_TO_TARGET,

@@ -162,7 +162,7 @@ void test_SWR_REC_012_what_a_full_disk_has_cost_is_counted_in_the_next_file(void
 {
     record_cycles(0U, 10U);
     fill_disk(1U);
-    record_cycles(10U, 20U); /* In a block that cannot be written; control is told. */
+    record_cycles(10U, 20U); /* In a block that cannot be written; control is informed. */
     TEST_ASSERT_TRUE(exchange_is_recorder_failing(exchange));
     free_disk();
     black_box_drain(&black_box, now_us);
@@ -425,7 +425,7 @@ void test_SWR_REC_033_recordings_that_are_removed_while_none_can_be_written_are_
     fill_disk(1U);
     record_cycles(10U, 20U);
     TEST_ASSERT_TRUE(exchange_is_recorder_failing(exchange));
-    in_folder("rm *.bsr"); /* What the next step suggests. */
+    in_folder("rm *.bsr"); /* Act that the next step suggests. */
     now_us += SECOND_US;
     black_box_drain(&black_box, now_us);
     TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: what the controller was told and what it answered comes back as it was, however
- * wrong it was; what goes on as expected costs nothing; no bytes break the reader.
+ * Rule under test: inputs and answers of the controller come back as they were, however wrong they
+ * were; values that go on as expected cost nothing; no bytes break the reader.
  */
 #include "unity.h"
 

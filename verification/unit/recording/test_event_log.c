@@ -252,7 +252,7 @@ static void assert_line(uint32_t log, uint32_t place, const char *part)
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(line, part), line);
 }
 
-/* What a neighbour may have written, where all processes write. */
+/* Damage that a neighbour may have written, where all processes write. */
 static void damage_places(void)
 {
     segment_others_t *others = &exchange->segment->others;
@@ -438,7 +438,7 @@ void test_SWR_REC_014_a_log_with_another_file_in_its_place_is_begun_anew(void)
     TEST_ASSERT_EQUAL_UINT32(2U, lines_of(2U));
 }
 
-/* What waits is written in the order of its numbers, behind what was there. */
+/* Waiting events are written in the order of their numbers, behind the present ones. */
 static void assert_numbers(uint32_t log, uint32_t first, uint32_t place, uint32_t count)
 {
     char part[24];
@@ -555,7 +555,7 @@ void test_SWR_EVENT_017_a_level_is_told_when_there_is_room_again(void)
     TEST_ASSERT_EQUAL_UINT32(4U, lines_of(1U));
 }
 
-/* What is said on stderr while `count` events are logged, or with none, while the log is closed. */
+/* Output on stderr while `count` events are logged, or with none, while the log is closed. */
 static void hear_events(uint32_t count, char said[1024])
 {
     int ends[2];
@@ -564,7 +564,7 @@ static void hear_events(uint32_t count, char said[1024])
     TEST_ASSERT_EQUAL_INT(0, pipe(ends));
     TEST_ASSERT_TRUE(fcntl(ends[0], F_SETFL, O_NONBLOCK) == 0);
     (void)dup2(ends[1], STDERR_FILENO);
-    errno = EAGAIN; /* Whatever failed before. */
+    errno = EAGAIN; /* An older failure. */
     log_events(count);
     if (count == 0U) {
         event_log_close(&event_log);

@@ -120,7 +120,7 @@ static void write_blocks(uint32_t blocks)
     TEST_ASSERT_TRUE(recording_writer_flush(&writer));
 }
 
-/* What comes back of a cycle is what went in, or its proof. */
+/* A cycle comes back as it was written, or as its proof. */
 static void expect_cycle(const cycle_record_t *expected)
 {
     const controller_outputs_t *const outputs = &expected->body.cycle.outputs;

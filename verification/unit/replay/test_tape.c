@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: a row says what the reader cannot know, and nothing else; what is told in a row
- * without numbers is exact all the same.
+ * Rule under test: a row states what the reader cannot know, and nothing else; a row without
+ * numbers is exact all the same.
  */
 #include "unity.h"
 

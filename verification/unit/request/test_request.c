@@ -459,7 +459,7 @@ void test_SWR_HTTP_011_every_fault_has_a_sentence(void)
     }
 }
 
-/* Of the object in which the name stands. */
+/* Names of the object in which the wrong name stands. */
 void test_SWR_HTTP_058_the_names_that_are_expected_stand_beside_one_that_is_not(void)
 {
     const request_result_t nested = read_bytes("{\"inner\":{\"depth\":1}}", 21U);

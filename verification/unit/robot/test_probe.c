@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Rule under test: which lengths a robot's probe may have, and what clients are told of them. */
+/* Rule under test: which lengths a robot's probe may have, and the messages to clients about them.
+ */
 #include "unity.h"
 
 #include "base/crc.h"

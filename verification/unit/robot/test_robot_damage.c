@@ -38,7 +38,7 @@ void test_SWR_MEMORY_004_the_structures_have_no_field_outside_the_seals_and_no_p
 void test_SWR_MEMORY_004_every_byte_belongs_to_a_part_whose_damage_is_named(void)
 {
     for (size_t i = 0U; i < sizeof robot; i++) {
-        /* What the compiler leaves free after a seal is no part of the table. */
+        /* Padding of the compiler after a seal is no part of the table. */
         const bool is_head = i < (offsetof(robot_t, seal) + 4U);
         uint32_t expected = is_head ? ((uint32_t)1U << ROBOT_PART_GEOMETRY) : 0U;
         if ((i >= offsetof(robot_t, axes)) && (i < offsetof(robot_t, poses))) {

@@ -238,7 +238,7 @@ void test_SWR_COUPLE_003_an_axis_without_a_switch_or_without_a_limit_is_not_barr
     expect_barred(false);
 }
 
-/* What is between two that travel as one stays; a jog of the one takes nobody along. */
+/* The distance between two that travel as one stays; a jog of the one takes no other along. */
 void test_SWR_COUPLE_003_an_axis_that_homes_with_the_other_behind_it_is_not_barred(void)
 {
     put_feet_out(1);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: one word of facts decides what bars a command, and what the workphase chart is
- * told; each fact by itself.
+ * Rule under test: one word of facts decides what bars a command, and the event of the workphase
+ * chart; each fact by itself.
  */
 #include "unity.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Rule under test: of each axis it is told what restoring would do and why; what the counters of
- * this power-on contradict, was not known or stands there already is left alone. */
+/* Rule under test: the effect of restoring is stated for each axis, with its reason; an axis that
+ * the counters of this power-on contradict, that was not known or stands there already is left
+ * alone. */
 #include "unity.h"
 
 #include "axis/count_balance.h"
@@ -107,7 +108,7 @@ void test_SWR_REF_020_an_axis_that_has_not_moved_is_not_miscounted(void)
         TEST_ASSERT_FALSE(saved_plan_fits(&plan, &saved));
     }
     saved.miscounted = 1U << NEURO_AXIS_HEAD;
-    snapshot.power_on++; /* The counts tell nothing there. */
+    snapshot.power_on++; /* The counts prove nothing there. */
     expect_head(SAVED_WHY_OTHER_POWER_ON);
     TEST_ASSERT_FALSE(saved_plan_fits(&plan, &saved));
 }

@@ -38,7 +38,7 @@ TEST_INCLUDE_PATH("/usr/include")
 #define ONE_BUS "spidev:/dev/spidev1.0,slots=0-9,clock=100000000;"
 /* Time for the self test, however busy this machine is. */
 #define PATIENT ";slow:20"
-#define OUR_SLOTS 0xFEU /* Of the cards that there are. */
+#define OUR_SLOTS 0xFEU /* Slots of the present cards. */
 #define POWER (gpio_world[0].lines[8].value)
 #define NS_PER_MS UINT64_C(1000000)
 #define NS_PER_US UINT64_C(1000)

@@ -42,7 +42,7 @@ static void assert_refused(const char *text, const char *sentence)
     TEST_ASSERT_EQUAL_STRING(sentence, error);
 }
 
-/* What is wrong in the second line, after a first one that is good. */
+/* Error in the second line, after a first one that is good. */
 static void assert_wrong(const char *statement, const char *reason)
 {
     char text[512];
@@ -177,7 +177,7 @@ void test_SWR_SPI_002_a_statement_that_is_none_is_refused(void)
     assert_wrong("slow: 101", "\"101\" is no slowness; expected 1, or 10 to 100");
 }
 
-/* Of two clocks nobody knows which one was meant. */
+/* One of two clocks is not known to be the right one. */
 void test_SWR_SPI_002_what_is_said_twice_is_refused(void)
 {
     assert_wrong("spidev: /dev/a, clock=9, slots=1, clock=8", "\"clock\" is said twice");

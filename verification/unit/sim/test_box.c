@@ -29,7 +29,7 @@ static char reply[BOX_REPLY_SIZE];
 
 static uint32_t exchange(uint32_t send);
 
-/* What the cards want to hear first. */
+/* Frames that the cards want to receive first. */
 static void begin_sequence(void)
 {
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: the control end of the wire never waits longer than it was told to, believes
+ * Rule under test: the control end of the wire never waits longer than it was asked to, believes
  * nothing of a box that does not answer, and says what to do when there is none. The box's end is
  * held by this test itself.
  */
@@ -32,7 +32,7 @@ static wire_port_t served;
 static bool is_serving;
 static const box_time_t real_time = {.is_elastic = false, .slowness = 1U, .speedup = 1U};
 static bsp_identity_t identity;
-static bsp_exchange_t result; /* Of the last exchange. */
+static bsp_exchange_t result; /* Result of the last exchange. */
 static uint8_t sent[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 static uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 
@@ -100,7 +100,7 @@ static bool was_high(uint32_t input)
     return (inputs.levels & ~inputs.dropped & inputs.valid & input) != 0U;
 }
 
-/* What the kernel does with the box's end when its process is killed: the name stays, the lock
+/* Act of the kernel on the box's end when its process is killed: the name stays, the lock
  * goes. */
 static void kill_box(void)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Rule under test: the driver is on only while whole, new frames keep coming and nothing has
- * tripped; each trip is latched until a clear-fault frame, and the report tells the truth about
- * what the driver does.
+ * tripped; each trip is latched until a clear-fault frame, and the report states the truth about
+ * the driver.
  */
 #include "unity.h"
 
@@ -24,7 +24,7 @@ static uint8_t frame[CARD_FRAME_BYTES];
 static double position;
 static bool is_limit_active;
 
-/* What a card wants to hear first, after a start and after a trip. */
+/* Frame that a card wants to receive first, after a start and after a trip. */
 static void begin_sequence(void)
 {
     card_command_t first = command;

@@ -40,7 +40,7 @@ typedef struct {
     uint32_t transacts;
     uint32_t busy_looks;  /* As often as its state is still not Idle. */
     uint32_t takes_looks; /* The same for each exchange. */
-    uint32_t count;       /* Of its encoder. */
+    uint32_t count;       /* Count of its encoder. */
     bool is_dead;         /* The wire stands still. */
     bool is_damaged;
     bool flickers;

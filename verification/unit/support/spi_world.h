@@ -39,16 +39,16 @@ typedef struct {
     unsigned frames;
 } spi_world_device_t;
 
-/* What is wrong, set by a test before anybody asks. */
+/* Faults, set by a test before the board asks. */
 typedef struct {
     unsigned long refused;  /* Request that fails with EINVAL. */
     unsigned forced_mode;   /* 1 + the mode that a device always has; 0: none. */
     unsigned forced_bits;   /* The same. */
     unsigned clock_most_hz; /* 0: any. */
-    int error;              /* Of transfers; -1: they are cut short. */
+    int error;              /* Error of transfers; -1: they are cut short. */
     bool hangs;             /* Until `released` is posted. */
     bool needs_gap;         /* Only the first frame of a message is understood. */
-    unsigned late_bits;     /* Of answers. */
+    unsigned late_bits;     /* Late bits of answers. */
     unsigned shift_slots;   /* By so many slots the wires are exchanged. */
     bool repeats;           /* The cards say the same for ever. */
     bool flickers;          /* They answer every other time. */
@@ -63,7 +63,7 @@ static sem_t spi_world_released;
 static sim_card_t spi_world_cards[CARD_SLOT_COUNT];
 static sim_encoder_t spi_world_encoders[CARD_SLOT_COUNT];
 static bool spi_world_has[CARD_SLOT_COUNT];
-static char spi_world_kicks[16]; /* What was written to the watchdog. */
+static char spi_world_kicks[16]; /* Bytes written to the watchdog. */
 static unsigned char spi_world_said[CARD_SLOT_COUNT][CARD_FRAME_BYTES]; /* If they repeat. */
 
 /* The calls of a program are only caught if the library was loaded before all others. */
@@ -95,7 +95,7 @@ static inline void spi_world_delay(unsigned char bytes[CARD_FRAME_BYTES], unsign
     }
 }
 
-/* What the card behind a slot makes of a frame, and says meanwhile. */
+/* Answer of the card behind a slot to a frame. */
 static inline void spi_world_answer(unsigned slot, bool is_understood,
                                     const unsigned char sent[CARD_FRAME_BYTES],
                                     unsigned char answer[CARD_FRAME_BYTES])

@@ -27,7 +27,7 @@
 #define EXPECT_BEGIN(peer, expected)                                                               \
     TEST_ASSERT_EQUAL_STRING_LEN((expected), igtl_peer_next(&outboxes[peer]), strlen(expected))
 
-#define NUMBER 21U /* Of the first connection. */
+#define NUMBER 21U /* Number of the first connection. */
 
 static const robot_t robot = {
     .axis_count = 1U,

@@ -31,7 +31,7 @@
 #define EXPECT_BEGIN(peer, expected)                                                               \
     TEST_ASSERT_EQUAL_STRING_LEN((expected), igtl_peer_next(&outboxes[peer]), strlen(expected))
 
-#define NUMBER 21U /* Of the first connection. */
+#define NUMBER 21U /* Number of the first connection. */
 
 static robot_t robot;
 static workphase_dialect_t dialect;
@@ -98,7 +98,7 @@ static inline void expect_no_command(void)
     TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
 }
 
-/** What the peer 0 says is refused by this name of a reason, under its first word. */
+/** A message of the peer 0 is refused by this name of a reason, under its first word. */
 static inline void expect_refusal(const char *text, const char *name)
 {
     char begin[64];

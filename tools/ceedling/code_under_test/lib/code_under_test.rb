@@ -5,15 +5,15 @@ require 'ceedling/plugins/plugin'
 require 'fileutils'
 
 # Links the code under test into every test: core with its charts and robots, boards and processes. make has compiled
-# it before, once for all tests and as strictly as the product. What a test brings itself goes before: mocks, or a
-# source that it includes. What is the same in all tests is compiled for the first of them.
+# it before, once for all tests and as strictly as the product. Sources that a test brings itself go before: mocks, or a
+# source that it includes. A source that is the same in all tests is compiled for the first of them.
 class CodeUnderTest < Plugin
   # By Ceedling's way to run the tests. With coverage, core and charts are counted; around them is the product's own code.
   LIBRARIES = { test: %w[build/gcc/libtest.a], gcov: %w[build/gcov/libcore.a build/gcc/libaround.a] }.freeze
   SAME = %r{/(?:vendor/\w+/src|support)/\w+\.c\z}
   # Nothing of the core is in them: they are not counted.
   GENERATED = %r{_runner\.c\z|/mock_\w+\.c\z}
-  # What these call of headers of the core is counted too.
+  # Code of the core's headers that these call is counted too.
   COUNTED = { test: [], gcov: %w[--coverage] }.freeze
 
   def setup

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file boresight-lamp: tells what it was given, is on, and waits for its end. */
+/** @file boresight-lamp: prints its arguments, is on, and waits for its end. */
 #include <stdio.h>
 #include <unistd.h>
 
