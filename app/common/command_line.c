@@ -10,8 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LEFT_COLUMN 22 /* Width in the help: "--recordings FOLDER", or it has a line of its own.   \
-                        */
+#define LEFT_COLUMN 22 /* Width: "--recordings FOLDER", or it has a line of its own. */
 #define LEFT_SIZE 64U
 
 static void print_line(const char *left, const char *says, const char *more)

@@ -399,7 +399,7 @@ static bool hold_trajectory(const char *path)
 }
 
 /*
- * A reader of the log knows who has accepted such cards.
+ * The log names the person who has accepted such cards.
  *
  * @satisfies SWR-NI-012
  */

@@ -21,7 +21,7 @@ void exchange_publish_ports(exchange_t *self, const exchange_ports_t *ports);
 bool exchange_read_ports(const exchange_t *self, exchange_ports_t *ports);
 
 /**
- * For igtl and http: who has come to it. One thread of each.
+ * For igtl and http: their connected clients. One thread of each.
  *
  * @satisfies SWR-EXCH-016
  */

@@ -87,7 +87,8 @@ static void know_socket(line_t *line)
     }
 }
 
-/* Its worker then reads what has come, and the end behind it: who has asked all is answered. */
+/* Its worker then reads what has come, and the end behind it: a client that has sent all is
+ * answered. */
 static void dismiss_oldest(void)
 {
     line_t *oldest = NULL;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The routes that show who has come, and order something of a connection of OpenIGTLink.
- * Each returns the status sent. */
+/** @file The routes that show the connected clients, and order something of a connection of
+ * OpenIGTLink. Each returns the status sent. */
 #include "interface/app/handlers.h"
 
 #include "common/clock.h"

@@ -4,7 +4,7 @@
  * Makes guessing slow: counts failed logins of each name at each address, and of names without an
  * account in all. Those have rows of their own, so that invented names delay no user who has an
  * account; a name for itself waits alike, whether there is one or not. Browsers that have logged
- * in before are counted apart, by name alone: a user who has many marks delays only himself. Times
+ * in before are counted apart, by name alone: a user with many marks delays no other one. Times
  * are in ms, of a clock that never goes back.
  */
 #ifndef BORESIGHT_LOGIN_DELAY_H

@@ -23,8 +23,7 @@
     15U /**< Size of the code of the first login: three groups of four, and a NUL. */
 #define SESSION_TEXT_SIZE 161U /**< 160 bytes and a NUL. */
 
-/** Is informed of an act on the account `who`, "?" for an unknown one; `text` continues the name.
- */
+/** Is informed of an act on the account `who`, "?": unknown; `text` continues the name. */
 typedef void (*session_witness_t)(void *owner, note_kind_t kind, const char *who, const char *text);
 
 typedef struct {

@@ -27,8 +27,7 @@ gate_t *stop_port_gate(stop_port_gate_t gate)
     return &stop_port.gates[gate];
 }
 
-/* A client that waits for an answer goes last: its stop is on its way, but it would not hear of it.
- */
+/* A client that waits goes last: its stop is on its way, but it would get no answer. */
 static bool is_dearer(const stop_client_t *client, const stop_client_t *other)
 {
     const bool is_waiting = client->state == STOP_CLIENT_WAITS;

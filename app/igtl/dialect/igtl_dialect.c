@@ -21,7 +21,7 @@ static bool is_of_coupled_limit(const robot_t *robot, uint32_t status)
     return is_one;
 }
 
-/* "NAME: sentence"; who has authority, by name. */
+/* "NAME: sentence"; the client with authority, by name. */
 static void write_reason(status_t status, const igtl_moment_t *moment, char text[IGTL_REASON_SIZE])
 {
     const char *name = status_name((int32_t)status);

@@ -56,7 +56,7 @@ typedef struct {
 
 /**
  * "NAME: sentence" with the axis and limit, of an answer that is not a plain success; its code is
- * igtl_reason_code(). Without authority the sentence says who has it, and for how long.
+ * igtl_reason_code(). Without authority the sentence names its holder and the duration.
  *
  * @satisfies SWR-IGTL-055
  */

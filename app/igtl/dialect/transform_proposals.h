@@ -35,10 +35,10 @@ typedef struct {
     uint64_t next_note_us; /**< Not before this time is one for the log again. */
 } transform_proposals_t;
 
-/** The command that proposes what a message named `name` is of, COMMAND_NONE for nothing. */
+/** The command that proposes the subject of a message `name`, COMMAND_NONE for another name. */
 command_kind_t transform_proposals_kind(const char *name);
 
-/** The name of what the command is of, "" for another command. Lives for ever. */
+/** The name of the subject of the command, "" for another command. Lives for ever. */
 const char *transform_proposals_name(const command_t *command);
 
 /**

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file How the ports and their connections are, for those who show it. */
+/** @file State of the ports and their connections, for the processes that show it. */
 #ifndef BORESIGHT_IGTL_SHOW_H
 #define BORESIGHT_IGTL_SHOW_H
 

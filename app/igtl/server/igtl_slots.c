@@ -105,7 +105,7 @@ static bool is_needed(const igtl_server_t *self, const igtl_connection_t *connec
            ((calls->has_order != NULL) && calls->has_order(self->dialect, peer));
 }
 
-/* Makes room by dropping who has been silent for longest, if for more than `least_us`. */
+/* Makes room by dropping the peer that has been silent for longest, if for more than `least_us`. */
 static void evict_silent(igtl_server_t *self, uint64_t least_us, uint64_t now_us)
 {
     uint64_t longest_us = least_us;

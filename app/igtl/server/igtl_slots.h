@@ -29,7 +29,7 @@ void igtl_slots_enter(igtl_server_t *self, int descriptor, uint32_t address, uin
 bool igtl_slots_admit(igtl_server_t *self, igtl_connection_t *connection,
                       const igtl_message_t *message, const igtl_moment_t *moment);
 
-/** Gives free places to those who wait, the longest waiting first. */
+/** Gives free places to waiting connections, the longest waiting first. */
 void igtl_slots_fill(igtl_server_t *self);
 
 #endif

@@ -289,8 +289,7 @@ static void answer_list(const workphase_dialect_t *self, workphase_peer_t *peer,
     igtl_tell_status(peer->outbox, list->word, &held, moment);
 }
 
-/* A refused item has its place behind the reason; the refusal is sent when another array may come.
- */
+/* A refused item has its place behind the reason; it is sent when another array may come. */
 static void refuse_array(workphase_dialect_t *self, const igtl_request_t *request,
                          const answer_t *answer, const igtl_moment_t *moment)
 {

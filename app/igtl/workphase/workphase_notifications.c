@@ -239,7 +239,7 @@ static bool is_owed_an_answer(const workphase_dialect_t *self, const igtl_moment
            (moment->snapshot->order == (uint32_t)ARMING_STATE_NONE);
 }
 
-/* Its own sequences go first; but what has happened does not wait for ever. */
+/* Its own sequences go first; but a notification does not wait permanently. */
 static bool must_wait(workphase_dialect_t *self, const igtl_moment_t *moment)
 {
     workphase_notifications_t *watch = &self->watch;

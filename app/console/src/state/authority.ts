@@ -96,7 +96,7 @@ export class PageAuthority {
     }
   }
 
-  /** Also looked at when an answer comes: who has left meanwhile must not keep what he gets. */
+  /** Also looked at when an answer comes: a page that has been left meanwhile must not keep authority. */
   private readonly leave = (): void => {
     if (document.visibilityState === "hidden") {
       this.end("hidden");

@@ -153,7 +153,7 @@ function lateness({ loop }: Status): string {
   return ` ${stages[loop.late_stage.name]} was late by ${late}, ${times} in ${span}${why}.`;
 }
 
-/** There is no button for who is not logged in. */
+/** A user who is not logged in has no button. */
 function nextOf(robot: RobotState, mayCommand: boolean): string {
   const { name, text } = robot.status.next_step;
   const isToLogIn = name === "AUTHORITY" && !mayCommand;

@@ -64,7 +64,7 @@ function Way({ own, authority }: { own: PageAuthority; authority: Authority }) {
 }
 
 /**
- * The way to command, and out of it, of who is logged in and may.
+ * The way to command, and out of it, for a user whose role allows it.
  *
  * @satisfies SWR-CON-014
  * @satisfies SWR-CON-061
