@@ -43,7 +43,7 @@ class Prose
     text.to_enum(:scan, FOUND).map { [Regexp.last_match.pre_match.count("\n") + 1, Regexp.last_match[0].gsub(/\s+/, ' ')] }
   end
 
-  # Blocks of code and quoted words are nobody's prose; lines keep their numbers.
+  # Blocks of code and quoted words are no prose; lines keep their numbers.
   def words_of(text)
     text.gsub(/^```.*?^```|`[^`]*`/m) { |code| code.gsub(/[^\n]/, '') }
   end

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Nobody reads what is printed: see no_system.c. */
+/** @file Output has no reader here: see no_system.c. */
 #include <stdint.h>
 #include <wasi/api.h>
 

@@ -134,7 +134,7 @@ module Interface
 
     attr_reader :headers, :messages, :charts, :routes
 
-    # `charts`: the leaves of "axis.power" in their order, as the chart compiler lists them; nil if nobody asks.
+    # `charts`: the leaves of "axis.power" in their order, as the chart compiler lists them; nil if no value asks.
     def initialize(folder, charts = nil)
       @charts = charts
       files = Dir[File.join(folder, '*.yml')].sort

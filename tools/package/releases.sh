@@ -32,7 +32,7 @@ ask() (
 )
 
 # Refuses the release in the folder $1 whose program knows a robot or an option of the configuration not. It is asked by a name
-# that nobody runs with.
+# that no process runs with.
 require_fit() {
     [ -e "$config" ] || return 0
     reason=$("$1/bin/boresight" --config "$config" --instance "fits-$$" --at-rest 2>&1) ||

@@ -128,7 +128,7 @@ static void look_at_button(message_oracle_t *self, const controller_inputs_t *in
     }
 }
 
-/* A command of this cycle that is a way to authority which nobody has. */
+/* A command of this cycle that is a way to authority while none has it. */
 static bool has_commanded(const controller_inputs_t *inputs, const controller_outputs_t *outputs,
                           party_t party)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * An oracle of every cycle of a contest for authority: it keeps a book of its own of who has it, by
+ * An oracle of every cycle of a contest for authority: it keeps a book of its own of the holder, by
  * what was said and answered, and holds it against what the controller shows and drives.
  */
 #ifndef BORESIGHT_MESSAGE_ORACLE_H
@@ -27,7 +27,7 @@ typedef enum {
 #define SENTENCE_COUNT 8U
 #define LOSSES ((uint32_t)AUTHORITY_LOSS_TAKEN + 1U)
 
-/** A page or a connection; peer 0 is nobody. */
+/** A page or a connection; peer 0 is none. */
 typedef struct {
     uint32_t source;
     uint32_t peer;

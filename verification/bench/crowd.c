@@ -31,7 +31,7 @@
 #define CROWD_MOST 1024U
 #define HEAD_SIZE 2560U
 #define LINE_SIZE 16U
-#define PAUSE_MS 50U /* Before somebody who was refused or dropped comes again. */
+#define PAUSE_MS 50U /* Before a client that was refused or dropped comes again. */
 #define LAZY_BYTES 4096
 
 typedef enum {

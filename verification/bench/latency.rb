@@ -36,7 +36,7 @@ class Latency
     yield.tap { |figures| puts figures ? "worst #{figures[:worst]} us" : 'not possible' }
   end
 
-  # The whole system, fresh; nobody asks it anything until the end.
+  # The whole system, fresh; no client asks it anything until the end.
   def measure_loop
     robot = Boresight.start(arguments: ['--real-time'])
     sleep SECONDS

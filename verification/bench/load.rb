@@ -10,7 +10,7 @@ class Load
   PROGRAM = File.expand_path('../../build/gcc/bin/bench-clients', __dir__)
 
   # Report of the clients on `seconds` in which the workphase `phase` moves under the pedal; what has been prepared by others is
-  # there, and nobody commands. `was_moving`: STOP has ended the move, not its target.
+  # there, and no client commands. `was_moving`: STOP has ended the move, not its target.
   def self.measure(robot, phase, seconds)
     Open3.popen2(PROGRAM, robot.brp_port.to_s, robot.igtl_port.to_s, phase, seconds.to_s) do |input, output, thread|
       raise Failed, 'the clients could not begin' unless output.gets == "armed\n"

@@ -45,7 +45,7 @@ class TestComposition < Minitest::Test
     assert_match finding, report.findings.join("\n")
   end
 
-  # With who commands, and what the armed order needs.
+  # With authority, and the needs of the armed order.
   def commands
     @@commands ||= in_words { Composition.new(axes: 1, commands: true) } # rubocop:disable Style/ClassVars
   end

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file What only the one who has authority may command, by the list of commands and not by the
+/** @file Commands of the holder of authority alone, by the list of commands and not by the
  * controller. */
 #ifndef BORESIGHT_COMMANDING_H
 #define BORESIGHT_COMMANDING_H

@@ -143,7 +143,7 @@ class TestReleases < SystemTest
     assert_equal [NEWEST, NEW], [leads('current'), leads('previous')]
   end
 
-  # Between the two halves of an installation somebody may start it.
+  # Between the two halves of an installation an engineer may start it.
   def test_SWR_PACK_008_what_was_started_in_the_middle_of_an_installation_is_not_replaced
     assert_done(install(OLD))
     assert_done(package('--unpack', self.class.packages.fetch(NEW)))

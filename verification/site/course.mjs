@@ -2,7 +2,7 @@
 
 // Acts on the robot of a page as a browser does, makes the link of what was done, and plays it in a page of another time.
 // Prints as JSON the words of the outputs that are others there, at the end or in the cycles after it, each as often as it is;
-// of the pedal when it was held for the last time, and long after nobody held on to it; what is said to differ with an e-stop, and
+// of the pedal when it was held for the last time, and long after no page held on to it; what is said to differ with an e-stop, and
 // with what comes anyhow; and the inputs.
 //
 //   node course.mjs SERVED.wasm ROBOT [LEFT_OUT]    LEFT_OUT: the input of this number is not played

@@ -151,7 +151,7 @@ class TestSupervisor < SystemTest
     assert_equal %w[200 400 800], boresight.output.scan(/again in (\d+) ms/).flatten
   end
 
-  # Nobody but the supervisor ends it: it is held, and lives.
+  # Only the supervisor ends it: it is held, and lives.
   def test_SWR_LIFE_001_who_hangs_is_replaced_and_the_log_tells_it_once
     before = boresight.pids
     REPLACED.each { |name| boresight.kill(name, 'STOP') }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Numbers that the seed of a module decides: they keep nobody out, as nobody else is in the
- * page. */
+/** @file Numbers that the seed of a module decides: they keep no client out, as no other one is in
+ * the page. */
 #ifndef BORESIGHT_SITE_RANDOM_H
 #define BORESIGHT_SITE_RANDOM_H
 

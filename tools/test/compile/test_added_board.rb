@@ -28,7 +28,7 @@ class TestAddedBoard < SystemTest
       made.tap { |copy| FileUtils.cp_r(FOLDER, copy.path('bsp')) }
     end
 
-    # It is no simulated one: nobody starts it without an account.
+    # It is no simulated one: it does not start without an account.
     def accounts
       @accounts ||= Accounts.make(File.join(built.folder, 'accounts'))
     end

@@ -128,7 +128,7 @@ static void run_until_homed(uint32_t axis)
     }
 }
 
-/* START_UP is discarded because `axis` cannot follow; nobody is driven any more. */
+/* START_UP is discarded because `axis` cannot follow; no axis is driven any more. */
 static void expect_stuck(uint32_t axis)
 {
     const answer_t answer = rig_finish(&rig, MOST_CYCLES);
@@ -352,7 +352,7 @@ void test_SWR_NEXT_022_one_without_a_way_to_its_switch_is_to_be_moved_by_hand(vo
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_PRESS_PEDAL, rig.outputs.snapshot.next_step);
 }
 
-/* Once somebody says where it is, there is nothing to be moved. */
+/* Once an operator states where it is, there is nothing to be moved. */
 void test_SWR_NEXT_022_one_that_is_restored_is_to_be_confirmed_instead(void)
 {
     const command_t clear = {.kind = COMMAND_CLEAR_AXIS, .as.axis = {.axis = FRONT_RIGHT}};

@@ -186,7 +186,7 @@ void test_SWR_AXIS_034_a_homing_that_is_given_up_is_answered_and_leaves_the_axis
     rig_release(&rig);
 }
 
-/* In the way of the head's switch once it homes: the feet, where nobody believes them to be. */
+/* In the way of the head's switch once it homes: the feet, where they are not believed to be. */
 void test_SWR_AXIS_034_a_limit_that_bars_the_way_fails_the_homing(void)
 {
     start_manual();

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Rule under test: with cards of the dialect aim32 the controller goes on as with its own, but
- * drives nothing until somebody has accepted what such cards lack.
+ * drives nothing until a person has accepted the lacks of such cards.
  */
 #include "integration/support/rig.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: an entry point decides the depth of a target only when the one who commands has
+ * Rule under test: an entry point decides the depth of a target only when the commanding client has
  * sent or accepted it; a proposal decides nothing, and can be withdrawn.
  */
 #include "unit/support/commands.h"

@@ -423,7 +423,7 @@ void test_SWR_REF_031_a_single_report_that_is_repeated_after_a_trip_loses_nothin
     expect_paused(1U);
 }
 
-/* Nobody drives it: what it was moved by meanwhile was counted all the same. */
+/* It is not driven: its motion meanwhile was counted all the same. */
 void test_SWR_REF_014_an_axis_that_is_moved_in_a_silence_is_where_it_is_shown(void)
 {
     for (uint32_t cycles = 10U; cycles < LIMIT_SILENT_KEPT_CYCLES; cycles += 30U) {

@@ -2,7 +2,7 @@
 /**
  * @file
  * Rule under test: ALIGN lines the base up by a confirmed entry point with the needle out, INSERT
- * sends the needle alone in once the base is there; meanwhile nobody changes where to. On the
+ * sends the needle alone in once the base is there; meanwhile no client changes where to. On the
  * simulated box, whose true positions are looked at.
  */
 #include "unit/support/commands.h"

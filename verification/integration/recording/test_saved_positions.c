@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: positions that somebody has saved may be put in place of what is known, all of
- * them or none, only while nothing may move; they are unverified, and nothing but the button at the
- * box makes more of them.
+ * Rule under test: positions that an operator has saved may be put in place of what is known, all
+ * of them or none, only while nothing may move; they are unverified, and nothing but the button at
+ * the box makes more of them.
  */
 #include "integration/support/rig.h"
 

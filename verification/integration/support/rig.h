@@ -89,7 +89,7 @@ void rig_box(rig_t *self, const char *order);
 void rig_leave(rig_t *self);
 
 /** Queues a command for the next cycle and runs that cycle. One of peer 0 and
- * COMMAND_SOURCE_IGTL, that is of nobody, is signed by the page, a proposal by the connection,
+ * COMMAND_SOURCE_IGTL, that is of no peer, is signed by the page, a proposal by the connection,
  * unless the page is away.
  * @return its immediate answer */
 answer_t rig_command(rig_t *self, command_t command);

@@ -47,7 +47,7 @@ typedef struct {
     robot_t robot;         /**< As it stands when the box is switched on anew. */
 } operator_t;
 
-/** He comes; half of the time somebody has mended all before. */
+/** He comes; half of the time service has mended all before. */
 void operator_begin(operator_t *self, rig_t *rig, uint32_t seed);
 
 /** Before a cycle: he follows what is shown. @return self->end */

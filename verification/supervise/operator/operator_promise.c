@@ -20,7 +20,7 @@ static status_t send(rig_t *rig, const command_t *command)
     return STATUS_NO_ANSWER;
 }
 
-/* Nobody has pressed or pulled anything between what was shown and what is decided. */
+/* No person has pressed or pulled anything between what was shown and what is decided. */
 static bool is_box_same(const controller_inputs_t *one, const controller_inputs_t *other)
 {
     return (one->pedal_a == other->pedal_a) && (one->pedal_b == other->pedal_b) &&

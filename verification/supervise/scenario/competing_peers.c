@@ -71,7 +71,7 @@ static command_t some_command(competing_peers_t *self)
     return command;
 }
 
-/* Somebody who stands at the robot, and lets go of the pedal or not. */
+/* A person who stands at the robot, and lets go of the pedal or not. */
 static void press_button(competing_peers_t *self, rig_t *rig)
 {
     if (prng_below(&self->random, 4U) != 0U) {

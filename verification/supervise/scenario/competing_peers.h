@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Two pages and two connections that all want to command, somebody at the button who gives it to
+ * Two pages and two connections that all want to command, a person at the button who gives it to
  * anyone, and processes that hang.
  */
 #ifndef BORESIGHT_COMPETING_PEERS_H
@@ -20,7 +20,7 @@ typedef struct {
     uint32_t hung_cycles;   /**< A process gives no sign of life for so long. */
 } competing_peers_t;
 
-/** By `seed`; nobody has authority when the scene begins but who had it before. */
+/** By `seed`; only an earlier holder has authority when the scene begins. */
 void competing_peers_begin(competing_peers_t *self, rig_t *rig, uint32_t seed);
 
 /** Before a cycle. @return true: `command` is to be sent */

@@ -112,7 +112,7 @@ void scenario_send_jog(scenario_t *self, rig_t *rig)
     scenario_send(self, rig, command);
 }
 
-/* One of the acts for a single axis; who has asked for a press gives it, if what is shown is true.
+/* One of the acts for a single axis; its sender gives a requested press, if what is shown is true.
  */
 void scenario_send_act(scenario_t *self, rig_t *rig)
 {
@@ -160,7 +160,7 @@ bool scenario_wants_out(scenario_t *self, const snapshot_t *shown)
            scenario_has_whim(self, is_there ? 3U : 40U);
 }
 
-/* Positions that somebody has saved: where the axes are, or anywhere. */
+/* Positions that an operator has saved: where the axes are, or anywhere. */
 void scenario_send_saved(scenario_t *self, rig_t *rig)
 {
     const bool is_true = !scenario_has_whim(self, 8U);

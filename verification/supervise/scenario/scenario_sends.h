@@ -18,7 +18,7 @@ static inline bool scenario_has_whim(scenario_t *self, uint32_t bound)
     return prng_below(&self->whim, bound) == 0U;
 }
 
-/** Sends `command` in this cycle, signed by who commands. */
+/** Sends `command` in this cycle, signed by the holder of authority. */
 void scenario_send(scenario_t *self, rig_t *rig, command_t command);
 
 /** Sends the workphase `phase`. */
@@ -33,7 +33,7 @@ void scenario_send_target(scenario_t *self, rig_t *rig);
 /** Sends a jog of any axis. */
 void scenario_send_jog(scenario_t *self, rig_t *rig);
 
-/** Sends an act for one axis; who has asked for a press gives it. */
+/** Sends an act for one axis; its sender gives a requested press. */
 void scenario_send_act(scenario_t *self, rig_t *rig);
 
 /** Sends the lengths of another probe. */
@@ -45,7 +45,7 @@ void scenario_send_order(scenario_t *self, rig_t *rig, workphase_t phase);
 /** @return true: he wants the needle out */
 bool scenario_wants_out(scenario_t *self, const snapshot_t *shown);
 
-/** Sends positions that somebody has saved. */
+/** Sends positions that an operator has saved. */
 void scenario_send_saved(scenario_t *self, rig_t *rig);
 
 #endif

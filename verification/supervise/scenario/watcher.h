@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Somebody who may propose and nothing else: registrations and points at any time, most of them on
- * the needle's line of the present target, and now and then withdraws one.
+ * A watcher that may propose and nothing else: registrations and points at any time, most of them
+ * on the needle's line of the present target, and now and then withdraws one.
  */
 #ifndef BORESIGHT_WATCHER_H
 #define BORESIGHT_WATCHER_H

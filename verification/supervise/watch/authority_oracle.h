@@ -35,7 +35,7 @@ typedef struct {
     uint32_t silent_us;       /**< Since its holder's last accepted command. */
     bool has_heard;           /**< False for a holder from before the first look. */
     uint32_t pressed_us;      /**< The button, with the pedal released. */
-    bool is_barred;           /**< Since a loss nobody has armed and then pressed. */
+    bool is_barred;           /**< Since a loss no party has armed and then pressed. */
     bool is_armed_anew;
     bool was_moving;               /**< In the cycle before. */
     uint32_t losses[REIGN_LOSSES]; /**< How many there were, by authority_loss_t. */

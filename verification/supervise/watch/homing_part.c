@@ -48,7 +48,7 @@ static bool is_before(const rig_t *rig, uint32_t axis, uint32_t other)
            (config_of(rig, other)->home_stage < config_of(rig, axis)->home_stage);
 }
 
-/* Nobody of a scenario before its own is left to be homed. */
+/* No axis of a stage before its own is left to be homed. */
 static bool is_due(const rig_t *rig, uint32_t axis)
 {
     bool is_left = false;
@@ -70,7 +70,7 @@ static bool is_following(const rig_t *rig, uint32_t axis)
 }
 
 /* Goes along so that a limit that both share is kept; that it is, is another sentence. Where a
- * fresh one stands nobody knows. */
+ * fresh one stands is not known. */
 static bool is_escorting(const rig_t *rig, uint32_t axis)
 {
     bool is_with_one = false;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Who has a part in homing, by the robot's table and by what is shown of its axes. */
+/** @file Axes that have a part in homing, by the robot's table and by what is shown of its axes. */
 #ifndef BORESIGHT_HOMING_PART_H
 #define BORESIGHT_HOMING_PART_H
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Somebody who sees what the controller cannot: where the simulated axes truly stand. Holds a list
- * of sentences against every cycle, and remembers which were broken, where first and by how much.
+ * An oracle that sees what the controller cannot: where the simulated axes truly stand. Holds a
+ * list of sentences against every cycle, and remembers which were broken, where first and by how
+ * much.
  */
 #ifndef BORESIGHT_MOTION_ORACLE_H
 #define BORESIGHT_MOTION_ORACLE_H

@@ -27,7 +27,7 @@ class TestHttpActs < Minitest::Test
     assert_equal 'PLANNING', assert_answer('200', 'done', response).fetch('workphase')
     assert_equal 'PLANNING', workphase
     assert_equal '200', anna.keep.code
-    # The page holds it no more; it is nobody's in the cycle in which the robot is seen at rest.
+    # The page holds it no more; it has no holder in the cycle in which the robot is seen at rest.
     assert_includes %w[ending nobody], JSON.parse(anna.give_up.body).fetch('state')
     wait_until('nobody has authority') { authority.fetch('state') == 'nobody' }
     assert_answer '423', 'NO_AUTHORITY', anna.keep

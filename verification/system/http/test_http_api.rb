@@ -78,7 +78,7 @@ class TestHttpApi < Minitest::Test
       kind, data = stream.next_message
       assert_nil openapi.message_fault(names.fetch(kind), data)
       seen |= [kind]
-      (names.keys - seen) == ['act'] # Nobody acts here.
+      (names.keys - seen) == ['act'] # No client acts here.
     end
   ensure
     stream&.close

@@ -2,7 +2,7 @@
 # frozen_string_literal: true
 
 # Rule under test: the log and the recordings come over HTTP as they are, what is asked of them is found, no name leads to
-# another file, and reading them keeps nobody from working and nothing from stopping.
+# another file, and reading them keeps no client from working and nothing from stopping.
 
 require 'csv'
 require 'time'

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rule under test: who has nothing but /api/v1/openapi.json writes a client that takes the robot through its whole workflow, and
+# Rule under test: an engineer who has nothing but /api/v1/openapi.json writes a client that takes the robot through its whole workflow, and
 # the robot moves when the pedal is pressed at it, and at no other time.
 
 require_relative '../../demo/targets'

@@ -115,7 +115,7 @@ class TestHttpLoad < SystemTest
     assert_equal [[0], [0]], [niceness_of('recorder').keys, niceness_of('igtl').keys]
   end
 
-  # They come while nobody serves them: the kernel keeps them.
+  # They come while no worker serves them: the kernel keeps them.
   def test_SWR_LOAD_006_who_comes_waits_for_a_worker_in_turn
     boresight.while_stopped('http') do
       waiting = Array.new(LIMITS.fetch('waiting_clients')) do
@@ -129,7 +129,7 @@ class TestHttpLoad < SystemTest
 
   HALF = "GET /api/v1/status HTTP/1.1\r\nHost: "
 
-  # They come while nobody serves them, a whole request last; a quarter of them holds every worker until its time is over.
+  # They come while no worker serves them, a whole request last; a quarter of them holds every worker until its time is over.
   # A dismissed client is informed; a pause of the machine may let the time of some run out.
   def test_SWR_LOAD_008_half_requests_give_way_the_oldest_first
     half, whole = boresight.while_stopped('http') do

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rule under test: nobody commands by HTTP without a session of his own, none is stolen, fixed, kept or guessed, and whoever
-# tries keeps nobody from working and nothing from stopping.
+# Rule under test: no user commands by HTTP without a session of his own, none is stolen, fixed, kept or guessed, and an
+# attacker keeps no user from working and nothing from stopping.
 
 require 'io/console'
 require 'pty'

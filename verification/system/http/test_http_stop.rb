@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rule under test: nobody can keep a stop from reaching control, and the port that is there for it is good for nothing
+# Rule under test: no client can keep a stop from reaching control, and the port that is there for it is good for nothing
 # else. How long a stop takes is judged in punctual/.
 
 require_relative '../support/http_client'
@@ -84,7 +84,7 @@ class TestHttpStop < Minitest::Test
     assert_equal '200', stop_code(stop_port)
   end
 
-  # The supervisor is held, so that nobody starts the server before its port is taken.
+  # The supervisor is held, so that it does not start the server before its port is taken.
   def test_SWR_HTTP_007_a_port_that_another_program_has_taken_is_replaced_and_the_new_one_kept
     before = stop_port
     other = with_server_killed { TCPServer.new('127.0.0.1', before) }

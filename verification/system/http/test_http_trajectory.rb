@@ -70,7 +70,7 @@ class TestHttpTrajectory < Minitest::Test
     assert_answer '409', 'TRAJECTORY_EMPTY', anna.act('trajectory/run', { checksum: 1 })
   end
 
-  # They come while nobody serves them, and more of them than there are workers.
+  # They come while no worker serves them, and more of them than there are workers.
   HALVES = 256
 
   def half_table(client)

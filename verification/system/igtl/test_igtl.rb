@@ -25,7 +25,7 @@ class TestIgtl < Minitest::Test
     @fresh || self.class.boresight
   end
 
-  # Every test starts in STOP with the pedal released and nobody in control.
+  # Every test starts in STOP with the pedal released and no holder of authority.
   def setup
     boresight.simctl('pedal', 'release')
     navigation { |client| stop(client) }

@@ -284,7 +284,7 @@ class TestIgtlPlanning < Minitest::Test
     boresight.targeting['proposals'].fetch(what)
   end
 
-  # As who commands, and gives it back: other tests have none.
+  # As the commanding client, and gives it back: other tests have none.
   def take_entry
     navigation do |client|
       client.phase('TARGETING')

@@ -113,7 +113,7 @@ class TestIgtlPorts < SystemTest
     assert_includes lost['text'], loss
   end
 
-  # The pedal would go on with it, and nobody would know.
+  # The pedal would go on with it, and no client would know.
   def test_SWR_IGTL_052_an_order_that_waits_ends_with_the_server_that_it_came_by
     boresight.command('START_UP')
     wait_until('START_UP is armed') { boresight.status['order'] == 'waiting' }

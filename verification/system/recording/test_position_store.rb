@@ -126,7 +126,7 @@ class TestPositionStore < SystemTest
     assert_equal(['unverified'], kept.map { |axis| axis['reference'] }.uniq)
   end
 
-  # A shorted driver, while nobody looks.
+  # A shorted driver, while no operator looks.
   def move(axis)
     simctl('motor', axis, 'runs')
     from = simctl('show')[/ #{axis} .*/]

@@ -37,7 +37,7 @@ class Boresight
       File.join(PROGRAMS, name)
     end
 
-    # `count` ports that nobody listens on.
+    # `count` ports that no process listens on.
     def free_ports(count)
       servers = Array.new(count) { TCPServer.new('127.0.0.1', 0) }
       servers.map { |server| server.addr[1] }

@@ -5,7 +5,7 @@ require_relative 'boresight'
 
 # A simulated box that runs by itself with each test, with the name @box, and @directory for what the programs keep: it is
 # switched off and on while the programs are not there. Its robot is ROBOT, which homes in a quarter of the default one's time, and
-# it can be fast: homing that nobody looks at passes in fast time, all else at the pace of the world.
+# it can be fast: homing that no test looks at passes in fast time, all else at the pace of the world.
 module LoneBox
   ROBOT = 'bench2'
 

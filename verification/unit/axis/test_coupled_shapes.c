@@ -324,7 +324,7 @@ void test_SWR_COUPLE_003_the_last_axis_of_four_does_not_go_to_a_switch_beyond_th
     axes[2].encoder.position_ticks = -1;
     TEST_ASSERT_TRUE(coupled_guard_bars_homing(&robot, axes, 0U));
     TEST_ASSERT_EQUAL_HEX32(0x1U, coupled_guard_blocks(&robot, &view));
-    /* With a second one that is not, nobody knows. */
+    /* With a second one that is not, it is not known. */
     axes[2].chart.reference = AXIS_REFERENCE_LOST;
     TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, 0U));
     TEST_ASSERT_EQUAL_HEX32(0U, coupled_guard_blocks(&robot, &view));

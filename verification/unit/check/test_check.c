@@ -167,7 +167,7 @@ void test_SWR_CHECK_002_interrupts_of_devices(void)
               "No device interrupts core 1.");
 }
 
-/* As a Cortex-A9 and a newer ARM have them; nobody can move them. */
+/* As a Cortex-A9 and a newer ARM have them; no program can move them. */
 void test_SWR_CHECK_011_the_timer_of_an_arm_core_is_no_device(void)
 {
     static const char *const names[] = {"GIC-0  29 Edge      twd", "GIC-0  27 Edge      gt",

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: control publishes without waiting for anybody; what a reader gets is whole, and
+ * Rule under test: control publishes without waiting for a reader; what a reader gets is whole, and
  * a segment that is not what it should be is refused.
  */
 #include "unity.h"

@@ -256,7 +256,7 @@ static void check_all(void)
 
 /* --- damage, and what the processes do in a turn --- */
 
-/* Nothing of what lies about from before is carried out or believed: a stop is, which harms nobody.
+/* Nothing of what lies about from before is carried out or believed: a stop is, which does no harm.
  */
 static void check_turn(void)
 {

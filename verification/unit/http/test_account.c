@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Rule under test: a file of accounts is read whole or refused with its line, nobody else may read
- * it, and it changes all at once. */
+/* Rule under test: a file of accounts is read whole or refused with its line, no other user may
+ * read it, and it changes all at once. */
 #include "unity.h"
 
 #include "http/login/account.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Rule under test: who knows the password gets a session that nobody else can guess or keep, and
+/* Rule under test: a user with the password gets a session that no other can guess or keep, and
  * guessing gets slower. */
 #include "unity.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: who commands sends a trajectory as one array; it is read whole, passed on row by
- * row, and answered once.
+ * Rule under test: the commanding client sends a trajectory as one array; it is read whole, passed
+ * on row by row, and answered once.
  */
 #include "base/crc.h"
 #include "base/fixed.h"

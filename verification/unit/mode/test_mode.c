@@ -237,7 +237,7 @@ void test_SWR_JOG_001_a_move_takes_the_needle_out_itself(void)
     TEST_ASSERT_FALSE(heeds(MODE_NONE, NEURO_AXIS_LATERAL, true));
 }
 
-/* So nothing drives it deeper from where nobody knows, whatever the mode says. */
+/* So nothing drives it deeper from an unknown place, whatever the mode says. */
 void test_SWR_JOG_003_a_needle_that_is_drawn_out_heeds_itself(void)
 {
     const mode_request_t needle = {.axes = mode_axes(MODE_RETRACT, 0U, &robot)};

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Rule under test: the board finds every register by its name in the bitfile and names what is
- * missing, exchanges packets with each card that is idle without anybody waiting for it, and gives
- * the drives power only while its cards were found good. Below is a library in NI's place.
+ * missing, exchanges packets with each card that is idle without any process waiting for it, and
+ * gives the drives power only while its cards were found good. Below is a library in NI's place.
  */
 #include "unity.h"
 

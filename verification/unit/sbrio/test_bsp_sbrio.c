@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Rule under test: the board exchanges frames with real cards' firmware behind the kernel's SPI
- * without anybody waiting for it, refuses what cannot work in one sentence, and gives the drives
- * power only while its wires were found good. Below are spidev's ioctls and libgpiod's header.
+ * without any process waiting for it, refuses what cannot work in one sentence, and gives the
+ * drives power only while its wires were found good. Below are spidev's ioctls and libgpiod's
+ * header.
  */
 #include "unity.h"
 

@@ -33,7 +33,7 @@ void tearDown(void)
 {
 }
 
-/* A look after `elapsed_us` of the world's time, in which nobody asks. */
+/* A look after `elapsed_us` of the world's time, in which no program asks. */
 static uint32_t look_alone(uint64_t elapsed_us)
 {
     world_us += elapsed_us;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: what somebody holds at the box from afar he holds alone, and it opens when he
- * lets go, says nothing any more, or somebody at the box works it; late words do not close it
+ * Rule under test: a client holds pedal or button from afar alone, and it opens when the client
+ * lets go, says nothing any more, or a person at the box works it; late words do not close it
  * again.
  */
 #include "unity.h"

@@ -213,7 +213,7 @@ static inline void *fpga_world_symbol(const char *name)
     return found;
 }
 
-/* A file as LabVIEW FPGA writes it, with elements that nobody asks for. */
+/* A file as LabVIEW FPGA writes it, with elements that no program asks for. */
 typedef struct {
     const char *without; /* Register that it lacks; NULL: none. */
     const char *other;   /* Register of another type or direction; NULL: none. */

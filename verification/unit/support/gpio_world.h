@@ -22,7 +22,7 @@ struct gpiod_line {
     bool is_output;
     int flags;
     int value;    /* As the program sees it; -1: it cannot be read. */
-    int edges;    /* That nobody has read; -1: they cannot be read. */
+    int edges;    /* Unread edges; -1: they cannot be read. */
     int stuck_at; /* Level of an output whose wire does not follow; -1: it does. */
     int file;
     unsigned sets; /* How often its value was set. */

@@ -77,7 +77,7 @@ void bsp_sleep_until_ns(uint64_t deadline_ns)
 
 void bsp_stand_still_ns(uint64_t world_ns)
 {
-    (void)world_ns; /* It waits for nobody. */
+    (void)world_ns; /* It does not wait. */
 }
 
 void bsp_close(void)
