@@ -17,7 +17,7 @@ module Proof
     MOST_SECONDS = 300
 
     # What holds is a sentence, or a check of its own; what it begins with by which proof.h has made it.
-    Property = Struct.new(:text, :place, :holds, keyword_init: true) do
+    Property = Struct.new(:text, :place, :function, :holds, keyword_init: true) do
       def possible?
         text.start_with?('possible: ')
       end
@@ -58,7 +58,8 @@ module Proof
 
     def property(row)
       place = row.fetch('sourceLocation', {}).values_at('file', 'line').compact.join(':')
-      Property.new(text: row['description'], place: place, holds: row['status'] == 'SUCCESS')
+      Property.new(text: row['description'], place: place, function: row.dig('sourceLocation', 'function'),
+                   holds: row['status'] == 'SUCCESS')
     end
   end
 end

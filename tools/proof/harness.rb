@@ -33,7 +33,7 @@ module Proof
     LIST = 'verification/proof/proofs.yml'
     FOLDER = 'verification/proof'
     FUNCTION = /^void (prove_\w+)\(void\)$/
-    INCLUDES = [File.join(FOLDER, 'contract'), FOLDER, 'core', 'build/gen'].freeze
+    INCLUDES = [FOLDER, 'core', 'build/gen'].freeze
     UNWIND = 12
 
     attr_reader :file, :proves, :mutants
@@ -47,6 +47,7 @@ module Proof
       @sources = [@file, *row.fetch('sources')]
       @proves = row.fetch('proves')
       @unwind = row.fetch('unwind', UNWIND)
+      @includes = [*row['instead'], *INCLUDES]
       @night = row.fetch('night', [])
       @mutants = row.fetch('mutants').map { |mutant| Mutant.new(**mutant.transform_keys(&:to_sym)) }
     end
@@ -61,7 +62,7 @@ module Proof
     end
 
     def run(function)
-      Cbmc.new(@sources, function, includes: INCLUDES, unwind: @unwind).run
+      Cbmc.new(@sources, function, includes: @includes, unwind: @unwind).run
     end
 
     # The same with a fault in it.
@@ -69,7 +70,7 @@ module Proof
       FileUtils.rm_rf(folder)
       changed = mutant.write(folder)
       sources = @sources.map { |source| source == mutant.file ? changed : source }
-      includes = [File.join(folder, 'core'), File.join(folder, 'build/gen'), *INCLUDES]
+      includes = [File.join(folder, 'core'), File.join(folder, 'build/gen'), *@includes]
       Cbmc.new(sources, mutant.by, includes: includes, unwind: @unwind).run
     end
   end

@@ -5,7 +5,8 @@ require_relative 'harness'
 
 module Proof
   # One run that may pass or fail: `complaints` say why it fails.
-  Verdict = Struct.new(:job, :complaints, :count, :seconds, keyword_init: true) do
+  # functions: in which something was checked.
+  Verdict = Struct.new(:job, :complaints, :count, :seconds, :functions, keyword_init: true) do
     def passed?
       complaints.empty?
     end
@@ -13,7 +14,7 @@ module Proof
 
   # A function of a harness: every property holds, and what is said to be possible is.
   class Proved
-    attr_reader :function
+    attr_reader :harness, :function
 
     def initialize(harness, function, line)
       @harness = harness
@@ -37,7 +38,7 @@ module Proof
 
       possible, checked = answer.properties.partition(&:possible?)
       Verdict.new(job: self, complaints: broken(checked) + impossible(possible) + empty(checked),
-                  count: checked.size, seconds: answer.seconds)
+                  count: checked.size, seconds: answer.seconds, functions: checked.map(&:function).uniq)
     end
 
     private

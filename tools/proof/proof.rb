@@ -19,6 +19,7 @@ module Proof
 
     def initialize(harnesses, out, at_night:, word: '')
       @out = out
+      @word = word
       @jobs = harnesses.flat_map { |harness| jobs_of(harness, at_night) }.select { |job| job.name.include?(word) }
       raise Refused, "there is no proof with '#{word}' in its name" if @jobs.empty?
     end
@@ -30,10 +31,21 @@ module Proof
       proved, refuted = verdicts.partition { |verdict| verdict.job.is_a?(Proved) }
       @out.puts "#{proved.count(&:passed?)} of #{proved.size} proofs hold with #{proved.sum(&:count)} properties, " \
                 "#{refuted.count(&:passed?)} of #{refuted.size} mutants are refuted"
-      verdicts.all?(&:passed?)
+      verdicts.all?(&:passed?) && (@word != '' || covered?(proved))
     end
 
     private
+
+    # What proofs.yml says to be proved is looked at by a proof of its harness.
+    #
+    # @satisfies SWR-TOOL-204
+    def covered?(verdicts)
+      missing = verdicts.group_by { |verdict| verdict.job.harness }.flat_map do |harness, same|
+        (harness.proves - same.flat_map { |verdict| verdict.functions.to_a }).map { |name| "#{name} is in no proof of #{harness.file}" }
+      end
+      @out.puts missing
+      missing.empty?
+    end
 
     def jobs_of(harness, at_night)
       functions = harness.functions(at_night: at_night)

@@ -12,7 +12,7 @@ require_relative '../proof/proof'
 
 class TestProof < Minitest::Test
   ROOT = File.expand_path('../..', __dir__)
-  UNIT = "int half(int value)\n{\n    return value / 2;\n}\n"
+  UNIT = "int half(int value)\n{\n    return (value - 1) / 2;\n}\n"
   PROOF = <<~C
     #include "proof.h"
 
@@ -27,7 +27,7 @@ class TestProof < Minitest::Test
         POSSIBLE(is > 5, "a large half");
     }
   C
-  MUTANT = { 'by' => 'prove_SWR_HALF_001_it_is_smaller', 'file' => 'core/half/half.c', 'before' => '/ 2', 'after' => '* 1' }.freeze
+  MUTANT = { 'by' => 'prove_SWR_HALF_001_it_is_smaller', 'file' => 'core/half/half.c', 'before' => '/ 2', 'after' => '* 2' }.freeze
   ROW = { 'file' => 'half/prove_half.c', 'sources' => ['core/half/half.c'], 'proves' => ['half'], 'mutants' => [MUTANT] }.freeze
 
   def test_SWR_TOOL_201_a_proof_that_holds_is_counted_with_its_properties
@@ -44,7 +44,7 @@ class TestProof < Minitest::Test
   end
 
   def test_SWR_TOOL_201_a_check_of_the_language_is_one_too
-    text, is_green = run_proof(unit: UNIT.sub('value / 2', 'value / (value - 7)'), row: ROW.merge('mutants' => []))
+    text, is_green = run_proof(unit: UNIT.sub('(value - 1) / 2', 'value / (value - 7)'), row: ROW.merge('mutants' => []))
     refute is_green
     assert_match(%r{core/half/half\.c:3: does not hold: division by zero}, text)
   end
@@ -95,6 +95,12 @@ class TestProof < Minitest::Test
     assert_equal "there is no proof with '' in its name", error.message
     text, is_green = run_proof(row: night, at_night: true)
     assert is_green, text
+  end
+
+  def test_SWR_TOOL_204_a_function_that_is_in_no_proof_is_named
+    text, is_green = run_proof(row: ROW.merge('proves' => %w[half third]))
+    refute is_green
+    assert_includes text, 'third is in no proof of verification/proof/half/prove_half.c'
   end
 
   def test_SWR_TOOL_200_a_package_of_another_content_is_refused

@@ -78,7 +78,7 @@ static void place_cards(uint32_t axis_count)
         controller.cards.sensor_slots &= ~((uint32_t)1U << slot);
     }
     controller.cards.sensor_slots &= CARD_EVERY_SLOT;
-    controller.strangers &= CARD_EVERY_SLOT;
+    controller.unexpected_cards &= CARD_EVERY_SLOT;
 }
 
 static void prove_axis(uint32_t index, uint32_t guards, const card_drive_t *request)
