@@ -4,14 +4,14 @@
 
 # Fills the tables of the documents from their sources, so that they say what the programs say.
 #
-#   ruby tools/tables.rb [--root FOLDER]           rewrites the marked blocks of README.md and docs/*.md
+#   ruby tools/tables.rb [--root FOLDER]           rewrites the marked blocks of README.md, SOUNDNESS.md and docs/*.md
 #   ruby tools/tables.rb --check [--root FOLDER]   one line per stale block, exit 1 if there is any
 #
 # A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
 # structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `modes`, for the whole table of
 # core/interface/modes.yml; `limits`, for those of requirements/; `known_limits`, for those of
 # requirements/known_limits.yml; `rooms`, for tools/rooms.yml; `decisions`, for docs/decisions;
-# `waits`, for tools/documents/waits.yml;
+# `waits`, for tools/documents/waits.yml; `proofs`, for verification/proof/proofs.yml;
 # `robots`, for the axes of core/robot/*/robot.yml;
 # or one of tools/documents/card_tables.rb, for the frames of the cards.
 
@@ -20,6 +20,7 @@ require_relative 'documents/card_tables'
 require_relative 'decisions'
 require_relative 'gates/plan'
 require_relative 'interface/model'
+require_relative 'proof/harness'
 require_relative 'robot/description'
 require_relative 'rooms'
 require_relative 'trace/requirements'
@@ -56,7 +57,7 @@ end
 # Contents that can be shown as a table, read from one project.
 class TableSources
   # Tables that are no enumeration and no structure: a method of the same name.
-  OTHERS = %w[decisions known_limits limits modes problems robots rooms routes waits].freeze
+  OTHERS = %w[decisions known_limits limits modes problems proofs robots rooms routes waits].freeze
 
   LINE = 130 # characters
 
@@ -139,6 +140,17 @@ class TableSources
     markdown(%w[No. Decision], Decisions.new(@root).records.map do |record|
       [record.number, "[#{record.title}](#{record.file.delete_prefix('docs/')})"]
     end)
+  end
+
+  def proofs
+    Dir.chdir(@root) do
+      rows = Proof::Harness.all.map do |harness|
+        by_day = harness.functions(at_night: false).keys
+        named = harness.functions(at_night: true).keys.map { |name| "`#{name}`#{' at night' unless by_day.include?(name)}" }
+        ["`#{harness.file}`", named.join(', '), harness.proves.map { |name| "`#{name}`" }.join(', '), harness.mutants.size]
+      end
+      markdown(['Harness', 'Proofs', 'Functions in which every check holds', 'Mutants refuted'], rows)
+    end
   end
 
   def robots
@@ -272,7 +284,7 @@ if $PROGRAM_NAME == __FILE__
       parser.on('--root FOLDER') { |folder| options[:root] = folder }
     end.parse!
     sources = TableSources.new(options[:root])
-    documents = Dir.glob(%w[README.md docs/*.md], base: options[:root]).sort.to_h do |file|
+    documents = Dir.glob(%w[README.md SOUNDNESS.md docs/*.md], base: options[:root]).sort.to_h do |file|
       [file, TabledDocument.new(file, File.read(File.join(options[:root], file), encoding: 'UTF-8'), sources)]
     end
   rescue OptionParser::ParseError, TabledDocument::MarkError, Trace::FormatError, Interface::Refused, Robot::Refused,

@@ -16,7 +16,7 @@
 #   E05 ignored test                                                     E16 tested only at a smaller level
 #   E17 hazard in a chart that the element's       E18 results of another tree, checkout or machine
 #       requirements do not control
-#   E19 known limit that no test shows
+#   E19 known limit that no test shows             E20 requirement of method proof without a passed proof
 
 require 'optparse'
 require_relative 'trace/check'

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Gates of `make test`; included by the Makefile.
 
-.PHONY: check format gate one generated boards apart pictures unit scenes coverage misra sanitize arm console-test objects programs trace demo velocity sweep charts-fuzz mutants worst-case \
+.PHONY: check format gate one generated boards apart pictures unit scenes coverage misra sanitize arm console-test objects programs proof proof-night trace demo velocity sweep charts-fuzz mutants worst-case \
     worst-case-approve
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
@@ -102,6 +102,12 @@ coverage: bootstrap-test ## What the unit tests reach of the core, for lcov's re
 
 misra: $(GENERATED) ## MISRA findings of the core
 	ruby tools/misra.rb
+
+proof: $(GENERATED) ## Sentences proved for every input, and seeded faults refuted; NAME=word chooses
+	ruby tools/proof/proof.rb $(NAME)
+
+proof-night: bootstrap-test $(GENERATED) ## The same with the proofs that take too long for every day
+	ruby tools/proof/proof.rb --night $(NAME)
 
 charts-fuzz: bootstrap-test ## Random charts against the standard's algorithm: COUNT=1000 SEED=1; what differs is kept, made small
 	@ruby tools/chartc/conformance/random/hunt.rb $(or $(COUNT),1000) $(or $(SEED),1)

@@ -26,12 +26,13 @@ class OwnApt
 
   attr_reader :archives
 
-  def initialize(folder, log, architecture:, types:)
+  # suite: another release than that of this computer.
+  def initialize(folder, log, architecture:, types:, suite: nil)
     @home = File.expand_path("#{folder}/apt")
     @archives = "#{@home}/archives"
     @log = log
     FileUtils.mkdir_p(%W[#{@home}/sources #{@home}/lists/partial #{@archives}/partial])
-    write_sources(types)
+    write_sources(types, suite)
     write_configuration(architecture)
     # An index that cannot be had is no matter as long as the packages can.
     run(@home, 'apt-get', 'update', may_fail: true)
@@ -53,12 +54,12 @@ class OwnApt
 
   private
 
-  def write_sources(types)
+  def write_sources(types, suite)
     release = File.read('/etc/os-release')[/^VERSION_CODENAME=(\w+)/, 1] || raise(Refused, 'this is no Debian')
     Dir['/etc/apt/sources.list', '/etc/apt/sources.list.d/*.list', '/etc/apt/sources.list.d/*.sources'].each do |file|
       part = file.end_with?('.sources') ? :stanzas : :lines
       File.write("#{@home}/sources/#{File.basename(file).sub('sources.list', 'own.list')}",
-                 AptSources.public_send(part, File.read(file), release, types))
+                 AptSources.public_send(part, File.read(file), release, types, suite || release))
     end
   end
 

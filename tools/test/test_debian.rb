@@ -62,6 +62,12 @@ class TestDebian < Minitest::Test
     assert_equal 2, AptSources.stanzas("#{stanza}\n\n#{stanza}", 'sid', BOTH).scan(/^Types:/).size
   end
 
+  def test_SWR_TOOL_200_another_release_is_asked_for_where_this_one_comes_from
+    assert_equal "deb http://m.example next main\n", AptSources.lines('deb http://m.example sid main', 'sid', ['deb'], 'next')
+    stanza = "Types: deb\nURIs: http://m.example\nSuites: sid sid-updates\nComponents: main\n"
+    assert_equal "Types: deb\nSuites: next\nComponents: main\nURIs: http://m.example\n", AptSources.stanzas(stanza, 'sid', ['deb'], 'next')
+  end
+
   def test_SWR_ARM_001_who_wants_sources_alone_asks_for_no_packages
     assert_equal "deb-src http://m.example sid main\n", AptSources.lines('deb http://m.example sid main', 'sid', ['deb-src'])
   end

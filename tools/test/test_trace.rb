@@ -272,6 +272,28 @@ class TestTrace < Minitest::Test
     end
   end
 
+  def test_SWR_TRACE_200_e20_no_test_stands_in_for_a_proof
+    finding = 'E20 requirements/core/pedal.yml:9: SWR-PEDAL-002 is to be proved, and no proof of it has passed'
+    items = COMPLETE.fetch('requirements/core/pedal.yml').sub(/test(, level: unit}\n)\z/, 'proof\1')
+    assert_finding finding, 'requirements/core/pedal.yml', COMPLETE.fetch('requirements/core/pedal.yml'), items
+    harness = 'verification/proof/gate/prove_gate.c'
+    proved = { test: 'prove_SWR_PEDAL_002_opens', file: harness, result: 'pass', assertions: 12 }
+    proof = "void prove_SWR_PEDAL_002_opens(void)\n{\n    PROVE(gate_open(), \"SWR-PEDAL-002: it is open\");\n}\n"
+    in_project('build/results/proof.json' => JSON.generate([proved]), 'requirements/core/pedal.yml' => items, harness => proof) do |root|
+      output, status = trace('check', root)
+      assert status.success?, output
+      assert_includes trace('matrix', root).first, "    proved pass   prove_SWR_PEDAL_002_opens (#{harness})"
+    end
+  end
+
+  def test_SWR_TRACE_200_a_proof_counts_as_executed_unless_it_is_for_the_night
+    harness = 'verification/proof/gate/prove_gate.c'
+    files = { harness => "void prove_SWR_PEDAL_002_opens(void)\n{\n    PROVE(gate_open(), \"SWR-PEDAL-002: it is open\");\n}\n" }
+    in_project(files) { |root| assert_includes trace('check', root).first, "TRACE-E13 #{harness}:1: prove_SWR_PEDAL_002_opens was not executed" }
+    night = { 'verification/proof/proofs.yml' => "- {file: gate/prove_gate.c, night: [prove_SWR_PEDAL_002_opens]}\n" }
+    in_project(files.merge(night)) { |root| assert trace('check', root).last.success? }
+  end
+
   def test_SWR_TRACE_001_e01_unknown_hazard_in_chart
     ['HAZ-009', 'SWR-PEDAL-009'].each do |id|
       assert_finding "E01 statecharts/gate.scxml:3: gate GATE-T01 names the unknown hazard #{id}",

@@ -66,6 +66,7 @@ module Trace
   class Check
     FIELDS = { 'SWR' => %w[title text parents source verification], 'RC' => %w[title text kind parents],
                'HAZ' => %w[title severity situation harm], 'LIM' => %w[title text shown_by] }.freeze
+    METHODS = %w[test proof].freeze
     LEVELS = %w[unit integration system console tool].freeze
     KINDS = %w[design protective information].freeze
     SCENE = /\Arobot=\w+&seed=\d+&inputs=\d+:[\w,=\/;:-]+\z/
@@ -134,7 +135,10 @@ module Trace
       missing = fields.select { |field| item[field].nil? || item[field].empty? }
       complain('E15', item.place, "#{item.id} lacks #{missing.join(', ')}") unless missing.empty?
       check_word(item, 'kind', item['kind'], KINDS) if item.kind == 'RC'
-      check_word(item, 'level', item['verification'].to_h['level'], LEVELS) if item.kind == 'SWR'
+      return unless item.kind == 'SWR'
+
+      check_word(item, 'level', item['verification'].to_h['level'], LEVELS)
+      check_word(item, 'method', item['verification'].to_h['method'], METHODS)
     end
 
     # The reaction of the robot to it is tested by verification/site/test_scenes.rb.
@@ -304,8 +308,18 @@ module Trace
         passed = @project.results_of(item.id).select(&:passed?)
         next complain('E03', item.place, "#{item.id} has no passed test") if passed.empty?
 
-        check_level(item, item['verification'].to_h['level'], passed.map(&:level).compact.uniq)
+        levels = passed.map(&:level).compact.uniq
+        next check_proof(item, levels) if item['verification'].to_h['method'] == 'proof'
+
+        check_level(item, item['verification'].to_h['level'], levels)
       end
+    end
+
+    # No test stands in for a proof.
+    #
+    # @satisfies SWR-TRACE-200
+    def check_proof(item, levels)
+      complain('E20', item.place, "#{item.id} is to be proved, and no proof of it has passed") unless levels.include?('proof')
     end
 
     # A test of the whole stands in for one of a part, not the other way round.

@@ -38,6 +38,7 @@ module Trace
   LEVEL_OF_FILE = { %r{\Averification/(?:integration/|supervise/|bench/|unit/test_controller)} => 'integration',
                     %r{\A(?:verification/unit|core/robot|build/gen/tests)/} => 'unit',
                     %r{\Averification/(?:eva|model|mutants)/} => 'tool',
+                    %r{\Averification/proof/} => 'proof',
                     %r{\Averification/} => 'system',
                     %r{\Aapp/console/} => 'console',
                     %r{\Atools/(?:test|chartc)/} => 'tool' }.freeze

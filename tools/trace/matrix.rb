@@ -16,7 +16,7 @@ module Trace
 
     # A requirement as it is printed, written and shown.
     # why: reason for which results do not count.
-    Row = Struct.new(:id, :title, :text, :place, :source, :level, :parents, :limits, :elements, :tests,
+    Row = Struct.new(:id, :title, :text, :place, :source, :method, :level, :parents, :limits, :elements, :tests,
                      :verdict, :why, keyword_init: true)
 
     def initialize(project)
@@ -30,7 +30,7 @@ module Trace
          *row.why.map { |reason| "    but    #{reason}" },
          "    from   #{row.parents.map { |parent| parent[:id] }.join(', ')}",
          *row.elements.map { |element| "    by     #{element[:name]} (#{element[:place]})" },
-         *row.tests.map { |test| "    tested #{test[:result].ljust(6)} #{test[:test]} (#{test[:file]})" }]
+         *row.tests.map { |test| "    #{verb(test)} #{test[:result].ljust(6)} #{test[:test]} (#{test[:file]})" }]
       end
       "#{[*head, '', *lines].join("\n")}\n\n#{summary}"
     end
@@ -61,7 +61,8 @@ module Trace
     def row(item)
       requirements = @project.requirements
       Row.new(id: item.id, title: item.title, text: requirements.sentence(item), place: item.place.to_s,
-              source: item['source'].to_s, level: item['verification'].to_h['level'].to_s,
+              source: item['source'].to_s, method: item['verification'].to_h['method'].to_s,
+              level: item['verification'].to_h['level'].to_s,
               parents: Array(item['parents']).map { |parent| parent_row(parent) },
               limits: item.limits.map { |limit| limit.to_h.slice(:name, :value, :unit, :status) },
               elements: @project.elements_of(item.id).map { |e| { name: e.name, place: e.place.to_s } }.uniq,
@@ -79,6 +80,10 @@ module Trace
 
     def by_id
       @by_id ||= @project.requirements.items.to_h { |item| [item.id, item] }
+    end
+
+    def verb(test)
+      test[:test].start_with?('prove_') ? 'proved' : 'tested'
     end
 
     # One row for each test, with all gates that ran it.

@@ -18,6 +18,8 @@ module Trace
     CODE = '{{core,bsp,app,site,tools}/**/*.{h,c,rb,ts,tsx,yml},tools/{bootstrap,run_long}}'
     CHARTS = 'statecharts/*.scxml'
     C_TESTS = '{verification/unit,verification/integration,core/robot/*/test,build/gen/tests}/**/test_*.c'
+    PROOFS = 'verification/proof/**/prove_*.c'
+    PROOF_LIST = 'verification/proof/proofs.yml'
     RUBY_TESTS = '{verification,tools/test,tools/chartc}/**/test_*.rb'
     SUPPORT = 'verification/unit/support/*.{h,c}'
     LEFT_OUT = %r{node_modules/|/dist/|tools/test/|tools/chartc/(?:conformance|faults|proof|test)/|\.test\.tsx?\z|\.spec\.ts\z}
@@ -43,7 +45,7 @@ module Trace
     end
 
     def tests
-      @tests ||= c_tests + ruby_tests
+      @tests ||= c_tests + ruby_tests + proofs
     end
 
     private
@@ -116,6 +118,19 @@ module Trace
       end
     end
 
+    # What a harness of the prover proves in every run of the gate; what is for the night has no result by day.
+    def proofs
+      file = File.join(@root, PROOF_LIST)
+      at_night = File.exist?(file) ? Psych.safe_load_file(file).flat_map { |row| row.fetch('night', []) } : []
+      glob(PROOFS).flat_map do |harness|
+        functions = CFunctions.new(read(harness))
+        proving = functions.asserting
+        functions.all.select { |function| function.name.start_with?('prove_SWR') && !at_night.include?(function.name) }.map do |function|
+          Declaration.new(name: function.name, is_empty: !proving.include?(function.name), place: Place.new(harness, function.line))
+        end
+      end
+    end
+
     # Assertions of Ruby tests are counted when they run.
     def ruby_tests
       glob(RUBY_TESTS).flat_map do |file|
@@ -133,7 +148,7 @@ module Trace
 
     NOISE = %r{/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'}m
     HEAD = /^[A-Za-z_][\w \t*]*?\b(\w+)\s*\([^;{}]*\)\s*\{/
-    ASSERTION = /\b(?:TEST_ASSERT\w*|TEST_FAIL\w*|EXPECT_CONTRACT|UNITY_TEST_\w+|TEST_IGNORE\w*)\b/
+    ASSERTION = /\b(?:TEST_ASSERT\w*|TEST_FAIL\w*|EXPECT_CONTRACT|UNITY_TEST_\w+|TEST_IGNORE\w*|PROVE)\b/
 
     attr_reader :all
 

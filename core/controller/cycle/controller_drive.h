@@ -10,6 +10,7 @@
  * comes. `guards`: controller_facts() of the state as it is.
  *
  * @satisfies SWR-PERMIT-002
+ * @satisfies SWR-PERMIT-200
  * @satisfies SWR-PERMIT-003
  * @satisfies SWR-CMD-003
  * @satisfies SWR-CTRL-003

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require 'fileutils'
+require 'psych'
+require_relative 'cbmc'
+
+module Proof
+  class Refused < StandardError; end
+
+  # A fault that the prover must refute: `before` stands in `file` once, and `after` in its place breaks a sentence of
+  # the function `by`.
+  Mutant = Struct.new(:file, :before, :after, :by, keyword_init: true) do
+    # Writes it below `folder`, where it is found before the file itself.
+    def write(folder)
+      text = File.read(file)
+      count = text.scan(before).size
+      raise Refused, "#{file} has the text of a mutant #{count} times instead of once: #{before}" unless count == 1
+
+      path = File.join(folder, file)
+      FileUtils.mkdir_p(File.dirname(path))
+      File.write(path, text.sub(before) { after })
+      path
+    end
+
+    def name
+      "#{by} (#{file}: #{before.split.join(' ')} => #{after.split.join(' ')})"
+    end
+  end
+
+  # A file of verification/proof with the functions that the prover runs, as proofs.yml lists it.
+  class Harness
+    LIST = 'verification/proof/proofs.yml'
+    FOLDER = 'verification/proof'
+    FUNCTION = /^void (prove_\w+)\(void\)$/
+    INCLUDES = [FOLDER, 'core', 'build/gen'].freeze
+    UNWIND = 12
+
+    attr_reader :file, :proves, :mutants
+
+    def self.all(list = LIST)
+      Psych.safe_load_file(list).map { |row| new(row) }
+    end
+
+    def initialize(row)
+      @file = File.join(FOLDER, row.fetch('file'))
+      @sources = [@file, *row.fetch('sources')]
+      @proves = row.fetch('proves')
+      @unwind = row.fetch('unwind', UNWIND)
+      @includes = [*row['instead'], *INCLUDES]
+      @night = row.fetch('night', [])
+      @mutants = row.fetch('mutants').map { |mutant| Mutant.new(**mutant.transform_keys(&:to_sym)) }
+    end
+
+    # The functions to be run, and their lines; at night all of them.
+    def functions(at_night:)
+      lines = File.readlines(@file, chomp: true)
+      found = lines.each_with_index.filter_map { |line, index| [line[FUNCTION, 1], index + 1] if line.match?(FUNCTION) }.to_h
+      raise Refused, "#{LIST} sends to the night what #{@file} has not: #{(@night - found.keys).join(', ')}" unless (@night - found.keys).empty?
+
+      at_night ? found : found.except(*@night)
+    end
+
+    def run(function)
+      Cbmc.new(@sources, function, includes: @includes, unwind: @unwind).run
+    end
+
+    # The same with a fault in it.
+    def run_mutant(mutant, folder)
+      FileUtils.rm_rf(folder)
+      changed = mutant.write(folder)
+      sources = @sources.map { |source| source == mutant.file ? changed : source }
+      includes = [File.join(folder, 'core'), File.join(folder, 'build/gen'), *@includes]
+      Cbmc.new(sources, mutant.by, includes: includes, unwind: @unwind).run
+    end
+  end
+end

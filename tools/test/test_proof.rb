@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: a proof passes when all of its sentences hold, what it calls possible happens, and each fault that is
+# seeded beside it is refuted; whatever else there is, is red and named. By the prover itself, on a unit of one line.
+
+require 'minitest/autorun'
+require 'stringio'
+require 'tmpdir'
+require_relative '../debian/prover'
+require_relative '../proof/proof'
+
+class TestProof < Minitest::Test
+  ROOT = File.expand_path('../..', __dir__)
+  UNIT = "int half(int value)\n{\n    return (value - 1) / 2;\n}\n"
+  PROOF = <<~C
+    #include "proof.h"
+
+    int half(int value);
+
+    void prove_SWR_HALF_001_it_is_smaller(void)
+    {
+        int value;
+        assume(value > 0);
+        const int is = half(value);
+        PROVE(is < value, "SWR-HALF-001: smaller");
+        POSSIBLE(is > 5, "a large half");
+    }
+  C
+  MUTANT = { 'by' => 'prove_SWR_HALF_001_it_is_smaller', 'file' => 'core/half/half.c', 'before' => '/ 2', 'after' => '* 2' }.freeze
+  ROW = { 'file' => 'half/prove_half.c', 'sources' => ['core/half/half.c'], 'proves' => ['half'], 'mutants' => [MUTANT] }.freeze
+
+  def test_SWR_TOOL_201_a_proof_that_holds_is_counted_with_its_properties
+    text, is_green = run_proof
+    assert is_green, text
+    assert_match(/^\[[12]\/2\] ok  prove_SWR_HALF_001_it_is_smaller: \d+ properties, \d+\.\d s$/, text)
+    assert_match(/^1 of 1 proofs hold with [1-9]\d* properties, 1 of 1 mutants are refuted$/, text)
+  end
+
+  def test_SWR_TOOL_201_a_sentence_that_does_not_hold_is_named_with_its_place
+    text, is_green = run_proof(proof: PROOF.sub('value > 0', 'value >= 0'))
+    refute is_green
+    assert_includes text, 'verification/proof/half/prove_half.c:10: does not hold: SWR-HALF-001: smaller'
+  end
+
+  def test_SWR_TOOL_201_a_check_of_the_language_is_one_too
+    text, is_green = run_proof(unit: UNIT.sub('(value - 1) / 2', 'value / (value - 7)'), row: ROW.merge('mutants' => []))
+    refute is_green
+    assert_match(%r{core/half/half\.c:3: does not hold: division by zero}, text)
+  end
+
+  def test_SWR_TOOL_201_a_loop_whose_end_is_not_seen_is_red
+    loops = "int half(int value)\n{\n    int is = 0;\n    while (is + is + 1 < value) {\n        is++;\n    }\n    return is;\n}\n"
+    text, is_green = run_proof(unit: loops, row: ROW.merge('mutants' => []))
+    refute is_green
+    assert_match(/does not hold: unwinding assertion/, text)
+  end
+
+  def test_SWR_TOOL_201_who_gives_no_answer_is_red
+    text, is_green = run_proof(proof: PROOF.sub('int half(int value);', ''), row: ROW.merge('mutants' => []), unit: 'nonsense')
+    refute is_green
+    assert_match(/^\[1\/1\] RED/, text)
+  end
+
+  def test_SWR_TOOL_202_a_fault_that_is_not_refuted_is_named
+    text, is_green = run_proof(row: ROW.merge('mutants' => [MUTANT.merge('after' => '/ 3')]))
+    refute is_green
+    assert_includes text, 'the prover does not refute prove_SWR_HALF_001_it_is_smaller (core/half/half.c: / 2 => / 3)'
+  end
+
+  def test_SWR_TOOL_202_a_fault_whose_text_is_not_there_once_is_named
+    ['/ 5', 'value'].zip([0, 2]).each do |before, count|
+      text, is_green = run_proof(row: ROW.merge('mutants' => [MUTANT.merge('before' => before)]))
+      refute is_green
+      assert_includes text, "core/half/half.c has the text of a mutant #{count} times instead of once: #{before}"
+    end
+  end
+
+  def test_SWR_TOOL_203_what_never_happens_is_named
+    text, is_green = run_proof(proof: PROOF.sub('value > 0', 'value > 0 && value < 0'), row: ROW.merge('mutants' => []))
+    refute is_green
+    assert_includes text, 'never happens: possible: a large half'
+  end
+
+  def test_SWR_TOOL_203_who_calls_nothing_possible_or_says_nothing_is_named
+    text, = run_proof(proof: PROOF.sub(/ *POSSIBLE.*\n/, ''), row: ROW.merge('mutants' => []))
+    assert_includes text, 'prove_SWR_HALF_001_it_is_smaller says nothing that is possible'
+    text, = run_proof(proof: PROOF.sub(/ *PROVE.*\n/, ''), row: ROW.merge('mutants' => []))
+    assert_includes text, 'prove_SWR_HALF_001_it_is_smaller has no sentence'
+  end
+
+  def test_SWR_TOOL_201_what_is_for_the_night_waits_for_it
+    night = ROW.merge('night' => ['prove_SWR_HALF_001_it_is_smaller'])
+    error = assert_raises(Proof::Refused) { run_proof(row: night) }
+    assert_equal "there is no proof with '' in its name", error.message
+    text, is_green = run_proof(row: night, at_night: true)
+    assert is_green, text
+  end
+
+  def test_SWR_TOOL_204_a_function_that_is_in_no_proof_is_named
+    text, is_green = run_proof(row: ROW.merge('proves' => %w[half third]))
+    refute is_green
+    assert_includes text, 'third is in no proof of verification/proof/half/prove_half.c'
+  end
+
+  def test_SWR_TOOL_200_a_package_of_another_content_is_refused
+    Dir.mktmpdir do |folder|
+      File.write("#{folder}/a_1.deb", 'what was meant')
+      digest = Digest::SHA256.hexdigest('what was meant')
+      assert_equal "#{folder}/a_1.deb", Prover.checked("#{folder}/a_1.deb", digest)
+      File.write("#{folder}/a_1.deb", 'another')
+      error = assert_raises(OwnApt::Refused) { Prover.checked("#{folder}/a_1.deb", digest) }
+      assert_equal "a_1.deb has the SHA-256 #{Digest::SHA256.hexdigest('another')}, not #{digest}", error.message
+    end
+  end
+
+  def test_SWR_TOOL_200_each_package_has_a_version_and_a_digest
+    lines = File.readlines("#{ROOT}/tools/debian/prover.txt", chomp: true).grep(/^package/)
+    assert_includes lines.map { |line| line.split[1] }, 'cbmc'
+    assert_empty(lines.grep_v(/\Apackage +\S+ +[\w.:+-]+ +\h{64}( \S+)+\z/))
+  end
+
+  private
+
+  # What it says, and whether all is green.
+  def run_proof(proof: PROOF, unit: UNIT, row: ROW, at_night: false)
+    out = StringIO.new
+    is_green = in_project(proof, unit) { Proof::Run.new([Proof::Harness.new(row)], out, at_night: at_night).call }
+    [out.string, is_green]
+  end
+
+  def in_project(proof, unit, &block)
+    Dir.mktmpdir do |folder|
+      FileUtils.mkdir_p(["#{folder}/verification/proof/half", "#{folder}/core/half"])
+      FileUtils.ln_s("#{ROOT}/.tools", "#{folder}/.tools")
+      FileUtils.cp("#{ROOT}/verification/proof/proof.h", "#{folder}/verification/proof")
+      File.write("#{folder}/verification/proof/half/prove_half.c", proof)
+      File.write("#{folder}/core/half/half.c", unit)
+      Dir.chdir(folder, &block)
+    end
+  end
+end
