@@ -217,12 +217,13 @@ int main(void)
             print_row(axis, &faults[i]);
         }
     }
-    (void)puts("\n## Ten minutes of scanning\n\n"
-               "What each axis counts at rest is added up. Beyond 0.1 mm or 0.5 degrees since its "
-               "last reference it is not homed any\nmore: START_UP homes it, or the operator "
-               "confirms it.\n\n"
-               "| Axis | Added up in the scan | Truly apart | That is | Still homed |\n"
-               "| --- | --- | --- | --- | --- |");
+    (void)puts(
+        "\n## Ten minutes of scanning\n\n"
+        "The counts of each axis at rest are added up. Beyond 0.1 mm or 0.5 degrees since its "
+        "last reference it is not homed any\nmore: START_UP homes it, or the operator "
+        "confirms it.\n\n"
+        "| Axis | Added up in the scan | Truly apart | That is | Still homed |\n"
+        "| --- | --- | --- | --- | --- |");
     print_scan();
     return 0;
 }
