@@ -342,8 +342,8 @@ static bool is_history_unknown(const supervision_t *self, const axis_config_t *c
     return (self->drives != 0U) && (self->drives != drive_of(config, &view->drive));
 }
 
-/* A cycle that makes good for a late one ends at once: whether a motor stops or turns meanwhile,
- * nobody knows, nor did the clock of a card that counts longer parts of time go on. */
+/* A cycle that makes good for a late one ends at once: whether a motor stops or turns meanwhile is
+ * unknown, and the clock of a card that counts longer parts of time did not go on. */
 static bool is_change_too_brief(const supervision_t *self, const axis_config_t *config,
                                 const supervision_view_t *view)
 {

@@ -101,8 +101,8 @@ void supervision_shift(supervision_t *self, int32_t ticks);
 
 /**
  * One cycle. Where reports were missed and the drive changed meanwhile, the time of the change is
- * unknown, and so is the way of a drive that lasts no longer than LIMIT_BRIEF_DRIVE_US: the way of
- * that time is left out.
+ * unknown, and so is the way of a drive that lasts less than LIMIT_BRIEF_DRIVE_US: the way of that
+ * time is left out.
  *
  * @return AXIS_NOTE_ bits of the checks that failed
  *

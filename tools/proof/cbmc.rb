@@ -16,7 +16,7 @@ module Proof
     OPTIONS = %w[--c99 --drop-unused-functions --slice-formula --json-ui].freeze
     MOST_SECONDS = 300
 
-    # What holds is a sentence, or a check of its own; what it begins with by which proof.h has made it.
+    # What holds is a sentence, or a check of its own; what it begins with by which prove.h has made it.
     Property = Struct.new(:text, :place, :function, :holds, keyword_init: true) do
       def possible?
         text.start_with?('possible: ')

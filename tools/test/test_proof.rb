@@ -14,7 +14,7 @@ class TestProof < Minitest::Test
   ROOT = File.expand_path('../..', __dir__)
   UNIT = "int half(int value)\n{\n    return (value - 1) / 2;\n}\n"
   PROOF = <<~C
-    #include "proof.h"
+    #include "prove.h"
 
     int half(int value);
 
@@ -133,7 +133,7 @@ class TestProof < Minitest::Test
     Dir.mktmpdir do |folder|
       FileUtils.mkdir_p(["#{folder}/verification/proof/half", "#{folder}/core/half"])
       FileUtils.ln_s("#{ROOT}/.tools", "#{folder}/.tools")
-      FileUtils.cp("#{ROOT}/verification/proof/proof.h", "#{folder}/verification/proof")
+      FileUtils.cp("#{ROOT}/verification/proof/prove.h", "#{folder}/verification/proof")
       File.write("#{folder}/verification/proof/half/prove_half.c", proof)
       File.write("#{folder}/core/half/half.c", unit)
       Dir.chdir(folder, &block)

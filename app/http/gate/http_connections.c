@@ -26,7 +26,7 @@ typedef struct {
 
 static struct {
     pthread_mutex_t lock;
-    uint64_t turns; /* Number of those that have come. */
+    uint64_t turns; /* Number of all connections that were ever accepted. */
     unsigned count; /* Without those that are leaving. */
     line_t lines[HTTP_CONNECTIONS_WORKERS];
 } all = {.lock = PTHREAD_MUTEX_INITIALIZER};

@@ -22,7 +22,7 @@
 
 typedef struct {
     uint32_t surprises;           /**< Bit n: part n is not as expected. */
-    uint32_t hashes[PROOF_PARTS]; /**< Hashes of those; 0 for the others. */
+    uint32_t hashes[PROOF_PARTS]; /**< Hashes of these parts; 0 for the others. */
 } proof_t;
 
 /** The first word of a part that is not as expected. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Times of the cycles of a recording, and the choice of those that are shown. */
+/** @file Times of the cycles of a recording, and the choice of the cycles that are shown. */
 #ifndef BORESIGHT_PACE_H
 #define BORESIGHT_PACE_H
 

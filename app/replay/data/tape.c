@@ -17,7 +17,7 @@ typedef struct {
     bytes_t *row;
     double cycles;
     uint32_t place; /* Place of the value that is looked at. */
-    uint32_t told;  /* The last that was given. */
+    uint32_t told;  /* The last value that was given. */
     bool with_numbers;
     bool is_told;
     bool is_rebuilt;

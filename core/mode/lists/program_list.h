@@ -57,8 +57,8 @@ solution_t program_list_add(program_list_t *self, const robot_t *robot,
                             const program_step_t *step);
 
 /**
- * All steps have come; `crc` is program_list_crc() of those that were sent. A refusal empties the
- * list.
+ * Ends the list: all steps have come. `crc` is program_list_crc() of the steps that the client
+ * sent. A refusal empties the list.
  *
  * @return STATUS_OK; STATUS_PROGRAM_ORDER while steps are missing, or with another checksum
  *

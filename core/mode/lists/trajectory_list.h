@@ -60,8 +60,8 @@ solution_t trajectory_list_add(trajectory_list_t *self,
                                uint32_t index, const trajectory_row_t *row);
 
 /**
- * All rows have come; `crc` is trajectory_list_crc() of those that were sent. A refusal empties the
- * list.
+ * Ends the list: all rows have come. `crc` is trajectory_list_crc() of the rows that the client
+ * sent. A refusal empties the list.
  *
  * @return STATUS_OK; STATUS_TRAJECTORY_ORDER while rows are missing; STATUS_TRAJECTORY_SUM
  *

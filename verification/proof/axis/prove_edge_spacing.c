@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Spacing of counts and audit of drift, one cycle from any state. */
-#include "proof.h"
+#include "prove.h"
 
 #include "axis/drift_audit.h"
 #include "axis/edge_spacing.h"

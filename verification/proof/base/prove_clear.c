@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Memory that is cleared, of every length up to 84 bytes: each loop of clear_words() goes round. */
-#include "proof.h"
+#include "prove.h"
 
 #include "base/clear.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Fixed point, as far as bits decide it: ranges for every angle and every factor. Errors, roots and
  * quotients are shown by tests of every value or of many. */
-#include "proof.h"
+#include "prove.h"
 
 #include "base/fixed.h"
 

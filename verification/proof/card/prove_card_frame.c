@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Frames of any bytes and of any values; the checksum is a contract. */
-#include "proof.h"
+#include "prove.h"
 
 #include "card/card_frame.h"
 #include "card/card_words.h"

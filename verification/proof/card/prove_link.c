@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* One cycle of the link to a card, from any sound state and with any frame of 256 bytes or none;
  * and any number of silent cycles, by induction. */
-#include "proof.h"
+#include "prove.h"
 
 #include "card/link.h"
 

@@ -2,7 +2,7 @@
 /* Contract of core/base/crc.h: the bytes can be read, and the checksum is any. */
 #include "base/crc.h"
 
-#include "proof.h"
+#include "prove.h"
 
 uint32_t crc32c(const uint8_t *bytes, size_t length)
 {

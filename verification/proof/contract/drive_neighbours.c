@@ -3,7 +3,7 @@
  * cycle; each asserts what it needs. */
 #include "contract/drive_neighbours.h"
 
-#include "proof.h"
+#include "prove.h"
 
 #include "controller/cycle/controller_dialect.h"
 #include "safety/coupled_guard.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Authority over any calls, from any sound state: what holds after each holds always. */
-#include "proof.h"
+#include "prove.h"
 
 #include "limits/requirement_limits.h"
 #include "safety/authority.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* E-stop latch, loop guard and confirm button, one cycle from any sound state: what holds after
  * each holds always. */
-#include "proof.h"
+#include "prove.h"
 
 #include "limits/requirement_limits.h"
 #include "safety/confirm_button.h"

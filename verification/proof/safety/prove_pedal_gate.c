@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* One cycle of the pedal gate with its chart, from any sound state: what holds after each holds
  * always. */
-#include "proof.h"
+#include "prove.h"
 
 #include "limits/requirement_limits.h"
 #include "safety/pedal_gate.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The permit of one axis, for every fact, every input that was not read, and every request. */
-#include "proof.h"
+#include "prove.h"
 
 #include "safety/permit.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Cap of speed and hold of reasons, one cycle from any state that a cycle may leave: what holds
  * after each holds always. The table of the axis is any that the robot compiler accepts. */
-#include "proof.h"
+#include "prove.h"
 
 #include "limits/requirement_limits.h"
 #include "safety/permit.h"

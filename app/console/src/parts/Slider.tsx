@@ -30,7 +30,7 @@ interface Drag {
   position: number;
 }
 
-/** A set-point that is only drafted; it is not sent before it is let go. */
+/** Slider of a set-point, which is sent when the slider is let go. */
 function useDraft({ axis, asked, isLocked, onSend }: SliderProperties) {
   const [draft, setDraft] = useState<number | null>(null);
   const dragRef = useRef<Drag | null>(null);

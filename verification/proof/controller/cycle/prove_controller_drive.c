@@ -3,7 +3,7 @@
  * inputs and any requests. Permit, charts' state, axes and motors' words are the product's own
  * code; frames, the limits that axes share, the needle and the cap of speed are contracts, which
  * are proved where they belong. */
-#include "proof.h"
+#include "prove.h"
 
 #include "card/card_dialect.h"
 #include "contract/drive_neighbours.h"

@@ -5,8 +5,8 @@
  * only those of which a sentence speaks, and PROVE() is the sentence, which begins with the
  * requirement that it is of.
  */
-#ifndef BORESIGHT_PROOF_H
-#define BORESIGHT_PROOF_H
+#ifndef BORESIGHT_PROVE_H
+#define BORESIGHT_PROVE_H
 
 #include <stdbool.h>
 #include <stdint.h>
