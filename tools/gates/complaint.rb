@@ -4,7 +4,7 @@
 module Gates
   # Why a gate is red: a test with its place, or what stands in the log, and the first lines of what it says.
   class Complaint
-    LINES = 6
+    LINES = 12
     # Lines that explain it best: those of compilers, checkers and the trace about a place; then lines that call themselves
     # an error. The lines of make are noise.
     TELLING = [/\A(?:TRACE-E\d+ )?[^\s:]+:\d+:.*\S/, /\b(?:error|fatal|abort|cannot|could not)\b|[a-z]Error\b/i].freeze

@@ -161,7 +161,7 @@ class TestGates < Minitest::Test
   end
 
   def test_SWR_GATE_004_of_many_complaints_and_long_ones_the_beginning_is_shown
-    tests = (1..12).map { |number| { 'test' => "test_#{number}", 'file' => 'a.rb', 'message' => "no\n" * 9 } }
+    tests = (1..12).map { |number| { 'test' => "test_#{number}", 'file' => 'a.rb', 'message' => "no\n" * 15 } }
     complaints = tests.map { |test| Gates::Complaint.of_test(test) }
     out = StringIO.new
     Gates::Teller.new(out, 1).finish([Gates::Verdict.new(gate: Gates::Gate.new(name: 'a'), passed: 3, failed: 12,

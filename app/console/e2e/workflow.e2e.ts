@@ -9,7 +9,7 @@
 import { mkdirSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { chromium, type Browser, type Page } from "playwright-core";
-import { afterAll, beforeAll, expect, test } from "vitest";
+import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
 import type { Motors, Targeting } from "@interface";
 
 const url = process.env.BORESIGHT_URL ?? "";
@@ -179,6 +179,16 @@ beforeAll(async () => {
 });
 
 afterAll(() => browser.close());
+
+/** A part that failed also says what the page showed then. */
+afterEach(async ({ task }) => {
+  const [error] = task.result?.errors ?? [];
+  if (error !== undefined) {
+    const shown = await page.locator(".banner").allInnerTexts();
+    const seen = shown.join(" ").replaceAll(/\s+/g, " ");
+    error.stack = `The page shows: ${seen}\n${error.stack ?? error.message}`;
+  }
+});
 
 /** The panel reports that its last command is done. */
 function done(what: string, where = "Procedure") {

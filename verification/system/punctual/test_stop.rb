@@ -16,6 +16,9 @@ class TestStop < SystemTest
   HALVES = 300 # crowd_halves
   CROWD_STOP_MS = 100
   FLOOD = 64 # crowd_flood
+  FLOOD_STOPS = 300 # Three pauses of the machine lie above the 99th of 100.
+  MEDIAN = FLOOD_STOPS / 2
+  P99 = (FLOOD_STOPS * 99 / 100) - 1
   CONSOLE_TIMES = 3 # console_stop_percent
 
   def setup
@@ -100,11 +103,11 @@ class TestStop < SystemTest
     ports = [boresight.http_port, boresight.stop_port]
     times = []
     Crowd.around(boresight.http_port, comers: FLOOD) do
-      100.times { times << ports.map { |port| stop_ms(port) } }
+      FLOOD_STOPS.times { times << ports.map { |port| stop_ms(port) } }
     end
     console, own = times.transpose.map(&:sort)
     puts format('SWR-LOAD-011: a stop takes %.1f ms (median) and %.1f ms (99 of 100) at the port of the console, %.1f ms ' \
-                'and %.1f ms at the port for stops', console[49], console[98], own[49], own[98])
-    assert_operator console[98], :<=, own[98] * CONSOLE_TIMES
+                'and %.1f ms at the port for stops', *[console, own].flat_map { |all| all.values_at(MEDIAN, P99) })
+    assert_operator console[P99], :<=, own[P99] * CONSOLE_TIMES
   end
 end

@@ -8,6 +8,8 @@ const AUTHORITY_PATH: Path = "/api/v1/authority";
 const REQUEST_PATH: Path = "/api/v1/authority/request";
 /** The server takes it away after 5 s of the robot's time without. */
 export const RENEW_MS = 2000;
+/** One refusal may be of a moment: the server was busy, or judged by what was so before this page took command. */
+const REFUSALS = 2;
 
 export class PageAuthority {
   private readonly page: Page;
@@ -16,6 +18,8 @@ export class PageAuthority {
   private timer: ReturnType<typeof setInterval> | null = null;
   private problem: string | null = null;
   private speedup = 1;
+  /** Renewals in a row that were refused. */
+  private refusals = 0;
   /** How this page has given it up itself. */
   left: "by hand" | "hidden" | null = null;
 
@@ -106,6 +110,7 @@ export class PageAuthority {
   /** @satisfies SWR-BOX-045 */
   private keep(): void {
     this.left = null;
+    this.refusals = 0;
     this.timer ??= setInterval(
       () => void this.renew(),
       RENEW_MS / this.speedup,
@@ -119,11 +124,12 @@ export class PageAuthority {
     }
   }
 
-  /** A server that does not answer may do so the next time; one that refuses has given it to no client or another. */
+  /** A server that does not answer may do so the next time; one that refuses twice has given it to no client or another. */
   private async renew(): Promise<void> {
     try {
       const response = await this.page.request("PUT", AUTHORITY_PATH);
-      if (!response.ok) {
+      this.refusals = response.ok ? 0 : this.refusals + 1;
+      if (this.refusals >= REFUSALS) {
         this.letGo();
       }
     } catch {

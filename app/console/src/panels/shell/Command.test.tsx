@@ -155,12 +155,24 @@ test("SWR-BOX-045 in fast time it renews as many times as often", async () => {
   expect(acts().length).toBe(11);
 });
 
-test("SWR-CON-014 a renewal that is refused is the last", async () => {
+test("SWR-CON-014 renewals end after two in a row were refused", async () => {
   await show(makeAuthority());
   await press("Take command");
   refusals = { PUT: 423 };
-  await pass(3 * RENEW_MS);
-  expect(acts().slice(1)).toEqual(["PUT authority"]);
+  await pass(4 * RENEW_MS);
+  expect(acts().slice(1)).toEqual(["PUT authority", "PUT authority"]);
+});
+
+test("SWR-CON-014 a renewal that was refused once, now and then, is tried again", async () => {
+  await show(makeAuthority());
+  await press("Take command");
+  for (let round = 0; round < 3; round += 1) {
+    refusals = { PUT: 503 };
+    await pass(RENEW_MS);
+    refusals = {};
+    await pass(RENEW_MS);
+  }
+  expect(acts().slice(1)).toHaveLength(6);
 });
 
 test("SWR-CON-014 a renewal without an answer is tried again", async () => {
