@@ -79,12 +79,24 @@ function keeper(handle: "pedal" | "button", where = page) {
   return where.getByRole("switch", { name: `Keep ${handle} pressed` });
 }
 
+const LOOK_MS = 300;
+
+async function isKept(handle: "pedal" | "button", where = page) {
+  const checked = await keeper(handle, where).getAttribute("aria-checked");
+  return checked === "true";
+}
+
+/** Pressed anew where the box has let go, in a pause of the machine, before it was seen as kept. */
 async function keep(handle: "pedal" | "button", where = page): Promise<void> {
-  await keeper(handle, where).and(where.locator(":enabled")).click();
-  await where
+  const kept = where
     .getByRole("group", { name: handle === "pedal" ? "Pedal" : "Button" })
-    .getByText("kept by this page")
-    .waitFor();
+    .getByText("kept by this page");
+  while (!(await kept.isVisible())) {
+    if (!(await isKept(handle, where))) {
+      await keeper(handle, where).and(where.locator(":enabled")).click();
+    }
+    await where.waitForTimeout(LOOK_MS);
+  }
 }
 
 async function letGo(handle: "pedal" | "button", where = page): Promise<void> {
@@ -95,8 +107,6 @@ async function letGo(handle: "pedal" | "button", where = page): Promise<void> {
     .waitFor();
 }
 
-const LOOK_MS = 300;
-
 /** Keeps the pedal pressed until the end: a box that was let go while the machine paused is pressed anew. */
 async function keepPedalUntil(end: Promise<void>): Promise<void> {
   let isOver = false;
@@ -104,16 +114,14 @@ async function keepPedalUntil(end: Promise<void>): Promise<void> {
     isOver = true;
   });
   over.catch(() => undefined); // It is awaited below.
-  const isKept = async () =>
-    (await keeper("pedal").getAttribute("aria-checked")) === "true";
   while (!isOver) {
-    if (!(await isKept())) {
+    if (!(await isKept("pedal"))) {
       await keep("pedal");
     }
     await Promise.race([over, page.waitForTimeout(LOOK_MS)]);
   }
   await over;
-  if (await isKept()) {
+  if (await isKept("pedal")) {
     await letGo("pedal");
   }
 }
