@@ -165,7 +165,8 @@ static int send_session(http_server_t *server, struct mg_connection *connection,
                                  .idle_s = left.idle_s,
                                  .most_s = left.most_s,
                                  .warn_s = LIMIT_SESSION_WARN_S,
-                                 .login = login_way(server, connection)};
+                                 .login = login_way(server, connection),
+                                 .boot_id = server->identity.boot_id};
     char json[512];
     cJSON *object = json_session(&told);
     const bool is_whole = cJSON_PrintPreallocated(object, json, (int)sizeof json, 0) != 0;

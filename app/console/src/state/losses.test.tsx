@@ -136,8 +136,16 @@ test("SWR-CON-091 command lost with the session is told as that", async () => {
   expect(said()).toMatch(/^Command lost: the session has ended\. Logged out: /);
 });
 
+test("SWR-SESS-035 a server that was started anew is the reason also before the stream shows it", async () => {
+  answer = { ...closed, boot_id: "another" };
+  await act(() => operation.session.ask());
+  expect(said()).toBe(
+    "Logged out: the server was started anew, and no session outlives that.",
+  );
+});
+
 test("SWR-SESS-035 a server that was started anew is told as the reason", async () => {
-  answer = closed;
+  answer = { ...closed, boot_id: "another" };
   await see({ ...mine(), boot_id: "another" });
   await see({ boot_id: "another" }, lost(0));
   expect(said()).toBe(

@@ -23,15 +23,15 @@ export interface Sight {
   log: readonly LogEntry[];
 }
 
-/** A session, when it ends by itself, and which start of the server has opened it. */
+/** A session, and when it ends by itself. */
 interface Login {
   session: Session;
   endsAt: number;
-  boot: string;
 }
 
-function endOf({ session, endsAt, boot }: Login, now: string): string {
-  if (boot !== now) {
+/** Why it ended; `bootId` is the start of the server that says so, which the stream may not have shown yet. */
+function endOf({ session, endsAt }: Login, bootId: string): string {
+  if (session.boot_id !== bootId) {
     return "the server was started anew, and no session outlives that";
   }
   if (performance.now() < endsAt - COUNTED_MS) {
@@ -86,18 +86,17 @@ export class Losses {
 
   /** @satisfies SWR-SESS-035 */
   private observeSession(session: Session | null): void {
-    const { login, boot } = this;
+    const { login } = this;
     if (session === null || session === login?.session) {
       return;
     }
     if (session.is_open) {
       const endsAt = performance.now() + 1000 * secondsLeft(session);
-      const isSame = session.token === login?.session.token;
-      this.login = { session, endsAt, boot: isSame ? login.boot : boot };
+      this.login = { session, endsAt };
       return;
     }
     if (login !== null && !this.operation.session.hasLeft) {
-      this.logout = endOf(login, boot);
+      this.logout = endOf(login, session.boot_id);
     }
     this.login = null;
   }

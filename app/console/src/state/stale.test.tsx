@@ -22,6 +22,7 @@ const operator: Session = {
   most_s: 900,
   warn_s: 120,
   login: "password",
+  boot_id: "boot",
 };
 
 const answers: Record<string, object> = {

@@ -267,6 +267,7 @@ export function makeSession(role: Role): Session {
     most_s: 43_200,
     warn_s: 60,
     login: "none",
+    boot_id: "boot",
   };
 }
 

@@ -21,6 +21,7 @@ const nobody: Session = {
   most_s: 0,
   warn_s: 120,
   login: "password",
+  boot_id: "boot",
 };
 const anna: Session = {
   ...nobody,
