@@ -2,6 +2,7 @@
 #include "request/request_body.h"
 
 #include "request/json_text.h"
+#include "request/request_expected.h"
 #include "request/request_names.h"
 #include "request/request_value.h"
 
@@ -24,8 +25,8 @@ typedef struct {
     level_t levels[REQUEST_DEPTH];
     uint32_t depth;
     request_fault_t fault;
-    const request_field_t
-        *asked; /* The field that is missing or has another word; NULL: another fault. */
+    request_asked_t
+        asked; /* The field that is missing or has another value; NULL: another fault. */
     char name[REQUEST_NAME_SIZE]; /* Beside the present object's pointer, where the fault is. */
 } reader_t;
 
@@ -44,22 +45,46 @@ static bool expect(reader_t *self, char byte)
     return is_there;
 }
 
+static void fail_with(reader_t *self, request_fault_t fault, const request_field_t *field)
+{
+    const level_t *level = (self->depth > 0U) ? &self->levels[self->depth - 1U] : NULL;
+    self->asked.field = field;
+    self->asked.is_element = (level != NULL) && (level->elements > 0U) && (level->field == field);
+    fail(self, fault);
+}
+
+/* The value that comes next is not of the type of `field`, or it is no JSON. */
+static void fail_type(reader_t *self, const request_field_t *field)
+{
+    const char first = json_text_peek(&self->text);
+    const char *text = NULL;
+    const size_t size = json_text_scalar(&self->text, &text);
+    const bool is_begun = (first == '"') || (first == '{') || (first == '[');
+    if (!is_begun && !request_value_is_json(text, size)) {
+        fail(self, REQUEST_NOT_JSON);
+    } else {
+        const bool is_whole = (field->kind == REQUEST_UINT32) || (field->kind == REQUEST_INT32);
+        fail_with(self, REQUEST_WRONG_TYPE, field);
+        self->asked.found = request_expected_type(first, is_whole);
+    }
+}
+
 /* The first byte of a value of the right type. */
-static bool expect_type(reader_t *self, char byte)
+static bool expect_type(reader_t *self, char byte, const request_field_t *field)
 {
     const bool is_there = json_text_take(&self->text, byte);
     if (!is_there) {
-        fail(self, json_text_is_value(&self->text) ? REQUEST_WRONG_TYPE : REQUEST_NOT_JSON);
+        fail_type(self, field);
     }
     return is_there;
 }
 
-static void enter(reader_t *self, const request_message_t *message, char *structure)
+static void enter(reader_t *self, const request_field_t *field, char *structure)
 {
     if (self->depth == REQUEST_DEPTH) {
         fail(self, REQUEST_WRONG_TYPE);
-    } else if (expect_type(self, '{')) {
-        const level_t level = {.message = message, .structure = structure};
+    } else if (expect_type(self, '{', field)) {
+        const level_t level = {.message = field->message, .structure = structure};
         self->levels[self->depth] = level;
         self->depth++;
     } else {
@@ -72,27 +97,35 @@ static void read_text(reader_t *self, const request_field_t *field, char *value)
     char word[REQUEST_NAME_SIZE];
     const bool is_word = field->kind == REQUEST_WORD;
     if (json_text_peek(&self->text) != '"') {
-        fail(self, json_text_is_value(&self->text) ? REQUEST_WRONG_TYPE : REQUEST_NOT_JSON);
+        fail_type(self, field);
         return;
     }
     request_fault_t fault =
         json_text_string(&self->text, is_word ? word : value, is_word ? sizeof word : field->size);
     if (is_word && (fault == REQUEST_OK)) {
         fault = request_value_word(field, word, value);
-        self->asked = (fault != REQUEST_OK) ? field : NULL;
     }
-    fail(self, fault);
+    if ((fault == REQUEST_OUT_OF_RANGE) || (fault == REQUEST_TOO_LONG)) {
+        fail_with(self, fault, field);
+    } else {
+        fail(self, fault);
+    }
 }
 
 static void read_scalar(reader_t *self, const request_field_t *field, char *value)
 {
+    json_text_t ahead = self->text;
     const char *text = NULL;
-    const size_t size = json_text_scalar(&self->text, &text);
-    const bool is_other = (size == 0U) && json_text_is_value(&self->text);
-    if (!is_other && !request_value_is_json(text, size)) {
-        fail(self, REQUEST_NOT_JSON);
+    const size_t size = json_text_scalar(&ahead, &text);
+    const request_fault_t fault = request_value_is_json(text, size)
+                                      ? request_value_read(field, text, size, value)
+                                      : REQUEST_WRONG_TYPE;
+    if (fault == REQUEST_WRONG_TYPE) {
+        fail_type(self, field);
+    } else if (fault != REQUEST_OK) {
+        fail_with(self, fault, field);
     } else {
-        fail(self, is_other ? REQUEST_WRONG_TYPE : request_value_read(field, text, size, value));
+        self->text = ahead;
     }
 }
 
@@ -101,7 +134,7 @@ static void read_value(reader_t *self, const request_field_t *field, char *value
 {
     switch (field->kind) {
     case REQUEST_OBJECT:
-        enter(self, field->message, value);
+        enter(self, field, value);
         break;
     case REQUEST_TEXT:
     case REQUEST_WORD:
@@ -129,7 +162,7 @@ static void end_list(reader_t *self, level_t *level)
 {
     if (level->elements < level->field->least) {
         level->elements = 0U; /* The list is at fault, none of its values. */
-        fail(self, REQUEST_COUNT);
+        fail_with(self, REQUEST_COUNT, level->field);
     } else {
         end_member(level, level->elements);
     }
@@ -144,7 +177,7 @@ static void read_element(reader_t *self, level_t *level)
         /* Refused. */
     } else if (level->elements == field->most) {
         level->elements = 0U;
-        fail(self, REQUEST_COUNT);
+        fail_with(self, REQUEST_COUNT, field);
     } else {
         char *value = level->structure + field->offset + (level->elements * field->size);
         level->elements++;
@@ -178,7 +211,7 @@ static void read_member(reader_t *self, level_t *level)
     }
     const request_field_t *field = level->field;
     if (field->most > 0U) {
-        level->is_in_list = expect_type(self, '[');
+        level->is_in_list = expect_type(self, '[', field);
     } else {
         read_value(self, field, level->structure + field->offset);
         if ((self->fault == REQUEST_OK) && (field->kind != REQUEST_OBJECT)) {
@@ -192,8 +225,7 @@ static void leave(reader_t *self, const level_t *level)
     const request_field_t *missing = request_names_missing(level->message, level->seen);
     if (missing != NULL) {
         (void)snprintf(self->name, sizeof self->name, "%s", missing->name);
-        self->asked = missing;
-        fail(self, REQUEST_MISSING);
+        fail_with(self, REQUEST_MISSING, missing);
         return;
     }
     self->depth--;
@@ -270,7 +302,8 @@ request_result_t request_read_body(const request_message_t *message, const char 
     request_result_t result = {.fault = REQUEST_OK};
     reader_t reader = {
         .text = {.bytes = (size > 0U) ? bytes : "{}", .size = (size > 0U) ? size : 2U}};
-    enter(&reader, message, structure);
+    const request_field_t whole = {.kind = REQUEST_OBJECT, .message = message};
+    enter(&reader, &whole, structure);
     while ((reader.fault == REQUEST_OK) && (reader.depth > 0U)) {
         step(&reader);
     }
@@ -282,8 +315,8 @@ request_result_t request_read_body(const request_message_t *message, const char 
         const request_message_t *at =
             (reader.depth > 0U) ? reader.levels[innermost].message : message;
         request_fault_set(&result, reader.fault, at);
-        if (reader.asked != NULL) {
-            request_fault_add_words(&result, reader.asked);
+        if (reader.asked.field != NULL) {
+            request_expected_add(&result, &reader.asked);
         }
         write_place(&reader, result.place);
     }

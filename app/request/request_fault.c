@@ -53,12 +53,3 @@ void request_fault_set(request_result_t *result, request_fault_t fault,
         add(result->text, ".");
     }
 }
-
-void request_fault_add_words(request_result_t *result, const request_field_t *field)
-{
-    for (uint32_t i = 0U; i < field->word_count; i++) {
-        add(result->text, (i > 0U) ? ", " : " Expected is one of ");
-        add(result->text, field->words[i].word);
-    }
-    add(result->text, (field->word_count > 0U) ? "." : "");
-}

@@ -40,14 +40,6 @@ typedef struct {
 void request_fault_set(request_result_t *result, request_fault_t fault,
                        const request_message_t *message);
 
-/**
- * `field` is missing, or none of its words: adds which words it may be, if it is one of some.
- *
- * @satisfies SWR-HTTP-079
- * @satisfies SWR-HTTP-153
- */
-void request_fault_add_words(request_result_t *result, const request_field_t *field);
-
 /** A sentence. Lives for ever. */
 const char *request_fault_text(request_fault_t fault);
 

@@ -46,6 +46,7 @@ typedef struct {
     uint32_t most;       /**< The same; 0: it is no list. */
     double minimum;      /**< Least number, inclusive. */
     double maximum;      /**< Greatest number, inclusive. */
+    const char *unit;    /**< Unit of a number, for people; NULL: it has none, or is no number. */
     uint32_t word_count; /**< Number of the words that are allowed. */
     const request_word_t *words;
     const struct request_message *message; /**< The message of an object. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "request/request_query.h"
 
+#include "request/request_expected.h"
 #include "request/request_names.h"
 #include "request/request_value.h"
 
@@ -67,11 +68,12 @@ static request_fault_t take_value(const request_field_t *field, const char *text
 /* Reads one parameter, `length` bytes. Its name is noted first, for each fault. */
 static request_fault_t take_parameter(const request_message_t *message, const char *bytes,
                                       size_t length, uint32_t *seen, char *structure,
-                                      char place[REQUEST_PLACE_SIZE])
+                                      char place[REQUEST_PLACE_SIZE], const request_field_t **asked)
 {
     char name[REQUEST_NAME_SIZE] = "";
     char value[VALUE_SIZE] = "";
     const request_field_t *field = NULL;
+    *asked = NULL;
     const char *equals = memchr(bytes, '=', length);
     const size_t name_length = (equals != NULL) ? (size_t)(equals - bytes) : length;
     request_fault_t fault = decode(bytes, name_length, name, sizeof name);
@@ -83,6 +85,7 @@ static request_fault_t take_parameter(const request_message_t *message, const ch
     if (fault != REQUEST_OK) {
         return fault;
     }
+    *asked = field;
     if (equals == NULL) {
         return REQUEST_WRONG_TYPE;
     }
@@ -101,17 +104,23 @@ request_result_t request_read_query(const request_message_t *message, const char
 {
     request_result_t result = {.fault = REQUEST_OK};
     uint32_t seen = 0U;
+    request_asked_t asked = {.field = NULL};
     const char *rest = ((query != NULL) && (query[0] != '\0')) ? query : NULL;
     while ((rest != NULL) && (result.fault == REQUEST_OK)) {
         const size_t length = strcspn(rest, "&");
-        result.fault = take_parameter(message, rest, length, &seen, structure, result.place);
+        result.fault =
+            take_parameter(message, rest, length, &seen, structure, result.place, &asked.field);
         rest = (rest[length] == '&') ? &rest[length + 1U] : NULL;
     }
     const request_field_t *missing = request_names_missing(message, seen);
     if ((result.fault == REQUEST_OK) && (missing != NULL)) {
         result.fault = REQUEST_MISSING;
+        asked.field = missing;
         (void)snprintf(result.place, sizeof result.place, "%s", missing->name);
     }
     request_fault_set(&result, result.fault, message);
+    if ((result.fault != REQUEST_OK) && (asked.field != NULL)) {
+        request_expected_add(&result, &asked);
+    }
     return result;
 }

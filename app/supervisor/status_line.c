@@ -151,9 +151,12 @@ static const char *program_word(family_t *family, const exchange_t *exchange, ui
     return is_silent ? "SILENT" : "ok";
 }
 
-/* Those that are well stand together, at the end; `well` gets their names. */
+/* Those that are well stand together, at the end; `well` gets their names. A recorder that runs
+ * and cannot write is none of them: its part says that already.
+ *
+ * @satisfies SWR-SUP-300 */
 static void add_programs(status_parts_t *parts, const exchange_t *exchange, family_t *family,
-                         char *well, size_t size)
+                         bool is_recorder_failing, char *well, size_t size)
 {
     well[0] = '\0';
     for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
@@ -161,7 +164,11 @@ static void add_programs(status_parts_t *parts, const exchange_t *exchange, fami
         const char *const word = (name != NULL) ? program_word(family, exchange, i) : "";
         const size_t used = strlen(well);
 
-        if (strcmp(word, "ok") == 0) {
+        const bool is_well = strcmp(word, "ok") == 0;
+
+        if (is_well && is_recorder_failing && (i == (uint32_t)MEMBER_RECORDER)) {
+            /* It is said beside the cycles that are not recorded. */
+        } else if (is_well) {
             (void)snprintf(&well[used], size - used, "%s ", name);
         } else if (name != NULL) {
             status_parts_add(parts, family->runs_already[i] ? STATUS_PLAIN : STATUS_BAD, "%s %s",
@@ -253,7 +260,9 @@ void status_line_take(status_parts_t *parts, const exchange_t *exchange, family_
     } else {
         status_parts_add(parts, STATUS_PLAIN, "starting");
     }
-    add_programs(parts, exchange, family, well, sizeof well);
+    const bool is_recorder_failing =
+        is_running && (snapshot.is_recorder_failing != 0U) && (snapshot.unrecorded != 0U);
+    add_programs(parts, exchange, family, is_recorder_failing, well, sizeof well);
     if (is_running) {
         add_links(parts, exchange_robot(exchange), &snapshot);
         add_authority(parts, exchange, &snapshot);

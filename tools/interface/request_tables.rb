@@ -125,10 +125,16 @@ module Interface
 
     def bounds(message, member)
       return { 'message' => "&request_#{member.message.name}" } if member.message
-      return { 'minimum' => decimal(member.minimum), 'maximum' => decimal(member.maximum) } if member.minimum
+      return number(member) if member.minimum
       return {} if member.choices.empty?
 
       { 'word_count' => "#{member.choices.size}U", 'words' => words_name(message, member) }
+    end
+
+    def number(member)
+      unit = Units.written(member.name, member.unit&.text)
+      pairs = { 'minimum' => decimal(member.minimum), 'maximum' => decimal(member.maximum) }
+      unit ? pairs.merge('unit' => C.string(unit)) : pairs
     end
 
     def decimal(number)

@@ -18,6 +18,17 @@ module Interface
     # Forms that say their unit themselves.
     FORMS = { 'position' => AXIS, 'speed' => AXIS, 'matrix' => 'pose' }.freeze
     NUMBERS = %w[number point].freeze
+    # Units as people write them; each other one is written as its suffix.
+    WRITTEN = { 'deg' => 'degrees', 'min' => 'minutes', 'hz' => 'Hz', 'mv' => 'mV', 'ma' => 'mA', 'us' => 'microseconds',
+                'dc' => '0.1 degree Celsius', 'per_mille' => 'per mille' }.freeze
+
+    # The unit of a number for people; nil: it has none.
+    def self.written(name, unit)
+      return "the unit of its axis#{' per second' if name.end_with?('_per_s')}" if unit == AXIS
+
+      suffix = name[SUFFIX]&.delete_prefix('_')
+      suffix && WRITTEN.fetch(suffix, suffix)
+    end
 
     # One number. `names`: of all that stands in the same object.
     def self.check(node, name, unit, names)

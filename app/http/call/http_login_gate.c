@@ -17,6 +17,7 @@
 #define ADDRESS_SIZE 64U
 #define LOGIN_PATH "/api/v1/session"
 #define NOT_SENT 499
+#define NOT_HERE "over the network it is by name and password over TLS alone."
 
 bool http_login_gate_is_tls(const http_server_t *server, const struct mg_connection *connection)
 {
@@ -290,6 +291,7 @@ int http_login_gate_log_in(http_server_t *server, const http_call_t *call)
     }
     const bool is_near = is_plain_loopback(server, connection);
     if (!is_near && ((login.code != NULL) || !http_login_gate_is_tls(server, connection))) {
+        session_store_note_refusal(&server->desk, &login, NOT_HERE, telemetry_now_ms());
         return refuse(connection, PROBLEM_LOGIN_NOT_HERE);
     }
     login.mark = find_mark(server, connection, &login, mark);

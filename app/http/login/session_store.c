@@ -77,34 +77,47 @@ static const char *shown(const login_t *login)
     return account_is_name(login->name) ? login->name : STRANGER;
 }
 
-/* Refusals to be reported now, `more` of them new; 0: they are counted until `pause_s` has passed
- * since the last report. */
-static uint32_t take_refusals(session_store_t *self, uint32_t more, uint32_t pause_s,
-                              uint64_t now_ms)
+/* With the lock. */
+static void count_refusal(session_store_t *self, const login_t *login)
+{
+    const char *from = (login->address != NULL) ? login->address : "";
+
+    self->untold++;
+    (void)snprintf(self->last.who, sizeof self->last.who, "%s", shown(login));
+    (void)snprintf(self->last.from, sizeof self->last.from, "%s%s",
+                   (from[0] != '\0') ? " from " : "", from);
+}
+
+/* Refusals to be reported now, and the last of them; 0: they are counted until `pause_s` has passed
+ * since the last report. With the lock. */
+static uint32_t take_refusals(session_store_t *self, uint32_t pause_s, uint64_t now_ms,
+                              refused_login_t *last)
 {
     uint32_t count = 0U;
 
-    (void)pthread_mutex_lock(&self->lock);
-    self->untold += more;
     if (passed_ms(self->told_ms, now_ms) >= ((uint64_t)pause_s * MS_PER_S)) {
         count = self->untold;
         self->untold = 0U;
         self->told_ms = (count > 0U) ? now_ms : self->told_ms;
     }
-    (void)pthread_mutex_unlock(&self->lock);
+    *last = self->last;
     return count;
 }
 
-static void tell_refusal(session_store_t *self, const login_t *login, const char *why,
-                         uint64_t now_ms)
+void session_store_note_refusal(session_store_t *self, const login_t *login, const char *why,
+                                uint64_t now_ms)
 {
-    const uint32_t count = take_refusals(self, 1U, REFUSAL_PAUSE_S, now_ms);
+    refused_login_t last;
 
+    (void)pthread_mutex_lock(&self->lock);
+    count_refusal(self, login);
+    const uint32_t count = take_refusals(self, REFUSAL_PAUSE_S, now_ms, &last);
+    (void)pthread_mutex_unlock(&self->lock);
     if (count > 1U) {
-        tell(self, NOTE_LOGIN_REFUSED, shown(login), "login refused after %u others: %s",
+        tell(self, NOTE_LOGIN_REFUSED, last.who, "login refused%s after %u others: %s", last.from,
              (unsigned)(count - 1U), why);
     } else if (count > 0U) {
-        tell(self, NOTE_LOGIN_REFUSED, shown(login), "login refused: %s", why);
+        tell(self, NOTE_LOGIN_REFUSED, last.who, "login refused%s: %s", last.from, why);
     } else {
         /* It is counted. */
     }
@@ -147,8 +160,8 @@ static login_name_t counted_as(const session_store_t *self, const login_t *login
 
 /* Takes the right to look at a password: LOGIN_OPENED; otherwise `wait_s` says when to come again.
  */
-static login_verdict_t claim(session_store_t *self, login_name_t who, uint64_t now_ms,
-                             uint32_t *wait_s)
+static login_verdict_t claim(session_store_t *self, const login_t *login, login_name_t who,
+                             uint64_t now_ms, uint32_t *wait_s)
 {
     login_verdict_t verdict = LOGIN_OPENED;
 
@@ -162,7 +175,9 @@ static login_verdict_t claim(session_store_t *self, login_name_t who, uint64_t n
     } else {
         self->is_looking = true;
     }
-    self->untold += (verdict == LOGIN_OPENED) ? 0U : 1U;
+    if (verdict != LOGIN_OPENED) {
+        count_refusal(self, login);
+    }
     (void)pthread_mutex_unlock(&self->lock);
     return verdict;
 }
@@ -229,7 +244,7 @@ static login_verdict_t judge_password(session_store_t *self, const login_t *logi
                                       const account_t *account, uint64_t now_ms, uint32_t *wait_s)
 {
     const login_name_t who = counted_as(self, login, account != NULL);
-    const login_verdict_t claimed = claim(self, who, now_ms, wait_s);
+    const login_verdict_t claimed = claim(self, login, who, now_ms, wait_s);
 
     if (claimed != LOGIN_OPENED) {
         return claimed;
@@ -267,7 +282,8 @@ static login_verdict_t let_in(session_store_t *self, const login_t *login, const
     if (verdict == LOGIN_OPENED) {
         tell_opened(self, login, opened, ended);
     } else {
-        tell_refusal(self, login, "there are too many sessions, of it or in all.", now_ms);
+        session_store_note_refusal(self, login, "there are too many sessions, of it or in all.",
+                                   now_ms);
     }
     return verdict;
 }
@@ -285,7 +301,7 @@ login_verdict_t session_store_log_in(session_store_t *self, const login_t *login
         is_named ? judge_password(self, login, is_known ? &account : NULL, now_ms, wait_s)
                  : judge_code(self, login->code);
     if (verdict == LOGIN_REFUSED) {
-        tell_refusal(self, login, why, now_ms);
+        session_store_note_refusal(self, login, why, now_ms);
     }
     return (verdict == LOGIN_OPENED) ? let_in(self, login, &account, now_ms, opened) : verdict;
 }
@@ -420,11 +436,15 @@ static void end_old(session_store_t *self, uint64_t now_ms)
 
 void session_store_tick(session_store_t *self, uint64_t now_ms)
 {
-    const uint32_t count = take_refusals(self, 0U, LIMIT_REFUSALS_LINE_S, now_ms);
+    refused_login_t last;
 
+    (void)pthread_mutex_lock(&self->lock);
+    const uint32_t count = take_refusals(self, LIMIT_REFUSALS_LINE_S, now_ms, &last);
+    (void)pthread_mutex_unlock(&self->lock);
     if (count > 0U) {
-        tell(self, NOTE_LOGIN_REFUSED, STRANGER, "%u logins refused: they came too soon.",
-             (unsigned)count);
+        tell(self, NOTE_LOGIN_REFUSED, last.who,
+             "%u logins refused, the last%s: they came too soon to be judged or logged.",
+             (unsigned)count, last.from);
     }
     end_old(self, now_ms);
     if (is_comparison_due(self, now_ms)) {

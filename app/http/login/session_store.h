@@ -21,10 +21,17 @@
 
 #define SESSION_CODE_SIZE                                                                          \
     15U /**< Size of the code of the first login: three groups of four, and a NUL. */
+#define SESSION_FROM_SIZE 72U  /**< Size of " from ", a listener and an address. */
 #define SESSION_TEXT_SIZE 161U /**< 160 bytes and a NUL. */
 
 /** Is informed of an act on the account `who`, "?": unknown; `text` continues the name. */
 typedef void (*session_witness_t)(void *owner, note_kind_t kind, const char *who, const char *text);
+
+/** A refused login, for the log. */
+typedef struct {
+    char who[ACCOUNT_NAME_SIZE];  /**< Its name; "?": it is none of an account. */
+    char from[SESSION_FROM_SIZE]; /**< " from " and its address; "": not known. */
+} refused_login_t;
 
 typedef struct {
     pthread_mutex_t lock;
@@ -34,6 +41,7 @@ typedef struct {
     char code[SESSION_CODE_SIZE]; /**< "": none, or used. */
     bool is_looking;              /**< At a password. */
     uint32_t untold;              /**< Refusals that were not reported. */
+    refused_login_t last;         /**< The last login that was refused. */
     uint64_t told_ms;             /**< Time of the last report. */
     uint64_t compared_ms;         /**< Time of the last comparison of sessions with accounts. */
     login_delay_t delay;
@@ -97,11 +105,23 @@ bool session_store_has_code(session_store_t *self);
  *
  * @satisfies SWR-SESS-003
  * @satisfies SWR-SESS-020
+ * @satisfies SWR-SESS-300
  * @satisfies SWR-SESS-030
  * @satisfies SWR-SESS-034
  */
 login_verdict_t session_store_log_in(session_store_t *self, const login_t *login, uint64_t now_ms,
                                      session_t *opened, uint32_t *wait_s);
+
+/**
+ * Notes a login that was refused without being judged, `why` in a sentence. At most one line a
+ * second; the others are counted.
+ *
+ * @satisfies SWR-SESS-020
+ * @satisfies SWR-SESS-021
+ * @satisfies SWR-SESS-300
+ */
+void session_store_note_refusal(session_store_t *self, const login_t *login, const char *why,
+                                uint64_t now_ms);
 
 /** Writes the mark for a browser in which `name` has logged in. False: there is none. */
 bool session_store_write_mark(const session_store_t *self, const char *name,

@@ -338,6 +338,12 @@ class TestInterfaceRoutes < Minitest::Test
     assert_equal ['BLUE'], document.dig('components', 'schemas', 'StrokeRequest', 'properties', 'colour', 'enum')
   end
 
+  def test_SWR_HTTP_300_a_number_has_its_unit_for_people
+    written = { ['depth_mm', nil] => 'mm', ['angle_deg', nil] => 'degrees', ['position', 'axis'] => 'the unit of its axis',
+                ['speed_per_s', 'axis'] => 'the unit of its axis per second', ['id', 'id'] => nil, ['matrix', 'pose'] => nil }
+    assert_equal(written, written.keys.to_h { |name, unit| [[name, unit], Interface::Units.written(name, unit)] })
+  end
+
   def test_SWR_TOOL_019_the_console_and_the_server_know_what_a_path_holds
     with_output(with_acts) do |folder|
       types = File.read(File.join(folder, 'app/api.ts'))

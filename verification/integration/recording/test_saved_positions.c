@@ -232,6 +232,22 @@ void test_SWR_STORE_021_an_axis_that_moves_bars_it_whichever_is_named(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, restore());
 }
 
+/* The scanner makes counters tremble, though nothing moves. */
+void test_SWR_STORE_021_an_axis_that_counts_in_a_scan_bars_it(void)
+{
+    bool is_barred = false;
+    start();
+    rig_box(&rig, "scanner on");
+    for (uint32_t i = 0U; (i < 5000U) && !is_barred; i++) {
+        rig_cycles(&rig, 1U);
+        is_barred = restore() == (uint32_t)STATUS_NOT_AT_REST;
+    }
+    TEST_ASSERT_TRUE(is_barred);
+    rig_box(&rig, "scanner off");
+    rig_cycles(&rig, 1000U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, restore());
+}
+
 void test_SWR_STORE_021_a_pressed_pedal_bars_it(void)
 {
     start();

@@ -310,7 +310,7 @@ class TestHttpSessionsAnew < Minitest::Test
     anna.log_in('egon')
     anna.log_out
     expected = [['anna: logged in as operator, by password.', 'NOTE', 'INFORMATION', 'CONSOLE'],
-                ['anna: login refused: name, password or code is wrong.', 'LOGIN_REFUSED', 'WARNING', 'CONSOLE'],
+                ['anna: login refused from plain 127.0.0.1: name, password or code is wrong.', 'LOGIN_REFUSED', 'WARNING', 'CONSOLE'],
                 ['anna: session ended: another login took its place.', 'NOTE', 'INFORMATION', 'CONSOLE'],
                 ['egon: logged in as engineer, by password.', 'NOTE', 'INFORMATION', 'CONSOLE'],
                 ['egon: logged out.', 'NOTE', 'INFORMATION', 'CONSOLE']]
@@ -323,7 +323,7 @@ class TestHttpSessionsAnew < Minitest::Test
     before = notes.size
     client.log_in("a\nroot: logged in", 'correct-horse')
     wait_until('it is said') { notes.size > before }
-    assert_equal '?: login refused: name, password or code is wrong.', notes.last.first
+    assert_equal '?: login refused from plain 127.0.0.1: name, password or code is wrong.', notes.last.first
     boresight.event_lines.each { |line| refute_match(/correct-horse|root/, line) }
   end
 
@@ -391,6 +391,13 @@ class TestHttpBeyondLoopback < Minitest::Test
       response = client.post_login(body)
       assert_equal %w[403 LOGIN_NOT_HERE], [response.code, JSON.parse(response.body)['code']]
     end
+  end
+
+  def test_SWR_SESS_300_a_login_that_is_taken_nowhere_here_is_logged
+    SessionClient.new(port).post_login({ name: 'anna', password: 'correct-horse' })
+    sentence = 'anna: login refused from plain 127.0.0.1: over the network it is by name and password over TLS alone.'
+    wait_until('it is logged') { self.class.boresight.event_lines.any? { |line| line.end_with?(sentence) } }
+    self.class.boresight.event_lines.each { |line| refute_includes line, 'correct-horse' }
   end
 
   def test_SWR_SESS_017_nothing_is_shown_without_a_session

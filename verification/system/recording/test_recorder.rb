@@ -186,6 +186,16 @@ class TestRecorder < SystemTest
     assert_empty boresight.log_lines.grep(/ CARD_COUNTS .* 0 damaged, 0 out of order, 0 missed\./)
   end
 
+  def test_SWR_SUP_300_no_status_line_calls_a_recorder_ok_that_cannot_write
+    record(500) do
+      limit_files(File.size(boresight.recording_files.last) + 1000)
+      expect_failing
+    end
+    lines = boresight.output.lines.grep(/recorder CANNOT WRITE/)
+    refute_empty lines
+    lines.each { |line| refute_match(/recorder.* ok$/, line.split(' | ').last) }
+  end
+
   def test_SWR_REC_040_a_run_that_ends_on_a_full_disk_says_how_many_cycles_are_in_no_recording
     last = record(500) do
       # The log has room for what it says of that.

@@ -640,10 +640,40 @@ void test_SWR_SESS_021_a_flood_that_is_not_looked_at_is_a_line_now_and_then(void
     TEST_ASSERT_EQUAL_STRING("", said);
     session_store_tick(&desk, now_ms);
     session_store_tick(&desk, now_ms + SECOND);
-    char line[80];
-    (void)snprintf(line, sizeof line, "1 ?: %u logins refused: they came too soon.\n",
+    char line[120];
+    (void)snprintf(line, sizeof line,
+                   "1 anna: %u logins refused, the last: they came too soon to be judged or "
+                   "logged.\n",
                    (unsigned)(LIMIT_LOGIN_FREE_FAILURES + (LIMIT_REFUSALS_LINE_S * 100U)));
     TEST_ASSERT_EQUAL_STRING(line, said);
+}
+
+void test_SWR_SESS_300_a_refusal_names_the_address_and_no_part_of_the_password(void)
+{
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_from("anna", "secret", "TLS 10.0.0.5", NULL));
+    TEST_ASSERT_EQUAL_STRING(
+        "1 anna: login refused from TLS 10.0.0.5: name, password or code is wrong.\n", said);
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_from("bert", "secret", "TLS 10.0.0.6", NULL));
+    now_ms += SECOND;
+    said[0] = '\0';
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_from("a b", "secret", "TLS 10.0.0.7", NULL));
+    TEST_ASSERT_EQUAL_STRING("1 ?: login refused from TLS 10.0.0.7 after 1 others: name, password "
+                             "or code is wrong.\n",
+                             said);
+    said[0] = '\0';
+    guess("anna", "TLS 10.0.0.8");
+    now_ms += LIMIT_REFUSALS_LINE_S * SECOND;
+    session_store_tick(&desk, now_ms);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, "anna: "), said);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, "the last from TLS 10.0.0.8: they came too soon"),
+                                 said);
+}
+
+void test_SWR_SESS_300_a_login_that_is_not_judged_is_logged_as_well(void)
+{
+    const login_t login = {.name = "anna", .password = "secret", .address = "plain 10.0.0.9"};
+    session_store_note_refusal(&desk, &login, "not here.", now_ms);
+    TEST_ASSERT_EQUAL_STRING("1 anna: login refused from plain 10.0.0.9: not here.\n", said);
 }
 
 void test_SWR_SESS_022_whose_account_is_changed_is_out(void)

@@ -63,14 +63,16 @@ static const request_message_t inner = {inner_fields, COUNT(inner_fields)};
          .is_optional = (is_free),                                                                 \
          .told_offset = offsetof(every_request_t, has_note),                                       \
          .minimum = -2147483648.0,                                                                 \
-         .maximum = 2147483647.0},                                                                 \
+         .maximum = 2147483647.0,                                                                  \
+         .unit = "ticks"},                                                                         \
         {.name = "speed_mm_per_s",                                                                 \
          .kind = REQUEST_NUMBER,                                                                   \
          PLACE(every_request_t, speed_mm_per_s),                                                   \
          .is_optional = (is_free),                                                                 \
          .told_offset = offsetof(every_request_t, has_note),                                       \
          .minimum = -10.0,                                                                         \
-         .maximum = 10.0},                                                                         \
+         .maximum = 10.0,                                                                          \
+         .unit = "mm per s"},                                                                      \
         {.name = "name",                                                                           \
          .kind = REQUEST_TEXT,                                                                     \
          PLACE(every_request_t, name),                                                             \
