@@ -42,7 +42,7 @@ class TestInterfaceRequests < Minitest::Test
   REFUSALS = {
     'a request without a label' => ['label: Register,', '', 'has no label'],
     'a request of a command that pages may not send' => ['from: [HTTP], obeyed_by: restore', 'from: [IGTL], obeyed_by: restore',
-                                                          'is of a command that HTTP may not send'],
+                                                         'is of a command that HTTP may not send'],
     'a request of another command that has none' => ['http: LIST_BEGIN', 'http: ACCEPT_ENTRY', 'is ACCEPT_ENTRY, whose row has no request'],
     'a field that nothing says' => ['takes: {request: what}, ', '', 'needs a handler for what of its body'],
     'a payload that the body has not' => [', handler: http_targeting_enter', '', 'needs a handler for point_mm of its body'],
