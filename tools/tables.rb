@@ -8,7 +8,7 @@
 #   ruby tools/tables.rb --check [--root FOLDER]   one line per stale block, exit 1 if there is any
 #
 # A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
-# structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `modes`, for the whole table of
+# structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `commands`, for how each is sent; `modes`, for the whole table of
 # core/interface/modes.yml; `limits`, for those of requirements/; `known_limits`, for those of
 # requirements/known_limits.yml; `rooms`, for tools/rooms.yml; `decisions`, for docs/decisions;
 # `waits`, for tools/documents/waits.yml; `proofs`, for verification/proof/proofs.yml;
@@ -57,7 +57,7 @@ end
 # Contents that can be shown as a table, read from one project.
 class TableSources
   # Tables that are no enumeration and no structure: a method of the same name.
-  OTHERS = %w[decisions known_limits limits modes problems proofs robots rooms routes waits].freeze
+  OTHERS = %w[commands decisions known_limits limits modes problems proofs robots rooms routes waits].freeze
 
   LINE = 130 # characters
 
@@ -134,6 +134,22 @@ class TableSources
        mode.workphases.map { |name| "`#{name}`" }.join(', '), mode.axes.downcase, mode.unhomed ? 'no' : 'yes']
     end
     markdown(['Mode', 'What it does', 'Armed by', 'In', 'Axes it needs', 'They must be homed'], rows)
+  end
+
+  # How pages and peers send each command.
+  def commands
+    rows = interface.commands.to_a.drop(1).map do |command|
+      routes = interface.routes.routes.select { |route| route.command == request_of(command) }
+      words = command.more['words']&.sequence.to_a.map { |word| "`#{word.at('word').word}`" }
+      ["`#{command.name}`", command.more['label']&.text, routes.map { |route| "`#{route.method} #{route.path}`" }.join(', '), words.join(', ')]
+    end
+    markdown(['Command', 'In the console', 'HTTP', 'Words of OpenIGTLink'], rows)
+  end
+
+  # The command whose request sends it; mostly its own.
+  def request_of(command)
+    node = command.more['http']
+    node&.scalar? ? interface.commands.find(node.word) : command
   end
 
   def decisions

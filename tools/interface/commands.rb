@@ -11,7 +11,7 @@ module Interface
   #
   # @satisfies SWR-TOOL-011
   class Commands
-    KEYS = %w[workphases payload from obeyed_by words route button].freeze
+    KEYS = %w[workphases payload from obeyed_by words label http].freeze
     # Up to so many are named; of more those that are left.
     NAMED_MOST = 4
     FROM = 'core/interface/commands.yml'
@@ -63,7 +63,25 @@ module Interface
     end
 
     def find(name)
-      @kinds.values.find { |value| value.name == name }
+      to_a.find { |value| value.name == name }
+    end
+
+    def to_a
+      @kinds.values
+    end
+
+    def constant(value)
+      @kinds.constant(value)
+    end
+
+    # The mode that it arms; nil: none, or several.
+    def mode(value)
+      @modes&.of_command(value.name)
+    end
+
+    # Names of those that may send it.
+    def senders_of(value)
+      value.more['from']&.sequence&.map { |node| node.choice(@sources.values.map(&:name)) } || value.node.refuse('has no from')
     end
 
     # "Only in MANUAL."; empty if no workphase stands against it.
@@ -79,7 +97,7 @@ module Interface
     # nil: all.
     def workphases_of(value)
       own = value.more['workphases']
-      mode = @modes&.of_command(value.name)
+      mode = mode(value)
       return own&.sequence&.map { |node| node.choice(@all) } unless mode
 
       own&.refuse("stand with the mode #{mode.value.name}")
@@ -143,8 +161,7 @@ module Interface
     end
 
     def senders(value)
-      names = value.more['from']&.sequence&.map { |node| node.choice(@sources.values.map(&:name)) }
-      value.node.refuse('has no from') unless names
+      names = senders_of(value)
       names.empty? ? '0U' : names.map { |name| "BY(#{@sources.prefix}_#{name})" }.join(' | ')
     end
 
@@ -182,11 +199,9 @@ module Interface
     # `obeyed_by`, or what arms modes.
     def function(value)
       own = value.more['obeyed_by']
-      is_mode = !@modes&.of_command(value.name).nil?
+      is_mode = !mode(value).nil?
       value.node.refuse('has no obeyed_by and arms no mode') unless own || is_mode
       own&.refuse('stands with a command that arms a mode') if own && is_mode
-      misplaced = %w[route button].find { |key| value.more.key?(key) }
-      value.more[misplaced].refuse('stands with a command that arms no mode') if misplaced && !is_mode
       "controller_obey_#{own ? own.identifier : 'motion'}"
     end
 

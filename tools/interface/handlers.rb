@@ -9,11 +9,12 @@ module Interface
   #
   # @satisfies SWR-TOOL-070
   class Handlers
-    FROM = 'core/interface/routes.yml'
+    FROM = 'core/interface'
     SAYS = 'What answers each route of the HTTP server.'
 
     def initialize(model)
       @routes = model.routes
+      @commands = model.commands
     end
 
     def files
@@ -34,7 +35,7 @@ module Interface
         /** By route_id_t. */
         extern const http_handler_t http_handlers[ROUTE_COUNT];
 
-        #{@routes.routes.group_by(&:handler).map { |handler, routes| declaration(handler, routes) }.join("\n").chomp}
+        #{@routes.routes.select(&:handler).group_by(&:handler).map { |handler, routes| declaration(handler, routes) }.join("\n").chomp}
       CODE
     end
 
@@ -45,13 +46,34 @@ module Interface
     end
 
     def source
-      rows = @routes.routes.map { |route| "    [ROUTE_#{route.name.upcase}] = #{route.handler},\n" }
+      senders = @routes.routes.reject(&:handler)
+      rows = @routes.routes.map { |route| "    [ROUTE_#{route.name.upcase}] = #{route.handler || name(route)},\n" }
       <<~CODE
         #{C.file(SAYS, FROM).chomp}
         #include "handlers.h"
 
-        const http_handler_t http_handlers[ROUTE_COUNT] = {
+        #{"#include \"http/call/http_act.h\"\n\n" unless senders.empty?}#{senders.map { |route| "#{sender(route)}\n" }.join}const http_handler_t http_handlers[ROUTE_COUNT] = {
         #{rows.join}};
+      CODE
+    end
+
+    def name(route)
+      "send_#{route.name}"
+    end
+
+    # Sends the command as body and path say it.
+    #
+    # @satisfies SWR-TOOL-310
+    def sender(route)
+      payload = @commands.payloads.of(route.command)
+      said = route.fields.map { |field, expression| ".#{field} = #{expression}" }.join(', ')
+      <<~CODE
+        static int #{name(route)}(http_server_t *server, const http_call_t *call)
+        {
+            const request_#{route.body.name}_t *body = &call->body.#{@routes.body_name(route)};
+            const command_t command = {.id = body->id, .kind = (uint32_t)#{@commands.constant(route.command)}#{", .as.#{payload.name} = {#{said}}" if payload}};
+            return http_act_command(server, call, &command);
+        }
       CODE
     end
   end

@@ -48,11 +48,8 @@ module Interface
       end.join("\n")
     end
 
-    # A body of one route alone has the name of the route, a body of several its own.
     def bodies
-      @routes.routes.select(&:body).group_by(&:body).map do |body, routes|
-        [routes.size == 1 ? routes.first.name : body.name, body]
-      end
+      @routes.routes.select(&:body).map { |route| [@routes.body_name(route), route.body] }.uniq
     end
 
     def declaration(message)

@@ -9,7 +9,7 @@ module Interface
   #
   # @satisfies SWR-TOOL-019
   class RouteTable
-    FROM = 'core/interface/routes.yml'
+    FROM = 'core/interface'
     SAYS = 'What can be asked of the HTTP server, and why it refuses.'
 
     def initialize(model)
@@ -62,7 +62,8 @@ module Interface
             role_t role;                    /**< The least that it needs. */
             bool is_of_page;                /**< The request names its page. */
             bool needs_authority;           /**< That page has authority. */
-            uint32_t command;               /**< command_kind_t that is asked of control; 0: none, or several. */
+            uint32_t command;               /**< command_kind_t that it sends; 0: none. */
+            bool is_listed;                 /**< GET /api/v1/modes lists whether this is allowed. */
             bool is_lenient;                /**< Media type and query are not looked at. */
             route_noted_t noted;
             size_t body_most;               /**< Bytes; 0: there must be no body. */
@@ -109,7 +110,7 @@ module Interface
       query = route.parameters.members.empty? ? 'nothing' : route.parameters.name
       "    {ROUTE_#{route.name.upcase}, #{C.string(route.method)}, #{C.string(route.path)}, " \
         "#{value(route)}, #{C.string(@routes.allowed(route.path))},\n     #{route.anyone?}, #{least(route)}, " \
-        "#{route.page?}, #{route.authority?}, #{asked(route)}, #{route.lenient?}, #{noted(route)}, " \
+        "#{route.page?}, #{route.authority?}, #{asked(route)}, #{route.listed?}, #{route.lenient?}, #{noted(route)}, " \
         "#{route.body_most}U, #{sent(route)}, #{body}, &request_#{query}}"
     end
 

@@ -33,20 +33,21 @@ module Interface
     VALUES = %w[axis number name].freeze # of a path
     NOTED = %w[always refused never].freeze # in the log
     BODY_MOST = 1_048_576
-    OPTIONAL = %w[answer media parameters headers body body_most sends events problems refused lenient noted page authority command].freeze
+    REQUIRED = %w[name path method handler who says].freeze
+    OPTIONAL = %w[answer media parameters headers body body_most sends events problems refused lenient noted page authority].freeze
     Header = Struct.new(:name, :type, :says, keyword_init: true)
 
+    # `handler`: nil: it is generated. `command`: value of command_kind that it sends; nil: none.
     attr_reader :name, :path, :method, :handler, :who, :says, :command, :answer, :media, :parameters, :headers, :body, :body_most, :sends, :events, :node
 
-    def initialize(node)
-      nodes = node.mapping(%w[name path method handler who says], OPTIONAL)
+    def initialize(node, nodes = node.mapping(REQUIRED, OPTIONAL))
       @node = node
       @nodes = nodes
       @name = nodes['name'].identifier
-      @path = nodes['path'].word
+      @path = nodes['path'].text
       check_path(nodes['path'])
       @method = nodes['method'].choice(METHODS)
-      @handler = nodes['handler'].identifier
+      @handler = nodes['handler']&.identifier
       @who = nodes['who'].word
       @says = nodes['says'].text
       @media = nodes['media']&.word
@@ -61,7 +62,6 @@ module Interface
 
     def check(model, routes)
       check_who(model)
-      read_command(model.commands) if @nodes.key?('command')
       @answer = message(@nodes['answer'], model)
       @body = @nodes['body'] && (routes.request(@nodes['body'].identifier) || @nodes['body'].refuse('is no request'))
       @events = read_events(model)
@@ -92,6 +92,11 @@ module Interface
     # The request names its page.
     def page?
       flag('page') || act? || authority?
+    end
+
+    # GET /api/v1/modes lists its command.
+    def listed?
+      false
     end
 
     # Its page has authority.
@@ -144,11 +149,6 @@ module Interface
       @nodes['who'].refuse("is #{who}; expected #{[ANYONE, *roles].join(', ')}") unless anyone? || roles.include?(who)
     end
 
-    def read_command(commands)
-      @command = commands&.find(@nodes['command'].word) || @nodes['command'].refuse('is no command')
-      @says = commands.told(says, @command)
-    end
-
     def flag(key)
       @nodes.key?(key) && @nodes[key].true?
     end
@@ -183,19 +183,101 @@ module Interface
     end
   end
 
-  # Everything of routes.yml.
+  # A route that sends a command: `http` of the command's row, an object as in routes.yml. The most usual need not be said: POST by an
+  # operator that has authority, answered as an act, whose body is its id. Further keys:
+  #
+  #   handler  without one the route fills the payload as body and path say it: each field from the member of its name, or from {axis}
+  #   takes    {FIELD: MEMBER} of a member with another name
+  #   listed   false: GET /api/v1/modes does not list whether the command is allowed
+  #
+  # @satisfies SWR-TOOL-082
+  # @satisfies SWR-TOOL-310
+  class CommandRoute < Route
+    OWN = %w[name method handler who says takes listed].freeze
+    SENDER = 'HTTP'
+    ACT = 'act'
+    BARE = { 'body' => 'bare_act', 'body_most' => 256 }.freeze # Of an act that says nothing but itself, and bytes of a short one.
+
+    # Those of a row; none if another command's request sends it too.
+    def self.of(value, commands)
+      node = value.more['http']
+      return [] unless node
+      return shared(value, node, commands) if node.scalar?
+
+      node.refuse("is of a command that #{SENDER} may not send") unless commands.senders_of(value).include?(SENDER)
+      node.refuse('has no label') unless value.more.key?('label')
+      (node.list? ? node.sequence : [node]).map { |one| new(one, value, commands.mode(value)) }
+    end
+
+    def self.shared(value, node, commands)
+      other = commands.find(node.word)
+      node.refuse("is #{node.word}, whose row has no request") if other.nil? || other == value || !other.more.key?('http')
+      []
+    end
+    private_class_method :shared
+
+    # What the handler sets in the payload: {field => expression in C}; nil: the handler is written.
+    attr_reader :fields
+
+    def initialize(node, value, mode)
+      own = node.mapping(%w[path], OPTIONAL + OWN)
+      @takes = own.delete('takes')&.all.to_h
+      @is_listed = own.delete('listed')&.true? != false
+      super(node, usual(node, value, mode, own).merge(own))
+      @command = value
+    end
+
+    def check(model, routes)
+      @says = model.commands.told(says, command)
+      super
+      @fields = read_fields(model.commands.payloads.of(command)) unless handler
+    end
+
+    def listed?
+      @is_listed
+    end
+
+    private
+
+    def usual(node, value, mode, own)
+      plain = { 'name' => value.name.downcase, 'method' => 'POST', 'who' => 'OPERATOR', 'authority' => true, 'answer' => ACT }
+      plain['body'] = BARE['body'] unless own.key?('answer')
+      plain['body_most'] = BARE['body_most'] if plain.key?('body') || own.key?('body')
+      says = mode ? "#{mode.value.says.delete_suffix('.')}, under the pedal." : value.says
+      node.stands_for(plain, 'says' => says).all
+    end
+
+    def read_fields(payload)
+      node.refuse('has no handler and no body') unless body
+      names = payload ? payload.structure.fields.to_h { |field| [field, @takes[field.name]&.word || field.name] } : {}
+      unread = body.members.map(&:name) - ['id'] - names.values
+      node.refuse("needs a handler for #{unread.join(', ')} of its body") unless unread.empty?
+      names.to_h { |field, name| [field.name, expression(field, name)] }
+    end
+
+    def expression(field, name)
+      return "call->path.#{name}" if value == name
+
+      member = body.members.find { |one| one.name == name }
+      is_same = member && !member.list? && !member.optional? && field.count.nil? &&
+                (member.enumeration ? member.enumeration == field.type.enumeration : member.type == field.type.name)
+      node.refuse("needs a handler for the field #{field.name} of its command") unless is_same
+      "body->#{name}"
+    end
+  end
+
+  # Everything of routes.yml, and the requests of commands.
   #
   # @satisfies SWR-TOOL-021
   class Routes
-    BARE_BODY_MOST = 256 # Bytes, of an act that says nothing but itself.
-
     attr_reader :problems, :requests, :routes
 
     def initialize(node, model)
       nodes = node.mapping(%w[problems requests routes])
       @problems = nodes['problems'].sequence.map { |one| Problem.read(one, model) }
       @requests = nodes['requests'].sequence.map { |one| RequestMessage.read(one) }
-      @routes = nodes['routes'].sequence.map { |one| Route.new(one) } + bare_acts(model)
+      all = nodes['routes'].sequence.map { |one| Route.new(one) } + model.commands.to_a.flat_map { |one| CommandRoute.of(one, model.commands) }
+      @routes = all.group_by(&:path).values.flatten
       unique(@problems, &:name)
       unique(@routes, &:name)
       unique(@routes) { |route| [route.method, route.path] }
@@ -221,24 +303,12 @@ module Interface
       methods.flat_map { |method| method == 'GET' ? %w[GET HEAD] : [method] }.join(', ')
     end
 
+    # A body of one route alone has the name of the route, a body of several its own.
+    def body_name(route)
+      routes.one? { |other| other.body == route.body } ? route.name : route.body.name
+    end
+
     private
-
-    # The routes of commands that say nothing but themselves: the row of a mode names them.
-    #
-    # @satisfies SWR-TOOL-082
-    def bare_acts(model)
-      model.modes&.modes.to_a.flat_map { |mode| mode.commands.select { |value| value.more.key?('route') }.map { |value| bare_act(mode, value) } }
-    end
-
-    def bare_act(mode, value)
-      node = value.more['route']
-      node.refuse('is of a command with a payload, which needs a route and a handler of its own') if value.more.key?('payload')
-      node.refuse("is #{node.word}; expected a path of a-z, 0-9, _, ., - and /") unless node.word.match?(Route::PATH)
-      node.refuse('has no button') unless value.more.key?('button')
-      keys = { 'name' => value.name.downcase, 'path' => node.word, 'method' => 'POST', 'handler' => 'http_motion_bare', 'who' => 'OPERATOR',
-               'authority' => true, 'command' => value.name, 'body' => 'bare_act', 'body_most' => BARE_BODY_MOST, 'answer' => 'act' }
-      Route.new(node.stands_for(keys, 'says' => "#{mode.value.says.delete_suffix('.')}, under the pedal."))
-    end
 
     def unique(all, &key)
       all.group_by(&key).each_value { |same| same[1]&.node&.refuse("is the second #{key.call(same[1])}") }

@@ -31,7 +31,7 @@ module Interface
       unions = @unions.sort.map do |name, words|
         "export type #{name} =#{words.map { |word| "\n  | \"#{word}\"" }.join};\n"
       end
-      { 'api.ts' => [HEAD, *unions, *messages, buttons, Shapes.new(@model, @unions).text].compact.join("\n") }
+      { 'api.ts' => [HEAD, *unions, *messages, commands, Shapes.new(@model, @unions).text].compact.join("\n") }
     end
 
     private
@@ -76,19 +76,24 @@ module Interface
       route.value ? "`#{route.path.sub(/\{.*\}/, '${string}')}`" : "\"#{route.path}\""
     end
 
-    # The commands of modes that a button sends.
+    # The commands that are sent by HTTP, and those of modes that say nothing but themselves.
     #
     # @satisfies SWR-TOOL-082
-    def buttons
-      modes = @model.modes&.modes.to_a.select { |mode| mode.commands.first&.more&.key?('route') }
-      return if modes.empty?
+    def commands
+      sent = @model.commands.to_a.select { |value| value.more.key?('label') }
+      return if @model.routes.nil? || sent.empty?
 
-      rows = modes.map do |mode|
-        more = mode.commands.first.more
-        "  #{mode.value.name}: { label: #{more['button'].text.inspect}, path: \"#{more['route'].word}\" },\n"
-      end
-      "/** The modes that a button arms: what it says, and where it asks. */\n" \
-        "export const modeButtons = {\n#{rows.join}} as const satisfies Record<string, { label: string; path: Path }>;\n"
+      rows = sent.map { |value| "  #{value.name}: { label: #{value.more['label'].text.inspect}, #{address(value)} },\n" }
+      bare = @model.modes&.modes.to_a.select { |mode| sent.include?(mode.commands.first) && !mode.commands.first.more.key?('payload') }
+      "/** What a command is called, and where it is sent; `{axis}` stands for the name of an axis. */\n" \
+        "export const commands = {\n#{rows.join}} as const satisfies Record<string, { label: string; method: string; path: Path }>;\n\n" \
+        "/** The modes that a button arms: their commands say nothing but themselves. */\n" \
+        "export const modeButtons = {\n#{bare.map { |mode| "  #{mode.value.name}: commands.#{mode.command},\n" }.join}} as const;\n"
+    end
+
+    def address(command)
+      route = @model.routes.routes.find { |one| one.command == command }
+      "method: \"#{route.method}\", path: \"#{route.path}\""
     end
 
     def request(request)

@@ -212,7 +212,7 @@ async function home(): Promise<void> {
   await enter("START UP");
   await said("Press and hold the pedal.");
   const moved = page.locator(".sign-word", { hasText: "MOVING" }).waitFor();
-  await keepPedalUntil(moved.then(() => done("workphase START UP")));
+  await keepPedalUntil(moved.then(() => done("Workphase START UP")));
 }
 
 async function plan(): Promise<void> {
@@ -263,7 +263,7 @@ async function moveToTarget(): Promise<void> {
   await enter("MOVE TO TARGET");
   await said("Press and hold the pedal.");
   await keepPedalUntil(
-    picturesOfMove().then(() => done("workphase MOVE TO TARGET")),
+    picturesOfMove().then(() => done("Workphase MOVE TO TARGET")),
   );
   await said("Nothing; the target is reached.");
 }
@@ -322,12 +322,12 @@ test("SWR-CON-028 positions are saved, changed, and restored from the file", asy
   expect(saved.suggestedFilename()).toMatch(/^positions-.+\.json$/);
 
   await press("Retract needle");
-  await keepPedalUntil(done("needle retract", "Needle and poses"));
+  await keepPedalUntil(done("Retract needle", "Needle and poses"));
 
   const before = await positionOf(dragged);
   await drag(dragged, 60);
   await said("Press and hold the pedal.");
-  await keepPedalUntil(done(`motors ${dragged} jog`, "Motors"));
+  await keepPedalUntil(done(`Jog ${dragged}`, "Motors"));
   expect(Math.abs((await positionOf(dragged)) - before)).toBeGreaterThan(1);
 
   await axis(cleared).getByText("Reference").click();

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The routes by which a page takes authority, keeps it and gives it up. */
+/** @file The routes by which a page sees authority, keeps it and gives it up. */
 #include "interface/app/handlers.h"
 
 #include "http/call/http_act.h"
@@ -13,12 +13,6 @@ int http_authority_show(http_server_t *server, const http_call_t *call)
     return view.has_snapshot
                ? http_reply_object(call->connection, 200, telemetry_json_authority(&view))
                : http_reply_refuse(call->connection, PROBLEM_NO_DATA);
-}
-
-int http_authority_take(http_server_t *server, const http_call_t *call)
-{
-    const command_t command = {.id = call->body.bare_act.id, .kind = (uint32_t)COMMAND_TAKE};
-    return http_act_command(server, call, &command);
 }
 
 int http_authority_renew(http_server_t *server, const http_call_t *call)
@@ -55,12 +49,4 @@ int http_authority_release(http_server_t *server, const http_call_t *call)
     }
     await_release(server, call->page);
     return http_authority_show(server, call);
-}
-
-int http_authority_request(http_server_t *server, const http_call_t *call)
-{
-    const request_ask_button_t *body = &call->body.request;
-    const command_t command = {
-        .id = body->id, .kind = (uint32_t)COMMAND_REQUEST, .as.request = {.request = body->what}};
-    return http_act_command(server, call, &command);
 }

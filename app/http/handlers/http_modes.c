@@ -91,12 +91,13 @@ static cJSON *new_steps(const telemetry_view_t *view)
     return steps;
 }
 
-/* The route by which it is asked for; NULL: by none. */
+/* The route that sends it, if it is listed; NULL: none. */
 static const route_t *route_of(command_kind_t kind)
 {
     const route_t *found = NULL;
     for (uint32_t i = 0U; (i < ROUTE_COUNT) && (found == NULL); i++) {
-        found = (routes[i].command == (uint32_t)kind) ? &routes[i] : NULL;
+        const bool is_meant = routes[i].is_listed && (routes[i].command == (uint32_t)kind);
+        found = is_meant ? &routes[i] : NULL;
     }
     return found;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The routes that change the workphase and arm motions. Each returns the status sent. */
+/** @file The routes that arm motions in the unit of an axis. Each returns the status sent. */
 #include "interface/app/handlers.h"
 
 #include "common/axis_terms.h"
@@ -10,20 +10,11 @@
 
 #define MS_PER_S 1000.0
 #define POINTER_SIZE 32U
-#define UNIT_MM 0U /* As routes.yml has its words. */
+#define UNIT_MM 0U /* As the requests of routes.yml have its words. */
 
 static bool is_unit_of(const axis_config_t *axis, uint32_t unit)
 {
     return (unit == UNIT_MM) == (axis->unit == (uint8_t)AXIS_UNIT_MM);
-}
-
-int http_motion_workphase(http_server_t *server, const http_call_t *call)
-{
-    const request_next_workphase_t *body = &call->body.workphase;
-    const command_t command = {.id = body->id,
-                               .kind = (uint32_t)COMMAND_WORKPHASE,
-                               .as.workphase = {.workphase = body->workphase}};
-    return http_act_command(server, call, &command);
 }
 
 /**
@@ -53,40 +44,6 @@ int http_motion_jog(http_server_t *server, const http_call_t *call)
     return axis_terms_ticks(axis, body->has_distance ? body->distance : body->position, ticks)
                ? http_act_command(server, call, &command)
                : http_act_refuse_member(call, body->has_distance ? "/distance" : "/position");
-}
-
-/**
- * The command of the route, on one axis.
- *
- * @satisfies SWR-AXIS-044
- * @satisfies SWR-MODE-009
- */
-int http_motion_axis(http_server_t *server, const http_call_t *call)
-{
-    const command_t command = {.id = call->body.bare_act.id,
-                               .kind = call->route->command,
-                               .as.axis = {.axis = call->path.axis}};
-    return http_act_command(server, call, &command);
-}
-
-/**
- * The command of the route, which says nothing but itself.
- *
- * @satisfies SWR-ALIGN-007
- */
-int http_motion_bare(http_server_t *server, const http_call_t *call)
-{
-    const command_t command = {.id = call->body.bare_act.id, .kind = call->route->command};
-    return http_act_command(server, call, &command);
-}
-
-/** @satisfies SWR-POSE-006 */
-int http_motion_pose(http_server_t *server, const http_call_t *call)
-{
-    const request_pose_act_t *body = &call->body.pose;
-    const command_t command = {
-        .id = body->id, .kind = (uint32_t)COMMAND_POSE, .as.pose_name = {.pose = body->pose}};
-    return http_act_command(server, call, &command);
 }
 
 /* One axis and its speed; false when the robot has none of this name, it comes twice, or no speed

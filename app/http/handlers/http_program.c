@@ -74,12 +74,3 @@ int http_program_empty(http_server_t *server, const http_call_t *call)
 {
     return http_list_empty(server, call, &program);
 }
-
-int http_program_run(http_server_t *server, const http_call_t *call)
-{
-    const request_run_program_t *body = &call->body.run_program;
-    const command_t run = {.id = body->id,
-                           .kind = (uint32_t)COMMAND_RUN_PROGRAM,
-                           .as.list = {.checksum = body->checksum}};
-    return http_act_command(server, call, &run);
-}

@@ -123,12 +123,3 @@ int http_trajectory_empty(http_server_t *server, const http_call_t *call)
 {
     return http_list_empty(server, call, &trajectory);
 }
-
-int http_trajectory_run(http_server_t *server, const http_call_t *call)
-{
-    const request_run_trajectory_t *body = &call->body.run_trajectory;
-    const command_t run = {.id = body->id,
-                           .kind = (uint32_t)COMMAND_RUN_TRAJECTORY,
-                           .as.list = {.checksum = body->checksum}};
-    return http_act_command(server, call, &run);
-}

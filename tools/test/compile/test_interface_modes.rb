@@ -72,35 +72,6 @@ class TestInterfaceModes < Minitest::Test
                  layout('modes.yml' => MODES.sub(', own: true', '').sub('ask: [own], ', '').sub('step: [own, leg]', 'step: [leg]'))
   end
 
-  CORE = File.expand_path('../../../core', __dir__)
-
-  def test_SWR_TOOL_082_the_route_of_a_row_sends_its_command_and_has_a_button
-    model = Interface::Model.new(File.join(CORE, 'interface'), Interface::Command.leaves(File.join(CORE, '../build/gen/charts/charts.json')))
-    route = model.routes.routes.find { |one| one.path == '/api/v1/align' }
-    assert_equal %w[POST http_motion_bare ALIGN], [route.method, route.handler, route.command.name]
-    assert_includes Interface::Typescript.new(model).files['api.ts'], 'ALIGN: { label: "Align", path: "/api/v1/align" }'
-  end
-
-  ROUTE_REFUSALS = {
-    'payload: jog, from: [IGTL, HTTP],' => ['payload: jog, from: [IGTL, HTTP], route: /api/v1/jog, button: Jog,', 'is of a command with a payload'],
-    ', button: Align' => ['', 'has no button'],
-    'route: /api/v1/align' => ['route: align!', 'is align!; expected a path']
-  }.freeze
-
-  def test_SWR_TOOL_082_a_route_without_a_button_or_of_a_command_with_a_payload_is_refused
-    ROUTE_REFUSALS.each do |old, (new, reason)|
-      Dir.mktmpdir do |folder|
-        FileUtils.cp_r([File.join(CORE, 'interface'), File.join(CORE, 'robot')], folder)
-        file = File.join(folder, 'interface', 'modes.yml')
-        text = File.read(file)
-        assert_includes text, old
-        File.write(file, text.sub(old, new))
-        refused = assert_raises(Interface::Refused) { Interface::Model.new(File.join(folder, 'interface')) }
-        assert_match(/modes\.yml:\d+: .*#{Regexp.escape(reason)}/, refused.message)
-      end
-    end
-  end
-
   def test_SWR_TOOL_083_the_words_of_a_command_are_of_its_row
     rows = COMMANDS.sub('payload: workphase, says', 'payload: workphase, words: [{word: STAY, as: {workphase: HERE}}], says')
                    .sub('payload: turn, workphases', 'payload: turn, words: [{word: TURN, form: "TURN 5"}], workphases')
@@ -187,8 +158,6 @@ class TestInterfaceModes < Minitest::Test
     'a command that nothing carries out' => ['from: [], obeyed_by: turn,', 'from: [],', 16, 'has no obeyed_by and arms no mode'],
     'a function for a command that arms a mode' => ['name: GO, from: [PAGE, NETWORK],', 'name: GO, from: [PAGE, NETWORK], obeyed_by: go,',
                                                     26, 'stands with a command that arms a mode'],
-    'a route of a command that arms no mode' => ['obeyed_by: turn, payload: turn, workphases', 'obeyed_by: turn, route: /turn, payload: turn, workphases', 15,
-                                                 'stands with a command that arms no mode'],
     'a payload without its structure' => ['payload: workphase', 'payload: phase', 14, 'is phase; expected a structure command_NAME']
   }.freeze
 

@@ -350,7 +350,7 @@ class TestInterfaceRoutes < Minitest::Test
       assert_includes types, '| `/walls/${string}/stroke-now`'
       assert_includes types, %(  colour: "BLUE";\n)
       assert_match(/"BLUE", 7U\}\};/, File.read(File.join(folder, 'app/requests.c')))
-      assert_match(/ROUTE_STROKE, "POST", [^,]*, ROUTE_OF_AXIS, "POST",\s+false, ROLE_PAINTER, true, true, 0U, false, ROUTE_NOTED_ALWAYS, 99U/,
+      assert_match(/ROUTE_STROKE, "POST", [^,]*, ROUTE_OF_AXIS, "POST",\s+false, ROLE_PAINTER, true, true, 0U, false, false, ROUTE_NOTED_ALWAYS, 99U/,
                    File.read(File.join(folder, 'app/routes.c')))
     end
   end
@@ -359,8 +359,7 @@ class TestInterfaceRoutes < Minitest::Test
     'two_values' => ['/walls/', '/walls/{name}/', 'has name, axis; expected at most one'],
     'a_word_that_the_type_has_not' => ['[BLUE]', '[GREEN]', 'holds GREEN, which its type has not'],
     'an_act_without_an_id' => ['{name: id, type: uint32,', '{name: it, type: uint32,', 'its body has no id'],
-    'authority_for_anyone' => ["stroke\n    who: PAINTER", "stroke\n    who: anyone", 'is of a page, but is a GET or for anyone'],
-    'a_command_that_is_none' => ['authority: true', 'command: WHISTLE', 'is no command'] }
+    'authority_for_anyone' => ["stroke\n    who: PAINTER", "stroke\n    who: anyone", 'is of a page, but is a GET or for anyone'] }
     .each do |what, (old, new, reason)|
     define_method("test_SWR_TOOL_021_refuses_#{what}") do
       changed = with_acts(old => new)

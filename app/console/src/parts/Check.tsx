@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Path } from "@interface";
+import { commands } from "@interface";
 import { words } from "../words/format";
 import type { HeldList, Verdict } from "../state/lists";
 import type { Commanding } from "../state/operation";
@@ -61,7 +61,7 @@ export function ListOrders<Answer extends Held>({
 }: {
   commanding: Commanding;
   list: HeldList<Answer>;
-  run: Path;
+  run: "RUN_TRAJECTORY" | "RUN_PROGRAM";
   /** Why it cannot be run now. */
   refusal: string | null;
   /** The input that is missing before it can be sent, or null. */
@@ -85,11 +85,11 @@ export function ListOrders<Answer extends Held>({
       </span>
       <Order
         commanding={commanding}
-        path={run}
+        path={commands[run].path}
         fields={{ checksum: list.held?.checksum }}
         refusal={refusal}
       >
-        Run what is held
+        {commands[run].label}
       </Order>
       <span className="order">
         <button

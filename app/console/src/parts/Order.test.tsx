@@ -73,7 +73,7 @@ test("SWR-CON-033 the button that commanded says what becomes of it", async () =
   expect(marks()).toEqual([undefined, undefined, "sent"]);
   await waitFor(() => expect(marks()[2]).toBe("accepted"));
   expect(screen.getByRole("status").textContent).toContain(
-    "pose EGRESS: accepted",
+    "Pose EGRESS: accepted",
   );
   hear({ state: "done" });
   expect(marks()).toEqual([undefined, undefined, "done"]);
@@ -99,7 +99,7 @@ test("SWR-CON-033 another panel marks the button and has nothing to say of it", 
     expect(marks().filter((mark) => mark === "done")).toHaveLength(2),
   );
   expect(screen.getAllByRole("status").map((one) => one.textContent)).toEqual([
-    "Last command: motors yaw home: done.",
+    "Last command: Home yaw: done.",
     "",
   ]);
 });

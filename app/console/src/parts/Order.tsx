@@ -3,6 +3,7 @@ import { useId, type ReactNode } from "react";
 import "./Order.css";
 import type { Path } from "@interface";
 import type { Outcome } from "../state/acts";
+import { labelOf } from "../words/commands";
 import { words } from "../words/format";
 import type { Commanding } from "../state/operation";
 
@@ -38,14 +39,13 @@ function stateOf(
   return isThis ? outcome.state : undefined;
 }
 
-/** As /api/v1/motors/yaw/jog is read, with the words that were chosen; a unit is none. */
+/** The label of the command, with the words that were chosen; a unit is none. */
 export function nameOf({ path, fields }: Outcome): string {
   const what = Object.entries(fields)
     .filter(([field]) => field !== "unit")
     .map(([, value]: [string, unknown]) => value)
     .filter((value) => typeof value === "string");
-  const name = path.replace("/api/v1/", "").replaceAll(/[/-]/g, " ");
-  return [name, ...what.map(words)].join(" ");
+  return [labelOf(path), ...what.map(words)].join(" ");
 }
 
 /** A button that commands, and beneath it why it cannot. A reason against all of them is shown once, by their panel. */

@@ -54,10 +54,8 @@ test("SWR-CON-046 the end of a command is told after another one was given", asy
   hear({ state: "failed", message: "Discarded before it was done." });
   hear({ id: 2, state: "done" });
   const [last, before] = told();
-  expect(last).toContain("needle retract: done");
-  expect(before).toContain(
-    "motors yaw jog: not done. Discarded before it was done.",
-  );
+  expect(last).toContain("Retract needle: done");
+  expect(before).toContain("Jog yaw: not done. Discarded before it was done.");
 });
 
 test("SWR-CON-046 of all that have begun the end is unknown once the stream was interrupted", async () => {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Authority of this page: it takes it, renews it by itself, and gives it up when no user sees it any more. Which page it is
 // stands in its memory alone, so a reload or another tab is another page.
-import type { Authority, Path } from "@interface";
+import { commands, type Authority, type Path } from "@interface";
 import type { Page } from "./page";
 
-const AUTHORITY_PATH: Path = "/api/v1/authority";
-const REQUEST_PATH: Path = "/api/v1/authority/request";
 /** The server takes it away after 5 s of the robot's time without. */
 export const RENEW_MS = 2000;
 /** One refusal may be of a moment: the server was busy, or judged by what was so before this page took command. */
@@ -65,7 +63,7 @@ export class PageAuthority {
 
   /** Takes authority that no client has. */
   async take(): Promise<void> {
-    if (await this.act(AUTHORITY_PATH, {})) {
+    if (await this.act(commands.TAKE.path, {})) {
       this.keep();
       this.leave();
     }
@@ -73,7 +71,7 @@ export class PageAuthority {
 
   /** Asks for the button at the box. The stream shows which client has authority then. */
   async ask(): Promise<void> {
-    this.hasAsked = await this.act(REQUEST_PATH, { what: "TAKE" });
+    this.hasAsked = await this.act(commands.REQUEST.path, { what: "TAKE" });
     this.leave();
   }
 
@@ -94,7 +92,7 @@ export class PageAuthority {
       this.left = left;
       this.letGo();
       this.hasAsked = false;
-      void this.page.request("DELETE", AUTHORITY_PATH).catch(
+      void this.page.request("DELETE", commands.RELEASE.path).catch(
         () => undefined, // Without renewal it ends all the same.
       );
     }
@@ -127,7 +125,7 @@ export class PageAuthority {
   /** A server that does not answer may do so the next time; one that refuses twice has given it to no client or another. */
   private async renew(): Promise<void> {
     try {
-      const response = await this.page.request("PUT", AUTHORITY_PATH);
+      const response = await this.page.request("PUT", commands.RENEW.path);
       this.refusals = response.ok ? 0 : this.refusals + 1;
       if (this.refusals >= REFUSALS) {
         this.letGo();

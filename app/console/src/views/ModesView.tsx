@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Mode } from "@interface";
+import { commands, type Mode } from "@interface";
 import { words } from "../words/format";
 import { useCommanding, useKept } from "../state/operation";
 import { reasonAgainst, usePoses } from "../state/outlook";
@@ -37,7 +37,7 @@ function ByWorkphase({ name, commanding, outlook }: Properties) {
   return workphase === undefined ? null : (
     <Order
       commanding={commanding}
-      path="/api/v1/workphase"
+      path={commands.WORKPHASE.path}
       fields={{ workphase }}
       refusal={reasonAgainst(outlook, name)}
     >

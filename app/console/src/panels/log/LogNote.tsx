@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useId, useState, useSyncExternalStore, type FormEvent } from "react";
-import { LogNoteRequestBytes } from "@interface";
+import { commands, LogNoteRequestBytes } from "@interface";
 import { mayCommand, type Operation } from "../../state/operation";
 
 const encoder = new TextEncoder();
@@ -20,7 +20,7 @@ export function LogNote({ operation }: { operation: Operation }) {
   const isAllowed = mayCommand(view.session);
   const write = async (event: FormEvent) => {
     event.preventDefault();
-    const refusal = await page.act("/api/v1/log/note", { text });
+    const refusal = await page.act(commands.NOTE.path, { text });
     setProblem(refusal);
     if (refusal === null) {
       setText("");
@@ -38,7 +38,7 @@ export function LogNote({ operation }: { operation: Operation }) {
         onChange={(event) => setText(event.target.value)}
       />
       <button type="submit" disabled={!isAllowed || text === "" || left < 0}>
-        Write into the log
+        {commands.NOTE.label}
       </button>
       <p className="orders-refusal" id={`${id}-left`}>
         {isAllowed

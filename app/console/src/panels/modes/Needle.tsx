@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import {
+  commands,
   modeButtons,
   type Modes,
   type PoseName,
@@ -57,12 +58,12 @@ export function Poses({
         <Order
           key={pose}
           commanding={commanding}
-          path="/api/v1/pose"
+          path={commands.POSE.path}
           fields={{ pose }}
           refusal={refusal}
           isTold
         >
-          Pose {words(pose)}
+          {commands.POSE.label} {words(pose)}
         </Order>
       ))}
     </Orders>

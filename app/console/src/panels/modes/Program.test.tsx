@@ -162,7 +162,7 @@ test.each([
 });
 
 test("SWR-CON-034 the program that is held is run by its checksum", () => {
-  press("Run what is held");
+  press("Run program");
   expect(commander.acts()).toEqual([
     { path: `${PATH}/run`, body: { id: 1, checksum: 0xabc } },
   ]);

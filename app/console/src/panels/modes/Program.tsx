@@ -225,7 +225,7 @@ export function Program({
       <ListOrders
         commanding={commanding}
         list={list}
-        run="/api/v1/program/run"
+        run="RUN_PROGRAM"
         refusal={reasonAgainst(outlook, "PROGRAM")}
         missing={request === null ? "A number is missing in a step." : null}
         send={() => list.send(JSON.stringify(request))}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from "react";
-import { Log, Sweep as Kept } from "@interface";
+import { commands, Log, Sweep as Kept } from "@interface";
 import type { Axis, Path, SweepPoint } from "@interface";
 import { formatNumber, words } from "../../words/format";
 import { useAnswer } from "../../state/answer";
@@ -256,11 +256,11 @@ function SweepOrder({
       </label>
       <Order
         commanding={commanding}
-        path="/api/v1/motion/sweep"
+        path={commands.SWEEP.path}
         fields={{ axis: axis.name, is_free: true }}
         refusal={refusal ?? (isFree ? null : "Confirm that the axis is free.")}
       >
-        Sweep {axis.name}
+        {commands.SWEEP.label} {axis.name}
       </Order>
     </div>
   );

@@ -95,7 +95,7 @@ test("SWR-CON-034 what is run is what is held", async () => {
   expect(
     screen.getByText(/Held: 2 rows.*checksum 00000abc/).textContent,
   ).toContain("it came to row 2, at 1.5 s");
-  press("Run what is held");
+  press("Run trajectory");
   expect(commander.acts()).toEqual([
     { path: `${PATH}/run`, body: { id: 1, checksum: 0xabc } },
   ]);
@@ -118,7 +118,7 @@ test("SWR-CON-034 without command nothing is sent, run or deleted", async () => 
   await take(table);
   for (const name of [
     "Send and check",
-    "Run what is held",
+    "Run trajectory",
     "Delete what is held",
   ]) {
     expect(

@@ -99,7 +99,7 @@ export function Trajectory({
       <ListOrders
         commanding={commanding}
         list={list}
-        run="/api/v1/trajectory/run"
+        run="RUN_TRAJECTORY"
         refusal={reasonAgainst(outlook, "TRAJECTORY")}
         missing={file === null ? "Choose a table first." : null}
         send={() => list.send(text, "text/csv")}

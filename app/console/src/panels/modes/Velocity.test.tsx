@@ -39,7 +39,9 @@ function write(label: string, value: string): void {
 }
 
 function run(): HTMLButtonElement {
-  return screen.getByRole<HTMLButtonElement>("button", { name: "Run" });
+  return screen.getByRole<HTMLButtonElement>("button", {
+    name: "Run at speeds",
+  });
 }
 
 beforeEach(async () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from "react";
-import type { Axis, Robot } from "@interface";
+import { commands, type Axis, type Robot } from "@interface";
 import { formatSpeed, readNumbers } from "../../words/format";
 import { reasonAgainst, useRobot } from "../../state/outlook";
 import { Order, Orders } from "../../parts/Order";
@@ -151,7 +151,7 @@ export function Velocity({
         </label>
         <Order
           commanding={commanding}
-          path="/api/v1/velocity"
+          path={commands.VELOCITY.path}
           fields={{
             speeds,
             [bound]: amount,
@@ -159,7 +159,7 @@ export function Velocity({
           }}
           refusal={refusal ?? missingOf(speeds, bound, amount)}
         >
-          Run
+          {commands.VELOCITY.label}
         </Order>
       </Orders>
     </>

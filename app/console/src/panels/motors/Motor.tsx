@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useId, useState } from "react";
-import type { Axis, Named, Path } from "@interface";
+import { commands, type Axis, type Named } from "@interface";
+import { pathOf, type CommandName } from "../../words/commands";
 import {
   formatNumber,
   formatSpeed,
@@ -16,18 +17,18 @@ import { Slider } from "../../parts/Slider";
 import { Twice } from "../../parts/Twice";
 import { stateOf } from "../procedure/Axes";
 
-/** Acts on one axis, by their labels. */
-export const acts = {
-  JOG: "Jog",
-  HOME_AXIS: "Home",
-  ENABLE_AXIS: "Enable",
-  DISABLE_AXIS: "Disable",
-  CONFIRM_AXIS: "Confirm position",
-  SET_HOME: "Set home",
-  CLEAR_AXIS: "Clear position",
-} as const;
+/** Acts on one axis. */
+export const acts = [
+  "JOG",
+  "HOME_AXIS",
+  "ENABLE_AXIS",
+  "DISABLE_AXIS",
+  "CONFIRM_AXIS",
+  "SET_HOME",
+  "CLEAR_AXIS",
+] as const satisfies readonly CommandName[];
 
-export type ActName = keyof typeof acts;
+export type ActName = (typeof acts)[number];
 
 /** Reasons of refusals; shown once for all axes. */
 export type Refusals = Readonly<Record<ActName, string | null>>;
@@ -144,7 +145,7 @@ function Jog({
 }: MotorProperties) {
   const [place, setPlace] = useState("");
   const id = useId();
-  const path: Path = `/api/v1/motors/${axis.name}/jog`;
+  const path = pathOf("JOG", axis.name);
   const position = readNumbers(place, 1)?.[0];
   const isReady =
     commanding.obstacle === null &&
@@ -187,7 +188,6 @@ function Jog({
 }
 
 function Reference({ axis, commanding, refusals }: MotorProperties) {
-  const path = `/api/v1/motors/${axis.name}` as const;
   const here = isKnown(axis)
     ? formatValue(axis.position, axis.unit)
     : "a position that is not known";
@@ -197,27 +197,27 @@ function Reference({ axis, commanding, refusals }: MotorProperties) {
       <Orders name={`Reference of ${axis.name}`}>
         <Twice
           question={`Ask for the button at the box: ${axis.name} stands at ${here}?`}
-          path={`${path}/confirm`}
+          path={pathOf("CONFIRM_AXIS", axis.name)}
           commanding={commanding}
           refusal={refusals.CONFIRM_AXIS}
         >
-          Confirm position
+          {commands.CONFIRM_AXIS.label}
         </Twice>
         <Twice
           question={`Is home of ${axis.name} where it stands, shown as ${here}?`}
-          path={`${path}/set-home`}
+          path={pathOf("SET_HOME", axis.name)}
           commanding={commanding}
           refusal={refusals.SET_HOME}
         >
-          Set home
+          {commands.SET_HOME.label}
         </Twice>
         <Twice
           question={`Forget the position of ${axis.name}?`}
-          path={`${path}/clear`}
+          path={pathOf("CLEAR_AXIS", axis.name)}
           commanding={commanding}
           refusal={refusals.CLEAR_AXIS}
         >
-          Clear position
+          {commands.CLEAR_AXIS.label}
         </Twice>
       </Orders>
     </details>
@@ -226,24 +226,24 @@ function Reference({ axis, commanding, refusals }: MotorProperties) {
 
 function Acts({ axis, commanding, refusals }: MotorProperties) {
   const isEnabled = axis.power === "enabled";
-  const path = `/api/v1/motors/${axis.name}` as const;
+  const power = isEnabled ? "DISABLE_AXIS" : "ENABLE_AXIS";
   return (
     <Orders name={`Power and homing of ${axis.name}`}>
       <Order
         commanding={commanding}
-        path={`${path}/home`}
+        path={pathOf("HOME_AXIS", axis.name)}
         refusal={refusals.HOME_AXIS}
         isTold
       >
-        Home {axis.name}
+        {commands.HOME_AXIS.label} {axis.name}
       </Order>
       <Order
         commanding={commanding}
-        path={`${path}/${isEnabled ? "disable" : "enable"}`}
-        refusal={isEnabled ? refusals.DISABLE_AXIS : refusals.ENABLE_AXIS}
+        path={pathOf(power, axis.name)}
+        refusal={refusals[power]}
         isTold
       >
-        {isEnabled ? "Disable" : "Enable"} {axis.name}
+        {commands[power].label} {axis.name}
       </Order>
     </Orders>
   );

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useState } from "react";
-import type { Axis, Modes, Path, RobotState } from "@interface";
+import { commands, type Axis, type Modes, type RobotState } from "@interface";
+import { pathOf } from "../../words/commands";
 import {
   useCommanding,
   type Commanding,
@@ -13,13 +14,7 @@ import {
 } from "../../state/outlook";
 import { OrderNotes } from "../../parts/Order";
 import { sharedReasons, SharedReasons } from "../procedure/Axes";
-import {
-  acts,
-  Motor,
-  type ActName,
-  type BarredWays,
-  type Refusals,
-} from "./Motor";
+import { acts, Motor, type BarredWays, type Refusals } from "./Motor";
 import "./Motors.css";
 
 const steps = ["0.1", "1", "5", "10"];
@@ -30,10 +25,8 @@ interface Asked {
   position: number;
 }
 
-const names = Object.keys(acts) as ActName[];
-
 function refusalsOf(outlook: Modes | null): Refusals {
-  const pairs = names.map((name) => [name, reasonAgainst(outlook, name)]);
+  const pairs = acts.map((name) => [name, reasonAgainst(outlook, name)]);
   return Object.fromEntries(pairs) as Refusals;
 }
 
@@ -44,9 +37,11 @@ function barredWaysOf(outlook: Modes | null, axis: string): BarredWays {
 
 /** Each reason once, with all that it stands against. */
 function RefusalList({ refusals }: { refusals: Refusals }) {
-  const reasons = new Set(names.map((name) => refusals[name]));
+  const reasons = new Set(acts.map((name) => refusals[name]));
   const barred = (reason: string) =>
-    names.filter((name) => refusals[name] === reason).map((name) => acts[name]);
+    acts
+      .filter((name) => refusals[name] === reason)
+      .map((name) => commands[name].label);
   return (
     <ul className="motor-refusals">
       {[...reasons]
@@ -71,8 +66,7 @@ function useAsked(robot: RobotState, commanding: Commanding) {
   }, [order]);
   const send = async ({ name: axis, unit }: Axis, position: number) => {
     setAsked({ axis, position });
-    const path: Path = `/api/v1/motors/${axis}/jog`;
-    if (!(await commanding.command(path, { position, unit }))) {
+    if (!(await commanding.command(pathOf("JOG", axis), { position, unit }))) {
       setAsked(null);
     }
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from "react";
-import { PositionsPreview } from "@interface";
+import { commands, PositionsPreview } from "@interface";
 import type {
   Path,
   PreviewAxis,
@@ -25,7 +25,6 @@ import "./Positions.css";
 
 const POSITIONS_PATH: Path = "/api/v1/positions";
 const PREVIEW_PATH: Path = "/api/v1/positions/preview";
-const RESTORE_PATH: Path = "/api/v1/positions/restore";
 const NO_ANSWER = "The server does not answer.";
 
 const whys: Readonly<Record<PreviewAxis["why"], string>> = {
@@ -209,7 +208,7 @@ function Preview({
           <Twice
             question={`Restore ${names.join(", ")}, and forget the target?`}
             commanding={commanding}
-            path={RESTORE_PATH}
+            path={commands.RESTORE.path}
             fields={{ token: preview.token }}
             onDone={() => onEnd(true)}
           >

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useId, useState } from "react";
 import { TargetPreview } from "@interface";
-import type { Modes, Path, Problem, RobotState } from "@interface";
+import {
+  commands,
+  type Modes,
+  type Path,
+  type Problem,
+  type RobotState,
+} from "@interface";
 import { RETRY_MS } from "../../state/answer";
 import {
   formatNumber,
@@ -57,11 +63,11 @@ function Registration({ outlook, commanding }: AimProperties) {
       </label>
       <Order
         commanding={commanding}
-        path="/api/v1/targeting/registration"
+        path={commands.REGISTRATION.path}
         fields={{ matrix, ...(ignores && { ignore_rotation: true }) }}
         refusal={reasonAgainst(outlook, "REGISTRATION") ?? missing}
       >
-        Register
+        {commands.REGISTRATION.label}
       </Order>
     </div>
   );
@@ -120,14 +126,12 @@ function usePreview(page: Page, text: string, cause: string): string | null {
 
 function PointOrder({
   name,
-  path,
   outlook,
   commanding,
   text,
   setText,
 }: AimProperties & {
   name: "Entry" | "Target";
-  path: Path;
   text: string;
   setText: (text: string) => void;
 }) {
@@ -150,13 +154,13 @@ function PointOrder({
       />
       <Order
         commanding={commanding}
-        path={path}
+        path={commands[kind].path}
         fields={aim ?? {}}
         refusal={
           reasonAgainst(outlook, kind) ?? (aim === null ? missing : null)
         }
       >
-        Send {name.toLowerCase()}
+        {commands[kind].label}
       </Order>
     </div>
   );
@@ -179,7 +183,7 @@ function ProposedRegistration({ robot, outlook, commanding }: AimProperties) {
       <div className="orders">
         <Order
           commanding={commanding}
-          path="/api/v1/targeting/registration"
+          path={commands.REGISTRATION.path}
           fields={{ matrix }}
           refusal={reasonAgainst(outlook, "REGISTRATION")}
         >
@@ -187,10 +191,10 @@ function ProposedRegistration({ robot, outlook, commanding }: AimProperties) {
         </Order>
         <Order
           commanding={commanding}
-          path="/api/v1/targeting/withdraw"
+          path={commands.WITHDRAW.path}
           fields={{ what: "proposed_registration" }}
         >
-          Withdraw registration
+          {commands.WITHDRAW.label} registration
         </Order>
       </div>
     </>
@@ -211,7 +215,7 @@ function ProposedEntry({ robot, outlook, commanding }: AimProperties) {
       </span>
       <Order
         commanding={commanding}
-        path="/api/v1/targeting/entry"
+        path={commands.ENTRY.path}
         fields={{ point_mm: point }}
         refusal={reasonAgainst(outlook, "ENTRY")}
       >
@@ -219,10 +223,10 @@ function ProposedEntry({ robot, outlook, commanding }: AimProperties) {
       </Order>
       <Order
         commanding={commanding}
-        path="/api/v1/targeting/withdraw"
+        path={commands.WITHDRAW.path}
         fields={{ what: "proposed_entry" }}
       >
-        Withdraw
+        {commands.WITHDRAW.label}
       </Order>
     </div>
   );
@@ -260,14 +264,14 @@ function Probe({ robot, outlook, commanding }: AimProperties) {
       ))}
       <Order
         commanding={commanding}
-        path="/api/v1/targeting/probe"
+        path={commands.PROBE.path}
         fields={{ lengths }}
         refusal={
           reasonAgainst(outlook, "PROBE") ??
           (missing === undefined ? null : `Write a number for ${missing.name}.`)
         }
       >
-        Change probe
+        {commands.PROBE.label}
       </Order>
     </div>
   );
@@ -308,14 +312,12 @@ export function Aim({
       <PointOrder
         {...properties}
         name="Entry"
-        path="/api/v1/targeting/entry"
         text={entry}
         setText={setEntry}
       />
       <PointOrder
         {...properties}
         name="Target"
-        path="/api/v1/targeting/target"
         text={target}
         setText={setTarget}
       />

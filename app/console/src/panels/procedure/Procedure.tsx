@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Modes, NextWorkphaseRequest, Status, Step } from "@interface";
+import {
+  commands,
+  type Modes,
+  type NextWorkphaseRequest,
+  type Status,
+  type Step,
+} from "@interface";
 import { words } from "../../words/format";
 import {
   useCommanding,
@@ -34,7 +40,7 @@ function StepItem({
     <li className="step" data-current={isCurrent}>
       <Order
         commanding={commanding}
-        path="/api/v1/workphase"
+        path={commands.WORKPHASE.path}
         fields={{ workphase: step.name }}
         refusal={step.reason}
         isCurrent={isCurrent}
@@ -50,7 +56,7 @@ function Confirmation({ commanding }: { commanding: Commanding }) {
   return (
     <Order
       commanding={commanding}
-      path="/api/v1/authority/request"
+      path={commands.REQUEST.path}
       fields={{ what: "CONFIRM" }}
     >
       Confirm the positions shown…

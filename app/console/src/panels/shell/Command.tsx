@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useContext, useEffect, useSyncExternalStore } from "react";
-import type { Authority } from "@interface";
+import { commands, type Authority } from "@interface";
 import type { PageAuthority } from "../../state/authority";
 import { mayCommand, Stale, type Operation } from "../../state/operation";
 
@@ -11,7 +11,7 @@ function Mine({ own }: { own: PageAuthority }) {
         <strong>This page commands.</strong>
       </p>
       <button type="button" onClick={own.giveUp}>
-        Give up command
+        {commands.RELEASE.label}
       </button>
     </>
   );
@@ -20,7 +20,7 @@ function Mine({ own }: { own: PageAuthority }) {
 function Nobodys({ own }: { own: PageAuthority }) {
   return (
     <button type="button" onClick={() => void own.take()}>
-      Take command
+      {commands.TAKE.label}
     </button>
   );
 }
