@@ -8,7 +8,7 @@ module Trace
   # A row for each function of the core and of the charts: how it is proved, by which harnesses under which contracts, and
   # which of its requirements are proved.
   class FunctionProofs
-    Row = Struct.new(:file, :function, :proof, :harnesses, :contracts, :proved, :tested, keyword_init: true)
+    Row = Struct.new(:file, :function, :proof, :harnesses, :contracts, :proved, :not_proved, keyword_init: true)
 
     PROVED = /\Aprove_/.freeze
 
@@ -32,9 +32,9 @@ module Trace
 
     def row(file, function, proof)
       harnesses = proof.split.include?('cbmc') ? harnesses_of(file, function) : []
-      proved, tested = requirements_of(file, function).partition { |id| proved_requirements.include?(id) }
+      proved, other = requirements_of(file, function).partition { |id| proved_requirements.include?(id) }
       Row.new(file: file, function: function, proof: proof, harnesses: harnesses.map(&:file),
-              contracts: harnesses.flat_map(&:contracts).uniq, proved: proved, tested: tested)
+              contracts: harnesses.flat_map(&:contracts).uniq, proved: proved, not_proved: other)
     end
 
     # A function of a header may be included by any source of a harness.

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Contract of core/base/clear.h for Eva, in place of it: the bytes are the caller's, and zero
- * afterwards. Of memset() Eva knows the range that is written; of a loop over it, it does not. */
+/** @file Contract of core/base/clear.h for Eva, in place of it: the bytes are the caller's, and
+ * zero afterwards. Of memset() Eva knows the range that is written; of a loop over it, it does not.
+ */
 #ifndef BORESIGHT_CLEAR_H
 #define BORESIGHT_CLEAR_H
 
