@@ -11,7 +11,7 @@
 # structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `commands`, for how each is sent; `modes`, for the whole table of
 # core/interface/modes.yml; `limits`, for those of requirements/; `known_limits`, for those of
 # requirements/known_limits.yml; `rooms`, for tools/rooms.yml; `decisions`, for docs/decisions;
-# `waits`, for tools/documents/waits.yml; `proofs`, for verification/proof/proofs.yml;
+# `waits`, for tools/documents/waits.yml; `proofs`, for verification/proof/proofs.yml; `proved`, a sentence of proved.yml beside it;
 # `robots`, for the axes of core/robot/*/robot.yml;
 # or one of tools/documents/card_tables.rb, for the frames of the cards.
 
@@ -21,6 +21,7 @@ require_relative 'decisions'
 require_relative 'gates/plan'
 require_relative 'interface/model'
 require_relative 'proof/harness'
+require_relative 'proof/proved_list'
 require_relative 'robot/description'
 require_relative 'rooms'
 require_relative 'trace/requirements'
@@ -57,7 +58,7 @@ end
 # Contents that can be shown as a table, read from one project.
 class TableSources
   # Tables that are no enumeration and no structure: a method of the same name.
-  OTHERS = %w[commands decisions known_limits limits modes problems proofs robots rooms routes waits].freeze
+  OTHERS = %w[commands decisions known_limits limits modes problems proofs proved robots rooms routes waits].freeze
 
   LINE = 130 # characters
 
@@ -167,6 +168,11 @@ class TableSources
       end
       markdown(['Harness', 'Proofs', 'Functions in which every check holds', 'Mutants refuted'], rows)
     end
+  end
+
+  # @satisfies SWR-TOOL-283
+  def proved
+    Proof::ProvedList.read(File.join(@root, Proof::ProvedList::FILE)).summary.scan(/\S.{0,#{LINE - 1}}(?=\s|\z)/)
   end
 
   def robots

@@ -38,6 +38,11 @@ module Eva
         check_ceiling(robot, known.values.count(OPEN))
     end
 
+    # [file, function] of the open alarms.
+    def open_functions(robot)
+      paths(robot).select { |_, reason| reason == OPEN }.keys.map { |path| path.take(2) }.uniq
+    end
+
     # The alarms found become the list; what is still there keeps its reason.
     def replace(robot, alarms)
       known = paths(robot)

@@ -21,9 +21,9 @@ module Eva
   class Analysis
     HERE = 'verification/eva'
     # Preprocessed by the compiler of the product; Frama-C's own headers stand in for those of a C library.
-    MACHINE = ['-load-script', "#{HERE}/cortex_a9.ml", '-machdep', 'cortex_a9', '-cpp-frama-c-compliant',
+    MACHINE = ['-load-script', "#{HERE}/cortex_a9.ml,#{HERE}/reached.ml", '-machdep', 'cortex_a9', '-cpp-frama-c-compliant',
                '-cpp-command', 'arm-linux-gnueabihf-gcc -E -C -I.'].freeze
-    INCLUDES = "-D__FC_MACHDEP_GCC_X86_32 -include #{HERE}/compiler.h -Icore -Ibuild/gen"
+    INCLUDES = "-D__FC_MACHDEP_GCC_X86_32 -include #{HERE}/compiler.h -I#{HERE}/instead -Icore -Ibuild/gen"
     CONTROLLER = %w[core/*/*.c core/*/*/*.c build/gen/charts/*_chart.c build/gen/robot/*.c
                     build/gen/interface/*.c].freeze
     PRECISION = %w[-eva-precision 0].freeze
@@ -31,6 +31,8 @@ module Eva
     NUMBER = /(?<=\w)_\d+\b/
     # Of a contract as a whole; each call at which it is not seen to hold is an alarm of its own.
     OF_CALLS = 'precondition: '
+    # Of reached.ml.
+    REACHED = /^\[kernel\] reached: (\S+): (\w+)$/.freeze
     FIGURES = /(\d+) functions analyzed \(out of (\d+)\).*?(\d+) statements reached \(out of (\d+)\)/m
 
     def self.of_controller(robot)
@@ -65,6 +67,11 @@ module Eva
     def reached
       analysed, functions, reached, statements = FIGURES.match(@log).to_a.drop(1).map(&:to_i)
       { functions: [analysed, functions], statements: [reached, statements] }
+    end
+
+    # [file, name] of each function that is reached.
+    def functions
+      @log.scan(REACHED).map { |file, name| [file.delete_prefix('./'), name] }.uniq
     end
 
     def figures

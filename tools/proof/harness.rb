@@ -36,7 +36,7 @@ module Proof
     INCLUDES = [FOLDER, 'core', 'build/gen'].freeze
     UNWIND = 12
 
-    attr_reader :file, :proves, :mutants
+    attr_reader :file, :sources, :proves, :mutants
 
     def self.all(list = LIST)
       Psych.safe_load_file(list).map { |row| new(row) }
@@ -47,9 +47,15 @@ module Proof
       @sources = [@file, *row.fetch('sources')]
       @proves = row.fetch('proves')
       @unwind = row.fetch('unwind', UNWIND)
-      @includes = [*row['instead'], *INCLUDES]
+      @instead = row['instead']
+      @includes = [*@instead, *INCLUDES]
       @night = row.fetch('night', [])
       @mutants = row.fetch('mutants').map { |mutant| Mutant.new(**mutant.transform_keys(&:to_sym)) }
+    end
+
+    # Files that stand in place of neighbours of what is proved.
+    def contracts
+      @sources.grep(%r{\A#{FOLDER}/contract/}) + (@instead ? Dir.glob("#{@instead}/**/*.h").sort : [])
     end
 
     # The functions to be run, and their lines; at night all of them.

@@ -345,6 +345,21 @@ class TestTrace < Minitest::Test
     end
   end
 
+  def test_SWR_TOOL_283_the_matrix_shows_the_proofs_of_each_function
+    files = { 'verification/proof/proved.yml' => "core/gate/gate.c:\n  gate_open: cbmc eva\n  gate_shut: open\n",
+              'verification/proof/proofs.yml' => "- {file: gate/prove_gate.c, sources: [core/gate/gate.c, verification/proof/contract/crc.c], " \
+                                                 "proves: [gate_open], mutants: []}\n",
+              'verification/proof/gate/prove_gate.c' => "void prove_SWR_PEDAL_002_opens(void)\n{\n    PROVE(true, \"SWR-PEDAL-002: it opens\");\n}\n" }
+    in_project(files) do |root|
+      trace('matrix', root)
+      rows = CSV.read(File.join(root, 'build/proved.csv')).drop(1)
+      assert_equal ['core/gate/gate.c', 'gate_open', 'cbmc eva', 'verification/proof/gate/prove_gate.c',
+                    'verification/proof/contract/crc.c', 'SWR-PEDAL-002', ''], rows.first
+      assert_equal ['core/gate/gate.c', 'gate_shut', 'open', '', '', '', ''], rows.last
+      assert_includes File.read(File.join(root, 'build/trace.html')), '<td>gate_open</td><td>cbmc eva</td>'
+    end
+  end
+
   def test_SWR_TRACE_001_elements_are_named_after_what_follows_the_comment
     sources = { 'a.h' => "/**\n * @satisfies SWR-PEDAL-001\n */\ntypedef struct {\n    int a;\n} gate_t;\n",
                 'b.h' => "/**\n * @file\n * @satisfies SWR-PEDAL-001\n */\n#ifndef B_H\n",

@@ -6,6 +6,7 @@ require 'erb'
 require 'fileutils'
 require 'json'
 require_relative 'check'
+require_relative 'function_proofs'
 
 module Trace
   # Each requirement with what it comes from, what fulfils it and what its tests say.
@@ -21,6 +22,7 @@ module Trace
 
     def initialize(project)
       @project = project
+      @functions = FunctionProofs.new(project)
       @rows = project.requirements.of_kind('SWR').sort_by(&:id).map { |item| row(item) }
     end
 
@@ -50,6 +52,7 @@ module Trace
       File.write(File.join(folder, 'trace.json'), "#{JSON.pretty_generate(document)}\n")
       File.write(File.join(folder, 'trace.csv'), csv)
       File.write(File.join(folder, 'trace.html'), html)
+      File.write(File.join(folder, 'proved.csv'), proved_csv)
     end
 
     def html
@@ -134,6 +137,13 @@ module Trace
                   row.tests.map { |test| "#{test[:result]}: #{test[:test]} (#{test[:file]})" }.join("\n"),
                   row.verdict]
         end
+      end
+    end
+
+    def proved_csv
+      CSV.generate do |out|
+        out << FunctionProofs::Row.members
+        @functions.rows.each { |row| out << row.to_a.map { |cell| Array(cell).join(' ') } }
       end
     end
 

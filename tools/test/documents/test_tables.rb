@@ -183,7 +183,7 @@ class TestTables < Minitest::Test
       refute is_passed
       cards = CardTables::NAMES.keys.sort.join(', ')
       assert_equal "docs/user-manual.md:1: there is no table shape; there are #{cards}, colour, commands, decisions, known_limits, limits, modes, paint, " \
-                   "problems, proofs, robots, rooms, routes, waits\n", output
+                   "problems, proofs, proved, robots, rooms, routes, waits\n", output
     end
   end
 
