@@ -2,15 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Runs the C tests once more, compiled another way than Ceedling does.
+# Runs the C tests, compiled in one of several ways, with the Unity and the CMock that come with Ceedling.
 #
+#   ruby tools/c_tests.rb gcov      all of them, counting what they reach of core and charts
 #   ruby tools/c_tests.rb asan      all of them, under AddressSanitizer and UndefinedBehaviorSanitizer
 #   ruby tools/c_tests.rb arm       those of core and simulated box, as Cortex-A9 code under qemu
 #   ruby tools/c_tests.rb gcc       those with long scenes, whole, on the code of the product
 #   ruby tools/c_tests.rb gcc FILE...   these
 #
-# With asan and arm every test runs, a long one with a tenth of its scenes (verification/unit/support/scenes.h).
-# `make` has compiled the code under test into build/<way>/libtest.a before.
+# With gcov, asan and arm every test runs, a long one with a tenth of its scenes (verification/unit/support/scenes.h).
+# `make` has compiled the code under test before: into build/<way>/libtest.a; with gcov the core into build/gcov/libcore.a, and what
+# is not counted, as the product has it, into build/gcc/libaround.a.
 
 require 'etc'
 require 'fileutils'
@@ -33,7 +35,9 @@ class CTests
                 libraries: LIBRARIES },
     'arm' => { compiler: %W[arm-linux-gnueabihf-gcc #{TENTH} -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static -fuse-ld=gold],
                runner: %w[qemu-arm], libraries: %w[-lm] },
-    'gcc' => { compiler: %w[gcc], runner: [], libraries: LIBRARIES }
+    'gcc' => { compiler: %w[gcc], runner: [], libraries: LIBRARIES },
+    'gcov' => { compiler: %W[gcc #{TENTH} --coverage -Wall -Wextra -Werror -Wshadow -Wswitch-enum], runner: [], libraries: LIBRARIES,
+                code: %w[-Wl,--start-group build/gcov/libcore.a build/gcc/libaround.a -Wl,--end-group] }
   }.freeze
   # A test that includes one of these has long scenes.
   SCENES = %w[unit/support/scenes integration/support/recorded scenes recorded].freeze
@@ -44,8 +48,9 @@ class CTests
   SUPPORT = Dir['verification/*/support/*.c'] + Dir["#{ROBOT_TESTS}/*.c"].grep_v(%r{/test_\w+\.c\z}) +
             ["#{UNITY}/src/unity.c", "#{CMOCK}/src/cmock.c"]
   ALWAYS = %w[contract_trap unity cmock].freeze
-  # As project.yml says it to Ceedling.
   RUNNER = { use_param_tests: true, mock_prefix: 'mock_', enforce_strict_ordering: true }.freeze
+  # What the runner calls its arguments a test may call a table.
+  NO_SHADOW = %(#pragma GCC diagnostic ignored "-Wshadow"\n)
   MOCK = /\Amock_/
   # Report of Unity on each test.
   VERDICT = /^(?<file>\S+\.c):(?<line>\d+):(?<test>test_.+?):(?<word>PASS|FAIL|IGNORE)(?:: ?(?<message>.*))?$/
@@ -69,7 +74,9 @@ class CTests
   def initialize(way, wanted)
     @options = WAYS.fetch(way)
     @out = "build/#{way}/tests"
-    @library = "build/#{way}/libtest.a"
+    @code = @options.fetch(:code, ["build/#{way}/libtest.a"])
+    # Counts of an earlier run would stand in for tests that are gone.
+    FileUtils.rm_f(Dir["build/#{way}/**/*.gcda"])
     @mocks = "build/#{way}/mocks"
     @tests = wanted.any? ? every_test & wanted : tests(way)
     @done = 0
@@ -140,7 +147,8 @@ class CTests
   def build(test)
     program = File.join(@out, File.basename(test, '.c'))
     UnityTestRunnerGenerator.new(RUNNER).run(test, "#{program}_runner.c")
-    compile('-O0', '-include', test, "#{program}_runner.c", *@support.values_at(*sources(test)), @library, *@options[:libraries],
+    File.write("#{program}_runner.c", NO_SHADOW + File.read("#{program}_runner.c"))
+    compile('-O0', '-include', test, "#{program}_runner.c", *@support.values_at(*sources(test)), *@code, *@options[:libraries],
             '-o', program)
     program
   end
@@ -156,7 +164,7 @@ class CTests
     names = @tests.flat_map { |test| headers_of(test) }.grep(MOCK).uniq
     headers = names.map { |name| Dir["{core/*,core/*/*,app/*,app/*/*,bsp/include,/usr/include}/#{name.sub(MOCK, '')}.h"].fetch(0) }
     @mocked = headers.map { |header| File.dirname(header) }.uniq
-    call('ruby', "#{CMOCK}/lib/cmock.rb", '-oproject.yml', "--mock_path=#{@mocks}", *headers)
+    call('ruby', "#{CMOCK}/lib/cmock.rb", '-overification/unit/cmock.yml', "--mock_path=#{@mocks}", *headers)
     names.map { |name| "#{@mocks}/#{name}.c" }
   end
 

@@ -69,9 +69,9 @@ class CoverageReport
   LOG = 'build/log/coverage.log'
   PLACES = %w[core build/gen/charts].freeze
   TESTS = '*/core/robot/*/test/*'
-  COUNTED = %w[build/ceedling/gcov build/gcov/core build/gcov/build/gen/charts].freeze
+  COUNTED = %w[build/gcov/tests build/gcov/core build/gcov/build/gen/charts].freeze
   RESULTS = 'build/results/unit.json'
-  GCOVR = 'build/ceedling/artifacts/gcov/gcovr'
+  GCOVR = 'build/gcov/coverage'
 
   def self.write
     tested? || system('make', '--no-print-directory', 'gate', 'NAME=unit') || abort
@@ -81,9 +81,9 @@ class CoverageReport
     call('genhtml', '--quiet', '--branch-coverage', '--title', 'Boresight core', '--prefix', Dir.pwd,
          '--output-directory', FOLDER, TRACEFILE)
     coverage = Coverage.new(Coverage.lcov(File.read(TRACEFILE)),
-                            Coverage.gcovr(JSON.parse(File.read("#{GCOVR}/GcovCoverage.json"))))
+                            Coverage.gcovr(JSON.parse(File.read("#{GCOVR}/coverage.json"))))
     abort coverage.differences.join("\n") if coverage.differences.any?
-    puts coverage.summary, "#{TRACEFILE}, #{FOLDER}/index.html; gcovr's pages: #{GCOVR}/GcovCoverageResults.html"
+    puts coverage.summary, "#{TRACEFILE}, #{FOLDER}/index.html; gcovr's pages: #{GCOVR}/index.html"
   end
 
   def self.tested?

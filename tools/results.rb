@@ -4,7 +4,7 @@
 
 # Runs a test runner that is not ours, says how far it is, and leaves what its report holds for tools/trace.rb.
 #
-#   ruby tools/results.rb ceedling|vitest REPORT.json COMMAND...
+#   ruby tools/results.rb vitest REPORT.json COMMAND...
 #
 # Each runner leaves its results by `Results.leave`: in build/results/<name of the gate>.json, as
 #
@@ -20,13 +20,10 @@ require_relative 'origin'
 
 # Results of tests.
 module Results
-  class ReportError < StandardError; end
-
   NAME = 'RESULT_NAME'
   FOLDER = 'build/results'
   # Line that a runner prints once for each of its files, and these files.
-  STEPS = { 'ceedling' => [/\ARunning test_/, '{verification,build/gen/tests}/**/test_*.c'],
-            'vitest' => [/\A\s*\S \S+\.test\.tsx? /, 'app/console/src/**/*.test.{ts,tsx}'] }.freeze
+  STEPS = { 'vitest' => [/\A\s*\S \S+\.test\.tsx? /, 'app/console/src/**/*.test.{ts,tsx}'] }.freeze
 
   class << self
     def file(name)
@@ -57,18 +54,6 @@ module Results
       status.success?
     rescue Errno::ENOENT
       abort "#{command.first} left no #{report}"
-    end
-
-    def ceedling(report)
-      rows = { 'PassedTests' => 'pass', 'FailedTests' => 'fail', 'IgnoredTests' => 'ignore' }.flat_map do |list, result|
-        report.fetch(list).map do |entry|
-          { test: entry['test'], file: entry['file'], line: entry['line'], result: result, message: entry['message'] }
-        end
-      end
-      total = report.fetch('Summary').fetch('total_tests')
-      raise ReportError, "the summary counts #{total} tests, the lists hold #{rows.size}" unless total == rows.size
-
-      rows
     end
 
     def vitest(report)
@@ -112,10 +97,10 @@ end
 
 if $PROGRAM_NAME == __FILE__
   runner, report, *command = ARGV
-  abort 'usage: results.rb ceedling|vitest REPORT.json COMMAND...' unless Results::STEPS.key?(runner) && command.any?
+  abort 'usage: results.rb vitest REPORT.json COMMAND...' unless Results::STEPS.key?(runner) && command.any?
   begin
     exit(Results.run(runner, report, command) ? 0 : 1)
-  rescue Results::ReportError, JSON::ParserError, KeyError => e
+  rescue JSON::ParserError, KeyError => e
     abort "#{report}: #{e.message.lines.first.strip}"
   end
 end

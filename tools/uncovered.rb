@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Lists what the tests never reached, from the coverage that `ceedling gcov:all` left.
+# Lists what the tests never reached, from the coverage that the gate unit left.
 #
 #   ruby tools/uncovered.rb [GCOVR.json]
 
@@ -33,8 +33,8 @@ class Uncovered
 end
 
 if $PROGRAM_NAME == __FILE__
-  file = ARGV.fetch(0, 'build/ceedling/artifacts/gcov/gcovr/GcovCoverage.json')
-  abort "#{file} is not there; run ceedling gcov:all" unless File.exist?(file)
+  file = ARGV.fetch(0, 'build/gcov/coverage/coverage.json')
+  abort "#{file} is not there; run make gate NAME=unit" unless File.exist?(file)
   lines = Uncovered.new(JSON.parse(File.read(file))).lines
   puts lines
   puts "uncovered: #{lines.size} lines"

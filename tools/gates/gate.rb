@@ -8,10 +8,10 @@ module Gates
   class Refused < StandardError; end
 
   # One line of verification/gates.yml; its head says what the fields mean.
-  Gate = Struct.new(:name, :says, :run, :seconds, :needs, :cores, :alone, keyword_init: true) do
+  Gate = Struct.new(:name, :says, :run, :seconds, :needs, :cores, :waits, :alone, keyword_init: true) do
     def self.read(file)
       gates = YAML.safe_load_file(file).map do |row|
-        new(needs: [], cores: 1, alone: false, **row.transform_keys(&:to_sym))
+        new(needs: [], cores: 1, waits: false, alone: false, **row.transform_keys(&:to_sym))
       end
       known = gates.map(&:name)
       gates.each { |gate| refuse(gate.needs - known, known) }

@@ -34,8 +34,8 @@ module Gates
       @size = 0
       FileUtils.rm_f(Results.file(gate.name))
       environment = OUTER_MAKE.merge(Results::NAME => gate.name, Origin::ENVIRONMENT => JSON.generate(origin))
-      @pid = Process.spawn(environment, 'bash', '-euo', 'pipefail', '-c', gate.run, %i[out err] => [gate.log, 'w'],
-                                                                                    in: '/dev/null', pgroup: true)
+      @pid = Process.spawn(environment, *priority, 'bash', '-euo', 'pipefail', '-c', gate.run,
+                           %i[out err] => [gate.log, 'w'], in: '/dev/null', pgroup: true)
     end
 
     def seconds
@@ -72,6 +72,13 @@ module Gates
     end
 
     private
+
+    # One that computes leaves a core to one that waits, as soon as that goes on.
+    #
+    # @satisfies SWR-GATE-290
+    def priority
+      gate.waits || gate.alone ? [] : %w[nice -n 10]
+    end
 
     # A runner that ran no test, or could not say what it ran, has not passed.
     def results

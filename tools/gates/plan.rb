@@ -4,8 +4,8 @@
 require_relative 'gate'
 
 module Gates
-  # Which gate runs when. It waits for those that it needs; the longest goes first, as long as there are cores for it;
-  # those that must be alone run one by one after all others.
+  # Which gate runs when. It waits for those that it needs; the longest goes first, as long as there are cores for it. One that
+  # mostly waits keeps no core busy: one of these runs beside all that compute. Those that must be alone run one by one after all others.
   #
   # @satisfies SWR-GATE-002
   class Plan
@@ -40,11 +40,15 @@ module Gates
       waiting.select { |gate| (gate.needs - passed.map(&:name)).empty? }
     end
 
-    # As long as a core is free.
     def fitting(gates, running)
-      busy = running.sum(&:cores)
+      waiters, computing = gates.partition(&:waits)
+      waiters = [] if running.any?(&:waits)
+      waiters.first(1) + on_free_cores(computing, running.reject(&:waits).sum(&:cores))
+    end
+
+    def on_free_cores(gates, busy)
       gates.select do |gate|
-        starts = busy < @cores || gate.cores.zero?
+        starts = busy < @cores
         busy += gate.cores if starts
         starts
       end

@@ -20,9 +20,17 @@ class TestGatePlan < Minitest::Test
     assert_empty startable(passed: %w[build], running: %w[long middle], waiting: %w[short])
   end
 
-  def test_SWR_GATE_002_a_wide_gate_shares_a_core_and_one_that_waits_needs_none
+  def test_SWR_GATE_002_one_gate_that_waits_runs_beside_those_that_keep_the_cores_busy
+    assert_equal %w[idle], startable(passed: %w[build], running: %w[wide], waiting: %w[idle rest short])
+    assert_equal %w[idle long middle], startable(passed: %w[build], waiting: %w[idle rest long middle short])
+    assert_equal %w[middle], startable(passed: %w[build], running: %w[idle long], waiting: %w[rest middle short])
+    assert_empty startable(passed: %w[build], running: %w[idle], waiting: %w[rest])
+    assert_equal 20, left(waiting: %w[idle short])
+    assert_equal 2 + 1, left(waiting: %w[idle rest])
+  end
+
+  def test_SWR_GATE_002_a_wide_gate_shares_a_core
     assert_equal %w[wide], startable(passed: %w[build], running: %w[long], waiting: %w[wide short])
-    assert_equal %w[idle], startable(passed: %w[build], running: %w[wide], waiting: %w[idle short])
     assert_equal %w[wide], startable(passed: %w[build], waiting: %w[wide], cores: 1)
   end
 
@@ -45,12 +53,12 @@ class TestGatePlan < Minitest::Test
 
   private
 
-  SECONDS = { 'build' => 10, 'long' => 50, 'middle' => 30, 'short' => 20, 'later' => 5, 'wide' => 40, 'idle' => 1,
-              'alone' => 7, 'last' => 90 }.freeze
+  SECONDS = { 'build' => 10, 'long' => 50, 'middle' => 30, 'short' => 20, 'later' => 5, 'wide' => 40, 'idle' => 2,
+              'rest' => 1, 'alone' => 7, 'last' => 90 }.freeze
   GATES = SECONDS.keys.to_h do |name|
     needs = { 'build' => [], 'later' => %w[build long] }.fetch(name, %w[build])
-    [name, Gates::Gate.new(name: name, needs: needs, cores: { 'wide' => 2, 'idle' => 0 }.fetch(name, 1),
-                           alone: %w[alone last].include?(name))]
+    [name, Gates::Gate.new(name: name, needs: needs, cores: { 'wide' => 2 }.fetch(name, 1),
+                           waits: %w[idle rest].include?(name), alone: %w[alone last].include?(name))]
   end.freeze
 
   def gates(names)

@@ -102,6 +102,18 @@ class TestGates < Minitest::Test
     end
   end
 
+  def test_SWR_GATE_290_a_gate_that_computes_stands_back_and_one_that_waits_or_must_be_punctual_does_not
+    here = Process.getpriority(Process::PRIO_PROCESS, 0)
+    in_folder do
+      nice = [{}, { waits: true }, { alone: true }].map do |fields|
+        job = Gates::Job.new(Gates::Gate.new(name: 'a', run: 'nice', **fields), {})
+        Process.wait(job.pid)
+        File.read('build/log/a.log').to_i
+      end
+      assert_equal [[here + 10, 19].min, here, here], nice
+    end
+  end
+
   def test_SWR_GATE_002_needs_that_go_round_are_refused
     output, status = run_gates('a' => ['true', %w[b]], 'b' => ['true', %w[a]])
     refute status.success?

@@ -14,17 +14,6 @@ require_relative '../results'
 class TestResults < Minitest::Test
   TOOLS = File.expand_path('..', __dir__)
 
-  def test_SWR_TRACE_001_results_of_ceedling
-    report = { 'PassedTests' => [{ 'test' => 'a(1)', 'file' => 'x.c' }],
-               'FailedTests' => [{ 'test' => 'b', 'file' => 'x.c', 'line' => 3, 'message' => '<"&' }],
-               'IgnoredTests' => [{ 'test' => 'c', 'file' => 'x.c' }], 'Summary' => { 'total_tests' => 3 } }
-    assert_equal [['a(1)', 'x.c', 'pass', nil, nil], ['b', 'x.c', 'fail', 3, '<"&'], ['c', 'x.c', 'ignore', nil, nil]],
-                 rows(Results.ceedling(report))
-    report['Summary']['total_tests'] = 4
-    error = assert_raises(Results::ReportError) { Results.ceedling(report) }
-    assert_equal 'the summary counts 4 tests, the lists hold 3', error.message
-  end
-
   def test_SWR_TRACE_001_results_of_unity
     output = "core says hello\nx.c:3:test_a(1):PASS\nx.c:7:test_b:FAIL: Expected 1 Was 2\nx.c:9:test_c:IGNORE\nFAIL\n"
     rows = [['test_a(1)', 'x.c', 'pass', nil, nil], ['test_b', 'x.c', 'fail', 7, 'Expected 1 Was 2'],
@@ -112,16 +101,15 @@ class TestResults < Minitest::Test
 
   def test_SWR_TRACE_002_every_runner_leaves_its_results_with_their_origin
     in_tools do |root|
-      report = { PassedTests: [{ test: 'a', file: 'x.c' }], FailedTests: [], IgnoredTests: [],
-                 Summary: { total_tests: 1 } }
-      say = "puts 'Running test_a.out'; File.write('report.json', #{JSON.generate(report).inspect}); exit 3"
-      FileUtils.mkdir_p(File.join(root, 'verification/unit'))
-      File.write(File.join(root, 'verification/unit/test_a.c'), '')
-      output, status = run_in(root, 'tools/results.rb', 'ceedling', 'report.json', 'ruby', '-e', say)
-      assert_equal "[0/1] Running test_a.out\n", output
+      report = { testResults: [{ name: 'a.test.ts', status: 'passed', assertionResults: [{ fullName: 'a', status: 'passed' }] }] }
+      say = "puts ' ✓ a.test.ts (1)'; File.write('report.json', #{JSON.generate(report).inspect}); exit 3"
+      FileUtils.mkdir_p(File.join(root, 'app/console/src'))
+      File.write(File.join(root, 'app/console/src/a.test.ts'), '')
+      output, status = run_in(root, 'tools/results.rb', 'vitest', 'report.json', 'ruby', '-e', say)
+      assert_equal "[0/1]  ✓ a.test.ts (1)\n", output
       refute status.success?, 'the runner had failed'
       left = JSON.parse(File.read(File.join(root, 'build/results/it.json')))
-      assert_equal [{ 'test' => 'a', 'file' => 'x.c', 'result' => 'pass' }], left.fetch('tests')
+      assert_equal [{ 'test' => 'a', 'file' => 'a.test.ts', 'result' => 'pass' }], left.fetch('tests')
       assert_equal %w[commit tree is_changed checkout machine tools time], left.fetch('run').keys
     end
   end

@@ -44,7 +44,7 @@ module Trace
 
     private
 
-    # Ceedling does not count assertions; the text stands in for the count.
+    # Unity does not count assertions; the text stands in for the count.
     def mark_empty_tests
       empty = sources.tests.select(&:is_empty).map { |test| [test.place.file, test.name] }
       results.each do |result|

@@ -6,7 +6,7 @@ require_relative '../emit/c/layout'
 require_relative '../emit/c/names'
 
 module Chart
-  # The shortest way to break a property or a rule: in words, and as a Ceedling test of the compiled chart that fails as
+  # The shortest way to break a property or a rule: in words, and as a Unity test of the compiled chart that fails as
   # long as the way is open.
   # @satisfies SWR-CHART-013
   class Counterexample
