@@ -286,7 +286,7 @@ void test_SWR_MEMORY_003_the_numbers_of_the_interlocks_the_mode_and_the_rest_are
 
 /* The clock and the trace of a chart only record; a report decides in the cycle in which it came.
  */
-void test_SWR_MEMORY_003_a_field_outside_of_a_sealed_part_is_no_damage(void)
+void test_SWR_MEMORY_260_a_field_outside_of_a_sealed_part_is_no_damage(void)
 {
     begin_move();
     moving = rig;
