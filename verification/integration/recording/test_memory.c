@@ -280,7 +280,11 @@ void test_SWR_MEMORY_003_the_numbers_of_the_interlocks_the_mode_and_the_rest_are
     expect_each_word(&self->procedure.arming, ARMING_CHART_BYTES, 1U);
     expect_each_word(&self->mode.sealed, sizeof self->mode.sealed, 1U);
     expect_each_word(&self->mode.request.sealed, sizeof self->mode.request.sealed, 1U);
-    expect_each_word(&self->sealed, sizeof self->sealed, 1U);
+    expect_each_word(&self->sealed, offsetof(controller_sealed_t, axis_count), 1U);
+    /* The number of axes is taken anew from the whole table, before it is compared. */
+    expect_each_word(&self->sealed.axis_count, sizeof self->sealed.axis_count, 0U);
+    expect_each_word(&self->sealed.cycle,
+                     sizeof self->sealed - offsetof(controller_sealed_t, cycle), 1U);
     expect_each_word(&record->sealed, sizeof record->sealed, 1U);
 }
 
