@@ -185,8 +185,9 @@ typedef struct {
     homing_account_t account; /**< Has a seal of its own. */
     uint32_t last_event;    /**< event_id_t of the one noted last; it counts only, with the next. */
     uint32_t refused_cycle; /**< When the numbers of something refused were noted; the same. */
-    /** Rows of mode.list; each has a checksum. The last member, as they are too many to be copied
-     * with the rest: the members before are a checkpoint, to which those that the list has belong.
+    /** Rows of mode.sealed.list; each has a checksum. The last member, as they are too many to be
+     * copied with the rest: the members before are a checkpoint, to which those that the list has
+     * belong.
      */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
 } controller_t;
