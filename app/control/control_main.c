@@ -101,7 +101,7 @@ static void switch_off(const char *why)
     char text[DRIVES_OFF_TEXT_SIZE];
     char line[2U * DRIVES_OFF_TEXT_SIZE];
     const drives_off_t done =
-        drives_off(our_robot, board.dialect, controller.sequence, controller.time_us);
+        drives_off(our_robot, board.dialect, controller.sealed.sequence, controller.sealed.time_us);
     drives_off_tell(&done, text);
     const int length = snprintf(line, sizeof line, "control: %s; %s", why, text);
     (void)!write(STDERR_FILENO, line, (size_t)length);
@@ -230,7 +230,7 @@ static void publish_figures(void)
     if (elapsed_ns >= FIGURES_NS) {
         const uint64_t board_ns = bsp_reached_ns();
         figures_publish(&figures, &published);
-        published.overruns = controller.loop.overruns;
+        published.overruns = controller.loop.sealed.overruns;
         published.cycles_lost = lane.lost;
         published.speed_permille = (uint32_t)(((board_ns - told_board_ns) * 1000U) / elapsed_ns);
         computer_look(&computer, &published);
@@ -245,7 +245,7 @@ static void publish_figures(void)
 static void record_checkpoint(bool is_resuming)
 {
     const bool is_requested = exchange_take_checkpoint_request(exchange);
-    if ((is_requested || is_resuming || (controller.cycle == 0U)) && !lane.is_gap) {
+    if ((is_requested || is_resuming || (controller.sealed.cycle == 0U)) && !lane.is_gap) {
         (void)exchange_push_checkpoint(exchange, &controller);
     }
 }
@@ -258,7 +258,7 @@ static void record_checkpoint(bool is_resuming)
  */
 static void run_cycle(uint64_t deadline_ns, uint64_t woken_ns, uint64_t elapsed_ns)
 {
-    const uint32_t cycle = controller.cycle;
+    const uint32_t cycle = controller.sealed.cycle;
     const bool is_resuming = cycle_lane_look(&lane, exchange);
     stage_ns[LOOP_STAGE_WAKE] = woken_ns - deadline_ns; /* It is part of what has elapsed. */
     gather_inputs(elapsed_ns);

@@ -112,7 +112,7 @@ bool exchange_push_checkpoint(exchange_t *self, const controller_t *controller)
         const size_t left = CONTROLLER_CHECKPOINT_BYTES - at;
         const size_t size = (left < PART_BYTES) ? left : PART_BYTES;
         entry->kind = (at == 0U) ? (uint32_t)CYCLE_RECORD_CHECKPOINT : 0U;
-        entry->cycle = controller->cycle;
+        entry->cycle = controller->sealed.cycle;
         entry->rows = self->segment->control.row_count;
         entry->list = self->segment->control.list;
         (void)memcpy(entry->body.part, &bytes[at], size);

@@ -22,7 +22,7 @@ void exchange_publish_rows(exchange_t *self, const controller_t *controller,
                            const controller_outputs_t *outputs)
 {
     segment_control_t *control = &self->segment->control;
-    const trajectory_list_t *list = &controller->mode.list;
+    const trajectory_list_t *list = &controller->mode.sealed.list;
     const uint32_t count = (list->count <= LIMIT_TRAJECTORY_ROWS) ? list->count : 0U;
 
     if (is_another(control, count, outputs)) {

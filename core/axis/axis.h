@@ -26,8 +26,8 @@
 /** A place was known, and the counts since then cannot be believed. */
 #define AXIS_PLACE_BROKEN UINT32_C(2)
 
+/** Under seal. */
 typedef struct {
-    axis_chart_t chart;
     encoder_t encoder;
     uint32_t limit_switches; /**< CARD_LIMIT_ bits of the last report. */
     motor_heat_t heat;
@@ -42,6 +42,11 @@ typedef struct {
                                     the record. */
     int32_t setpoint_ticks;
     int32_t setpoint_speed_ticks_per_s_q8;
+} axis_sealed_t;
+
+typedef struct {
+    axis_chart_t chart;
+    axis_sealed_t sealed;
     supervision_t supervision;
 } axis_t;
 
@@ -159,7 +164,7 @@ void axis_refuse_parking(axis_t *self);
 /** Nothing has been known of where it is since the start: it stands as it was parked. */
 static inline bool axis_is_as_parked(const axis_t *self)
 {
-    return self->place == 0U;
+    return self->sealed.place == 0U;
 }
 
 /** No motion is wanted: the set-point is the position. */

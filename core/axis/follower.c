@@ -45,29 +45,30 @@ void follower_tie(const robot_t *robot, axis_t axes[ROBOT_AXIS_MAX], uint32_t le
 {
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         if (follower_is_of(robot, i, leader)) {
-            axes[i].homing.start_ticks = axes[i].encoder.position_ticks;
+            axes[i].sealed.homing.start_ticks = axes[i].sealed.encoder.position_ticks;
         }
     }
 }
 
 static int64_t way_ticks(const axis_t *self, int32_t ticks)
 {
-    return (int64_t)ticks - (int64_t)self->homing.start_ticks;
+    return (int64_t)ticks - (int64_t)self->sealed.homing.start_ticks;
 }
 
 int32_t follower_apart_ticks(const axis_t *self, const axis_t *leader, uint32_t pace)
 {
-    return fixed_saturate(way_ticks(self, self->encoder.position_ticks) -
-                          ((int64_t)pace * way_ticks(leader, leader->encoder.position_ticks)));
+    return fixed_saturate(
+        way_ticks(self, self->sealed.encoder.position_ticks) -
+        ((int64_t)pace * way_ticks(leader, leader->sealed.encoder.position_ticks)));
 }
 
 card_drive_t follower_step(axis_t *self, const axis_config_t *config, const axis_t *leader,
                            uint32_t pace, uint32_t elapsed_us)
 {
-    const int64_t setpoint = (int64_t)self->homing.start_ticks +
-                             ((int64_t)pace * way_ticks(leader, leader->setpoint_ticks));
+    const int64_t setpoint = (int64_t)self->sealed.homing.start_ticks +
+                             ((int64_t)pace * way_ticks(leader, leader->sealed.setpoint_ticks));
     return axis_follow(self, config, fixed_saturate(setpoint),
-                       (int32_t)pace * leader->setpoint_speed_ticks_per_s_q8, elapsed_us);
+                       (int32_t)pace * leader->sealed.setpoint_speed_ticks_per_s_q8, elapsed_us);
 }
 
 bool follower_is_at_end(const axis_t *self, const axis_config_t *config,

@@ -37,18 +37,18 @@ static bool is_pushing(const axis_config_t *config, const supervision_view_t *vi
  * a while. */
 static int64_t way_ticks(const supervision_t *self, const supervision_view_t *view)
 {
-    const int64_t way = (int64_t)view->position_ticks - (int64_t)self->mark_ticks;
+    const int64_t way = (int64_t)view->position_ticks - (int64_t)self->sealed.mark_ticks;
     return view->is_upwards ? way : -way;
 }
 
 static void watch_progress(supervision_t *self, const supervision_view_t *view)
 {
     const uint16_t direction = view->is_upwards ? 1U : 0U;
-    const bool has_turned = direction != self->is_upwards;
-    self->is_upwards = direction;
+    const bool has_turned = direction != self->sealed.is_upwards;
+    self->sealed.is_upwards = direction;
     if (has_turned || (way_ticks(self, view) >= (int64_t)LIMIT_STALL_PROGRESS_TICKS)) {
         (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_PROGRESS);
-        self->mark_ticks = view->position_ticks;
+        self->sealed.mark_ticks = view->position_ticks;
     }
     (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_DRIVEN);
 }
@@ -66,7 +66,7 @@ static bool is_stalled(supervision_t *self, const axis_config_t *config,
         if (self->stall.state != STALL_WATCHDOG_STATE_IDLE) { /* STALL-I09 */
             (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_NOT_DRIVEN);
         }
-        self->mark_ticks = view->position_ticks;
+        self->sealed.mark_ticks = view->position_ticks;
     }
     return false;
 }
@@ -81,7 +81,7 @@ static bool is_backwards(supervision_t *self, const supervision_view_t *view)
     const int64_t way = way_ticks(self, view);
     const bool is_wrong = view->is_driven && (way <= -(int64_t)LIMIT_WRONG_WAY_TICKS);
     if (is_wrong) {
-        self->backwards_ticks = (int32_t)-way;
+        self->sealed.backwards_ticks = (int32_t)-way;
     }
     return is_wrong;
 }
@@ -93,7 +93,7 @@ int32_t supervision_rest_ticks(const axis_config_t *config)
 
 static int64_t due_ticks(const supervision_t *self)
 {
-    return ((self->due_q16 < 0) ? -self->due_q16 : self->due_q16) / 65536;
+    return ((self->sealed.due_q16 < 0) ? -self->sealed.due_q16 : self->sealed.due_q16) / 65536;
 }
 
 /* The motor was driven, and nothing was counted in its direction. A pause does not
@@ -101,27 +101,27 @@ static int64_t due_ticks(const supervision_t *self)
 static bool is_silent(supervision_t *self, const axis_config_t *config, const count_cycle_t *cycle)
 {
     if ((cycle->counted_ticks != 0) &&
-        ((cycle->counted_ticks * (int64_t)self->account.direction) > 0)) {
-        self->due_q16 = 0;
-        self->silent_us = 0U;
+        ((cycle->counted_ticks * (int64_t)self->sealed.account.direction) > 0)) {
+        self->sealed.due_q16 = 0;
+        self->sealed.silent_us = 0U;
         return false;
     }
-    self->due_q16 += cycle->model_q16;
-    if (self->due_q16 == 0) {
+    self->sealed.due_q16 += cycle->model_q16;
+    if (self->sealed.due_q16 == 0) {
         return false;
     }
     const bool is_due = (cycle->model_q16 != 0) && (due_ticks(self) >= (int64_t)LIMIT_SILENT_TICKS);
-    self->silent_us += is_due ? cycle->elapsed_us : 0U;
-    return (self->silent_us >= LIMIT_SILENT_TIME_US) ||
+    self->sealed.silent_us += is_due ? cycle->elapsed_us : 0U;
+    return (self->sealed.silent_us >= LIMIT_SILENT_TIME_US) ||
            joints_is_beyond(config, due_ticks(self) + 1, LIMIT_BLIND_WAY_NM, LIMIT_BLIND_WAY_BAM);
 }
 
 void supervision_settle(supervision_t *self)
 {
-    self->due_q16 = 0;
-    self->silent_us = 0U;
-    count_balance_settle(&self->account);
-    edge_spacing_settle(&self->pace);
+    self->sealed.due_q16 = 0;
+    self->sealed.silent_us = 0U;
+    count_balance_settle(&self->sealed.account);
+    edge_spacing_settle(&self->sealed.pace);
 }
 
 /* Without any count the fault is NO_COUNTS, not WRONG_SPEED. The sum starts anew once the fault is
@@ -129,13 +129,13 @@ void supervision_settle(supervision_t *self)
 static uint32_t watch_counts(supervision_t *self, const axis_config_t *config,
                              const count_cycle_t *cycle)
 {
-    const bool is_wrong = count_balance_step(&self->account, config, cycle);
+    const bool is_wrong = count_balance_step(&self->sealed.account, config, cycle);
     const bool is_none = is_silent(self, config, cycle);
     if (!is_none && !is_wrong) {
         return 0U;
     }
     const int64_t due = due_ticks(self);
-    self->missing_ticks = fixed_saturate(due);
+    self->sealed.missing_ticks = fixed_saturate(due);
     supervision_settle(self);
     return (is_none || (due >= (int64_t)LIMIT_SILENT_TICKS)) ? AXIS_NOTE_NO_COUNTS
                                                              : AXIS_NOTE_WRONG_SPEED;
@@ -170,60 +170,63 @@ static bool is_uneven(supervision_t *self, const supervision_view_t *view, int64
     const bool is_upwards = cycle->model_q16 > 0;
     if (cycle->model_q16 == 0) {
         if (cycle->counted_ticks != 0) {
-            edge_spacing_begin(&self->pace);
+            edge_spacing_begin(&self->sealed.pace);
         }
         return false;
     }
     const int64_t way_q16 = is_upwards ? cycle->model_q16 : -cycle->model_q16;
     const int32_t ticks = fixed_saturate(is_upwards ? cycle->counted_ticks : -cycle->counted_ticks);
-    if ((ticks < 0) || ((self->account.direction > 0) != is_upwards) ||
-        (view->edge_age_us == ENCODER_AGE_UNKNOWN) || (self->account.unsure_us != 0U)) {
-        edge_spacing_begin(&self->pace);
+    if ((ticks < 0) || ((self->sealed.account.direction > 0) != is_upwards) ||
+        (view->edge_age_us == ENCODER_AGE_UNKNOWN) || (self->sealed.account.unsure_us != 0U)) {
+        edge_spacing_begin(&self->sealed.pace);
         return false;
     }
-    const int64_t speed_q8 = motor_heat_slow(view->lost_q16, self->model.speed_ticks_per_s_q8);
+    const int64_t speed_q8 =
+        motor_heat_slow(view->lost_q16, self->sealed.model.speed_ticks_per_s_q8);
     const edge_spacing_view_t pace = {
         .way_q16 = (uint32_t)way_q16,
         .after_q16 =
             (ticks > 0) ? way_after(before_q8, speed_q8, view->edge_age_us, cycle->elapsed_us) : 0U,
         .ticks = (uint32_t)ticks,
     };
-    return edge_spacing_step(&self->pace, &pace);
+    return edge_spacing_step(&self->sealed.pace, &pace);
 }
 
 static void settle(supervision_t *self, const supervision_view_t *view)
 {
     for (uint32_t i = 0U; i < SUPERVISION_PLACES; i++) {
-        self->places_ticks[i] = view->position_ticks;
+        self->sealed.places_ticks[i] = view->position_ticks;
     }
-    self->lowest_ticks = view->position_ticks;
-    self->highest_ticks = view->position_ticks;
-    self->place_us = 0U;
+    self->sealed.lowest_ticks = view->position_ticks;
+    self->sealed.highest_ticks = view->position_ticks;
+    self->sealed.place_us = 0U;
 }
 
 static void remember_place(supervision_t *self, const supervision_view_t *view)
 {
-    self->place_us += view->elapsed_us;
-    if (self->place_us < PLACE_US) {
+    self->sealed.place_us += view->elapsed_us;
+    if (self->sealed.place_us < PLACE_US) {
         return;
     }
-    self->place_us = 0U;
-    self->place = (self->place + 1U) % SUPERVISION_PLACES;
-    self->places_ticks[self->place] = view->position_ticks;
-    self->lowest_ticks = view->position_ticks;
-    self->highest_ticks = view->position_ticks;
+    self->sealed.place_us = 0U;
+    self->sealed.place = (self->sealed.place + 1U) % SUPERVISION_PLACES;
+    self->sealed.places_ticks[self->sealed.place] = view->position_ticks;
+    self->sealed.lowest_ticks = view->position_ticks;
+    self->sealed.highest_ticks = view->position_ticks;
     for (uint32_t i = 0U; i < SUPERVISION_PLACES; i++) {
-        const int32_t place = self->places_ticks[i];
-        self->lowest_ticks = (place < self->lowest_ticks) ? place : self->lowest_ticks;
-        self->highest_ticks = (place > self->highest_ticks) ? place : self->highest_ticks;
+        const int32_t place = self->sealed.places_ticks[i];
+        self->sealed.lowest_ticks =
+            (place < self->sealed.lowest_ticks) ? place : self->sealed.lowest_ticks;
+        self->sealed.highest_ticks =
+            (place > self->sealed.highest_ticks) ? place : self->sealed.highest_ticks;
     }
 }
 
 /* From the place of the last second that is farthest from here. */
 static int32_t way_while_off(const supervision_t *self, const supervision_view_t *view)
 {
-    const int64_t up = (int64_t)view->position_ticks - (int64_t)self->lowest_ticks;
-    const int64_t down = (int64_t)self->highest_ticks - (int64_t)view->position_ticks;
+    const int64_t up = (int64_t)view->position_ticks - (int64_t)self->sealed.lowest_ticks;
+    const int64_t down = (int64_t)self->sealed.highest_ticks - (int64_t)view->position_ticks;
     return fixed_saturate((up > down) ? up : down);
 }
 
@@ -232,17 +235,18 @@ static bool is_moving_while_off(supervision_t *self, const axis_config_t *config
 {
     const bool is_off = view->is_relied_on && (view->drive.mode == (uint32_t)CARD_DRIVE_OFF);
     const uint32_t more_us = is_off ? view->elapsed_us : 0U;
-    self->off_us = is_off ? self->off_us : 0U;
-    self->off_us += (self->off_us < MOTOR_REST_US) ? more_us : 0U;
-    if (self->off_us < MOTOR_REST_US) {
+    self->sealed.off_us = is_off ? self->sealed.off_us : 0U;
+    self->sealed.off_us += (self->sealed.off_us < MOTOR_REST_US) ? more_us : 0U;
+    if (self->sealed.off_us < MOTOR_REST_US) {
         settle(self, view);
         return false;
     }
     remember_place(self, view);
-    self->off_ticks = way_while_off(self, view);
-    return (self->off_ticks != 0) &&
-           joints_is_beyond(config, self->off_ticks, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM) &&
-           joints_is_above(config, self->off_ticks, LIMIT_REST_FLOOR_TICKS);
+    self->sealed.off_ticks = way_while_off(self, view);
+    return (self->sealed.off_ticks != 0) &&
+           joints_is_beyond(config, self->sealed.off_ticks, LIMIT_REST_WAY_NM,
+                            LIMIT_REST_WAY_BAM) &&
+           joints_is_above(config, self->sealed.off_ticks, LIMIT_REST_FLOOR_TICKS);
 }
 
 static uint32_t note(bool is_found, uint32_t name)
@@ -254,13 +258,13 @@ void supervision_init(supervision_t *self)
 {
     (void)memset(self, 0, sizeof *self);
     stall_watchdog_chart_init(&self->stall);
-    count_balance_init(&self->account);
-    edge_spacing_init(&self->pace);
+    count_balance_init(&self->sealed.account);
+    edge_spacing_init(&self->sealed.pace);
 }
 
 bool supervision_is_at_rest(const supervision_t *self)
 {
-    return self->off_us >= MOTOR_REST_US;
+    return self->sealed.off_us >= MOTOR_REST_US;
 }
 
 void supervision_reset(supervision_t *self, bool is_trusted)
@@ -278,13 +282,13 @@ static int32_t shifted(int32_t place_ticks, int32_t ticks)
 
 void supervision_shift(supervision_t *self, int32_t ticks)
 {
-    self->mark_ticks = shifted(self->mark_ticks, ticks);
-    self->position_ticks = shifted(self->position_ticks, ticks);
+    self->sealed.mark_ticks = shifted(self->sealed.mark_ticks, ticks);
+    self->sealed.position_ticks = shifted(self->sealed.position_ticks, ticks);
     for (uint32_t i = 0U; i < SUPERVISION_PLACES; i++) {
-        self->places_ticks[i] = shifted(self->places_ticks[i], ticks);
+        self->sealed.places_ticks[i] = shifted(self->sealed.places_ticks[i], ticks);
     }
-    self->lowest_ticks = shifted(self->lowest_ticks, ticks);
-    self->highest_ticks = shifted(self->highest_ticks, ticks);
+    self->sealed.lowest_ticks = shifted(self->sealed.lowest_ticks, ticks);
+    self->sealed.highest_ticks = shifted(self->sealed.highest_ticks, ticks);
 }
 
 /* Compares the way that the motor made with its drive with the counts. */
@@ -293,21 +297,23 @@ static uint32_t watch_motor(supervision_t *self, const axis_config_t *config,
 {
     const uint32_t driven_us =
         (view->elapsed_us < LIMIT_CARD_WATCHDOG_US) ? view->elapsed_us : LIMIT_CARD_WATCHDOG_US;
-    const int64_t before_q8 = motor_heat_slow(view->lost_q16, self->model.speed_ticks_per_s_q8);
-    const int64_t way_q16 = motor_model_step_q16(&self->model, config, &view->drive, driven_us);
+    const int64_t before_q8 =
+        motor_heat_slow(view->lost_q16, self->sealed.model.speed_ticks_per_s_q8);
+    const int64_t way_q16 =
+        motor_model_step_q16(&self->sealed.model, config, &view->drive, driven_us);
     count_cycle_t cycle = {
         .model_q16 = motor_heat_slow(view->lost_q16, way_q16),
-        .counted_ticks = (int64_t)view->position_ticks - (int64_t)self->position_ticks,
+        .counted_ticks = (int64_t)view->position_ticks - (int64_t)self->sealed.position_ticks,
         .due_q16 = 0U,
         .elapsed_us = driven_us,
     };
     const uint32_t uneven = note(is_uneven(self, view, before_q8, &cycle), AXIS_NOTE_UNEVEN_COUNTS);
-    cycle.due_q16 = (cycle.model_q16 != 0) ? self->pace.ended_q16 : 0U;
+    cycle.due_q16 = (cycle.model_q16 != 0) ? self->sealed.pace.ended_q16 : 0U;
     const uint32_t notes = watch_counts(self, config, &cycle) | uneven;
     if (uneven != 0U) {
         supervision_settle(self);
     }
-    self->position_ticks = view->position_ticks;
+    self->sealed.position_ticks = view->position_ticks;
     return notes;
 }
 
@@ -331,15 +337,15 @@ static uint32_t drive_before(const motor_model_t *model)
 static void miss_report(supervision_t *self, const axis_config_t *config,
                         const supervision_view_t *view)
 {
-    const uint32_t drives = drive_before(&self->model) | drive_of(config, &view->drive);
-    self->drives = (uint16_t)(self->drives | drives);
+    const uint32_t drives = drive_before(&self->sealed.model) | drive_of(config, &view->drive);
+    self->sealed.drives = (uint16_t)(self->sealed.drives | drives);
 }
 
 /* Reports were missed, and not all of that time had the same drive. */
 static bool is_history_unknown(const supervision_t *self, const axis_config_t *config,
                                const supervision_view_t *view)
 {
-    return (self->drives != 0U) && (self->drives != drive_of(config, &view->drive));
+    return (self->sealed.drives != 0U) && (self->sealed.drives != drive_of(config, &view->drive));
 }
 
 /* A cycle that makes good for a late one ends at once: whether a motor stops or turns meanwhile is
@@ -347,7 +353,7 @@ static bool is_history_unknown(const supervision_t *self, const axis_config_t *c
 static bool is_change_too_brief(const supervision_t *self, const axis_config_t *config,
                                 const supervision_view_t *view)
 {
-    const uint32_t before = drive_before(&self->model);
+    const uint32_t before = drive_before(&self->sealed.model);
     return (view->elapsed_us < LIMIT_BRIEF_DRIVE_US) && (before != DRIVE_OFF) &&
            (before != drive_of(config, &view->drive));
 }
@@ -356,21 +362,21 @@ static bool is_change_too_brief(const supervision_t *self, const axis_config_t *
 static void pass_over(supervision_t *self, const axis_config_t *config,
                       const supervision_view_t *view)
 {
-    (void)motor_model_step_q16(&self->model, config, &view->drive, LIMIT_CARD_WATCHDOG_US);
-    self->position_ticks = view->position_ticks;
-    self->mark_ticks = view->position_ticks;
-    self->off_us = 0U;
-    self->drives = 0U;
+    (void)motor_model_step_q16(&self->sealed.model, config, &view->drive, LIMIT_CARD_WATCHDOG_US);
+    self->sealed.position_ticks = view->position_ticks;
+    self->sealed.mark_ticks = view->position_ticks;
+    self->sealed.off_us = 0U;
+    self->sealed.drives = 0U;
     settle(self, view);
-    count_balance_doubt(&self->account);
-    edge_spacing_begin(&self->pace);
+    count_balance_doubt(&self->sealed.account);
+    edge_spacing_begin(&self->sealed.pace);
 }
 
 uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
                           const supervision_view_t *view)
 {
-    if (self->rest_ticks == 0) {
-        self->rest_ticks = supervision_rest_ticks(config);
+    if (self->sealed.rest_ticks == 0) {
+        self->sealed.rest_ticks = supervision_rest_ticks(config);
     }
     uint32_t notes = note(is_stalled(self, config, view), AXIS_NOTE_STALLED);
     if (view->elapsed_us == 0U) {
@@ -382,7 +388,7 @@ uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
         pass_over(self, config, view);
         return notes;
     }
-    self->drives = 0U;
+    self->sealed.drives = 0U;
     notes |= note(is_backwards(self, view), AXIS_NOTE_WRONG_WAY);
     notes |= note(is_moving_while_off(self, config, view), AXIS_NOTE_MOVED_OFF);
     return notes | watch_motor(self, config, view);

@@ -50,6 +50,7 @@ typedef struct {
     uint32_t elapsed_us;  /**< Since the report before; 0: there is none in this cycle. */
 } supervision_view_t;
 
+/** Under seal. */
 typedef struct {
     int32_t rest_ticks;  /**< supervision_rest_ticks(), from the first cycle on. */
     int32_t mark_ticks;  /**< Position at the last progress in the direction of the drive. */
@@ -71,6 +72,10 @@ typedef struct {
     int32_t missing_ticks; /**< Ticks that were due at a fault, for the record. */
     count_balance_t account;
     edge_spacing_t pace;
+} supervision_sealed_t;
+
+typedef struct {
+    supervision_sealed_t sealed;
     stall_watchdog_chart_t stall;
 } supervision_t;
 

@@ -18,7 +18,7 @@ static bool are_drives_equal(const card_drive_t *a, const card_drive_t *b)
 static bool is_old(const link_t *self, uint32_t heartbeat)
 {
     const uint32_t step = heartbeat - self->report.heartbeat;
-    return (self->has_report != 0U) &&
+    return (self->sealed.has_report != 0U) &&
            ((step == 0U) || (link_is_usable(self) && (step > LIMIT_SEQUENCE_WINDOW)));
 }
 
@@ -44,10 +44,10 @@ static void receive(link_t *self, uint32_t slot, const uint8_t *bytes)
     }
     self->last_error = (uint16_t)result;
     if (result != CARD_FRAME_OK) {
-        self->frame_errors += (self->frame_errors < UINT32_MAX) ? 1U : 0U;
+        self->sealed.frame_errors += (self->sealed.frame_errors < UINT32_MAX) ? 1U : 0U;
         return;
     }
-    self->has_report = 1U;
+    self->sealed.has_report = 1U;
     self->is_fresh = 1U;
 }
 
@@ -56,9 +56,9 @@ static void compare_echo(link_t *self)
     if (self->is_fresh == 0U) {
         return;
     }
-    const bool is_same = (self->report.accepted_sequence == self->sent_sequence_before) &&
-                         are_drives_equal(&self->report.applied, &self->sent_before);
-    self->echo_mismatches = is_same ? 0U : (self->echo_mismatches + 1U);
+    const bool is_same = (self->report.accepted_sequence == self->sealed.sent_sequence_before) &&
+                         are_drives_equal(&self->report.applied, &self->sealed.sent_before);
+    self->sealed.echo_mismatches = is_same ? 0U : (self->sealed.echo_mismatches + 1U);
 }
 
 static void give_up(link_t *self, card_link_event_t event, link_cause_t cause)
@@ -67,7 +67,7 @@ static void give_up(link_t *self, card_link_event_t event, link_cause_t cause)
     const card_link_state_t before = self->chart.state;
     (void)card_link_chart_dispatch(&self->chart, &inputs, event);
     if (self->chart.state != before) {
-        self->cause = (uint16_t)cause;
+        self->sealed.cause = (uint16_t)cause;
         self->lost_heartbeat = self->report.heartbeat;
     }
 }
@@ -76,8 +76,8 @@ void link_init(link_t *self, uint32_t card_type, uint32_t firmware)
 {
     (void)memset(self, 0, sizeof *self);
     card_link_chart_init(&self->chart);
-    self->card_type = card_type;
-    self->firmware = firmware;
+    self->sealed.card_type = card_type;
+    self->sealed.firmware = firmware;
 }
 
 void link_distrust(link_t *self, uint32_t card_type, uint32_t firmware)
@@ -97,17 +97,17 @@ void link_judge(link_t *self, bool is_good)
 {
     const card_link_inputs_t inputs = {.is_fresh = false};
     if (is_good && (self->chart.state == CARD_LINK_STATE_LIVE)) {
-        self->age_cycles = 0U; /* LINK-I10: what is live ignores the event. */
+        self->sealed.age_cycles = 0U; /* LINK-I10: what is live ignores the event. */
         return;
     }
     if (is_good) {
-        self->age_cycles = 0U;
+        self->sealed.age_cycles = 0U;
         (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_GOOD);
     } else {
-        self->age_cycles += (self->age_cycles < UINT32_MAX) ? 1U : 0U;
+        self->sealed.age_cycles += (self->sealed.age_cycles < UINT32_MAX) ? 1U : 0U;
         (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_MISSED);
     }
-    if (self->age_cycles >= LIMIT_LINK_AGE_CYCLES) {
+    if (self->sealed.age_cycles >= LIMIT_LINK_AGE_CYCLES) {
         give_up(self, CARD_LINK_EVENT_TOO_OLD, LINK_CAUSE_AGE);
     }
 }
@@ -127,7 +127,7 @@ static void time_report(link_t *self, uint32_t card_us, uint32_t measured_us, ui
     const bool is_right = is_clock_right(card_us, measured_us, error_us);
     self->reported_us = is_right ? card_us : measured_us;
     self->is_timed = 0U;
-    if (is_right && (self->age_cycles == 0U)) {
+    if (is_right && (self->sealed.age_cycles == 0U)) {
         self->is_timed = 1U;
     }
 }
@@ -153,7 +153,7 @@ void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, const card_sam
     if ((self->is_fresh != 0U) && !link_is_right_card(self)) {
         give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_WRONG_CARD);
     }
-    if (self->echo_mismatches >= LIMIT_ECHO_MISMATCH_CYCLES) {
+    if (self->sealed.echo_mismatches >= LIMIT_ECHO_MISMATCH_CYCLES) {
         give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_ECHO);
     }
 }
@@ -167,8 +167,8 @@ void link_reset(link_t *self)
 bool link_was_only_silent(const link_t *self)
 {
     const bool is_only_tripped = (self->report.status & CARD_STATUS_FAULTS) == CARD_STATUS_WATCHDOG;
-    return (self->cause == (uint16_t)LINK_CAUSE_AGE) ||
-           ((self->cause == (uint16_t)LINK_CAUSE_FAULT) && is_only_tripped);
+    return (self->sealed.cause == (uint16_t)LINK_CAUSE_AGE) ||
+           ((self->sealed.cause == (uint16_t)LINK_CAUSE_FAULT) && is_only_tripped);
 }
 
 bool link_has_broken(link_t *self, uint32_t missed_cycles)

@@ -16,7 +16,22 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** From `sent` on sixteen words, which cost the seal least. */
+/** Part that decides in a cycle to come, under seal. */
+typedef struct {
+    card_drive_t sent;        /**< Drive of the last command. */
+    card_drive_t sent_before; /**< Drive of the command before: the one that a report shows. */
+    uint32_t sent_sequence;
+    uint32_t sent_sequence_before;
+    uint32_t card_type; /**< Type that the card must have. */
+    uint32_t firmware;
+    uint32_t age_cycles;      /**< Since the last valid frame, saturates. */
+    uint32_t frame_errors;    /**< Frames discarded, saturates. */
+    uint32_t echo_mismatches; /**< In a row. */
+    uint16_t has_report;      /**< 0 or 1. */
+    uint16_t cause;           /**< link_cause_t of the last loss. */
+} link_sealed_t;
+
+/** A report, and that one came, decides only in its cycle. */
 typedef struct {
     card_link_chart_t chart;
     card_report_t report;    /**< The last valid one; all zero before the first. */
@@ -28,17 +43,7 @@ typedef struct {
     uint32_t frames_missed;       /**< Cycles without a frame while it was usable; saturates. */
     uint16_t last_error;          /**< card_frame_result_t of this cycle's frame. */
     uint16_t is_fresh;            /**< A valid frame arrived in this cycle: 0 or 1. */
-    card_drive_t sent;            /**< Drive of the last command. */
-    card_drive_t sent_before;     /**< Drive of the command before: the one that a report shows. */
-    uint32_t sent_sequence;
-    uint32_t sent_sequence_before;
-    uint32_t card_type; /**< Type that the card must have. */
-    uint32_t firmware;
-    uint32_t age_cycles;      /**< Since the last valid frame, saturates. */
-    uint32_t frame_errors;    /**< Frames discarded, saturates. */
-    uint32_t echo_mismatches; /**< In a row. */
-    uint16_t has_report;      /**< 0 or 1. */
-    uint16_t cause;           /**< link_cause_t of the last loss. */
+    link_sealed_t sealed;
 } link_t;
 
 /** Times at which the cards sampled the frames of a cycle, as the board measures them. */
@@ -82,7 +87,7 @@ static inline uint32_t link_measured_us(const link_t *self, uint32_t sampled_us,
                                         uint32_t elapsed_us)
 {
     const uint32_t measured_us = sampled_us - self->sampled_us;
-    return ((self->has_report == 0U) || (measured_us == 0U)) ? elapsed_us : measured_us;
+    return ((self->sealed.has_report == 0U) || (measured_us == 0U)) ? elapsed_us : measured_us;
 }
 
 /** The card may be given a drive command. */
@@ -117,16 +122,16 @@ static inline const card_drive_t *link_applied(const link_t *self)
 {
     const bool is_told =
         (self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) == 0U);
-    return is_told ? &self->report.applied : &self->sent_before;
+    return is_told ? &self->report.applied : &self->sealed.sent_before;
 }
 
 /** Remembers what goes out in this cycle, for the comparison with the card's read-back. */
 static inline void link_note_sent(link_t *self, uint32_t sequence, const card_drive_t *drive)
 {
-    self->sent_sequence_before = self->sent_sequence;
-    self->sent_before = self->sent;
-    self->sent_sequence = sequence;
-    self->sent = *drive;
+    self->sealed.sent_sequence_before = self->sealed.sent_sequence;
+    self->sealed.sent_before = self->sealed.sent;
+    self->sealed.sent_sequence = sequence;
+    self->sealed.sent = *drive;
 }
 
 /**
@@ -160,13 +165,14 @@ bool link_has_broken(link_t *self, uint32_t missed_cycles);
 static inline bool link_is_standing(const link_t *self)
 {
     return (self->last_error == (uint16_t)CARD_FRAME_REPEATED) &&
-           (self->age_cycles >= LIMIT_LINK_AGE_CYCLES);
+           (self->sealed.age_cycles >= LIMIT_LINK_AGE_CYCLES);
 }
 
 /** The last report is of the card that must be there. */
 static inline bool link_is_right_card(const link_t *self)
 {
-    return (self->report.card_type == self->card_type) && (self->report.firmware == self->firmware);
+    return (self->report.card_type == self->sealed.card_type) &&
+           (self->report.firmware == self->sealed.firmware);
 }
 
 /** A valid frame without a fault arrived in this cycle. */
@@ -184,7 +190,7 @@ static inline bool link_is_well(const link_t *self)
 static inline bool link_is_healthy_now(const link_t *self)
 {
     return link_is_well(self) && link_is_right_card(self) &&
-           (link_is_usable(self) || (self->echo_mismatches == 0U));
+           (link_is_usable(self) || (self->sealed.echo_mismatches == 0U));
 }
 
 #endif

@@ -12,15 +12,15 @@ static void take(link_t *self, uint32_t slot, const card_report_t *read)
 
     *report = *read;
     report->slot = slot;
-    report->card_type = self->card_type;
-    report->firmware = self->firmware;
+    report->card_type = self->sealed.card_type;
+    report->firmware = self->sealed.firmware;
     report->heartbeat = before.heartbeat + 1U;
     report->time_us = before.time_us + self->reported_us;
-    report->applied = self->sent_before;
+    report->applied = self->sealed.sent_before;
     report->edges = CARD_EDGES_UNKNOWN;
     report->last_edge_us =
         (read->encoder_count == before.encoder_count) ? before.last_edge_us : report->time_us;
-    self->has_report = 1U;
+    self->sealed.has_report = 1U;
     self->is_fresh = 1U;
 }
 
@@ -44,7 +44,7 @@ static void receive(link_t *self, uint32_t slot, const uint8_t *bytes, uint32_t 
         self->sampled_us = sampled_us;
         take(self, slot, &read);
     } else {
-        self->frame_errors += (self->frame_errors < UINT32_MAX) ? 1U : 0U;
+        self->sealed.frame_errors += (self->sealed.frame_errors < UINT32_MAX) ? 1U : 0U;
     }
 }
 

@@ -102,35 +102,35 @@ typedef struct {
     uint32_t is_waiting; /**< 0 or 1. */
 } pending_command_t;
 
-/** Decisions and reports on an axis of the last cycle. */
+/** Under seal. */
 typedef struct {
     speed_cap_t speed_cap;
     reason_hold_t reason_hold;
     uint32_t permit_since_cycle; /**< Cycle of the last change of shown reasons. */
     uint32_t speed_cap_percent;  /**< permit_t's: 0 when it was not allowed. */
     uint32_t grade;              /**< axis_reference_t, as reported. */
+} axis_record_sealed_t;
+
+/** Decisions and reports on an axis of the last cycle. */
+typedef struct {
+    axis_record_sealed_t sealed;
 } axis_record_t;
 
 /** Sections of the state, each under its seal: axes, their cards, those without an
  * axis, and three more. The plan has a seal of its own. */
 #define CONTROLLER_SECTIONS ((2U * ROBOT_AXIS_MAX) + 4U)
 
-/** All state of the controller; holds no pointer, so that it can be stored and compared as bytes.
- * Members that it has once are divided into the sections of event_memory_t. */
+/** Positions from before the start; under seal while one of them is awaited. */
 typedef struct {
-    link_t links[CARD_SLOT_COUNT]; /**< By slot. */
-    pedal_gate_t pedal;
-    loop_guard_t loop;
-    confirm_button_t confirm;
-    authority_t authority;
-    estop_latch_chart_t estop;
-    procedure_t procedure;
-    plan_t plan;
-    mode_state_t mode;
-    axis_t axes[ROBOT_AXIS_MAX];
-    axis_record_t records[ROBOT_AXIS_MAX];
+    kept_axis_t sealed[ROBOT_AXIS_MAX]; /**< An axis that was compared is KEPT_LOST. */
+} controller_kept_t;
+
+/** What the controller knows besides its parts: the section EVENT_MEMORY_REST, with the records.
+ * Under seal. */
+typedef struct {
     pending_command_t pending;
-    kept_positions_t kept; /**< From before the start; an axis that was compared is KEPT_LOST. */
+    uint32_t power_on;     /**< The present one, as it was kept. */
+    uint32_t kept_verdict; /**< kept_verdict_t. */
     uint32_t awaited;      /**< Axes of kept that have not been compared; 0: it counts no more. */
     uint32_t has_arrived;  /**< The last order led to the target, or through a program, and ended as
                               asked. */
@@ -153,6 +153,24 @@ typedef struct {
     uint32_t sequence; /**< Number of the outgoing frames. */
     uint32_t events;   /**< Number of the next event. */
     uint32_t events_lost;
+} controller_sealed_t;
+
+/** All state of the controller; holds no pointer, so that it can be stored and compared as bytes.
+ * Members that it has once are divided into the sections of event_memory_t. */
+typedef struct {
+    link_t links[CARD_SLOT_COUNT]; /**< By slot. */
+    pedal_gate_t pedal;
+    loop_guard_t loop;
+    confirm_button_t confirm;
+    authority_t authority;
+    estop_latch_chart_t estop;
+    procedure_t procedure;
+    plan_t plan;
+    mode_state_t mode;
+    axis_t axes[ROBOT_AXIS_MAX];
+    axis_record_t records[ROBOT_AXIS_MAX];
+    controller_kept_t kept;
+    controller_sealed_t sealed;
     uint32_t seals[CONTROLLER_SECTIONS];
     card_health_t health[CARD_SLOT_COUNT]; /**< By slot; counts, too. */
     uint32_t cycles_lost;                  /**< Those of the inputs before; counts, too, */
@@ -167,8 +185,9 @@ typedef struct {
     homing_account_t account; /**< Has a seal of its own. */
     uint32_t last_event;    /**< event_id_t of the one noted last; it counts only, with the next. */
     uint32_t refused_cycle; /**< When the numbers of something refused were noted; the same. */
-    /** Rows of mode.list; each has a checksum. The last member, as they are too many to be copied
-     * with the rest: the members before are a checkpoint, to which those that the list has belong.
+    /** Rows of mode.sealed.list; each has a checksum. The last member, as they are too many to be
+     * copied with the rest: the members before are a checkpoint, to which those that the list has
+     * belong.
      */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
 } controller_t;

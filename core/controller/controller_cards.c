@@ -15,8 +15,8 @@ static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
 {
     const link_t *const link = controller_link(self, index);
     return supervision_is_at_rest(&self->axes[index].supervision) &&
-           (link->sent.mode == (uint32_t)CARD_DRIVE_OFF) &&
-           (link->sent_before.mode == (uint32_t)CARD_DRIVE_OFF);
+           (link->sealed.sent.mode == (uint32_t)CARD_DRIVE_OFF) &&
+           (link->sealed.sent_before.mode == (uint32_t)CARD_DRIVE_OFF);
 }
 
 /* Cards of another dialect do not report whether they have begun to count anew. */
@@ -44,7 +44,7 @@ static card_loss_t judge_loss(const controller_t *self, const cycle_t *cycle, ui
 
 static bool is_loop_late(const link_t *link)
 {
-    return (link->cause == (uint16_t)LINK_CAUSE_FAULT) && link_was_only_silent(link) &&
+    return (link->sealed.cause == (uint16_t)LINK_CAUSE_FAULT) && link_was_only_silent(link) &&
            (link->reported_us > LIMIT_LOOP_SILENT_US);
 }
 
@@ -54,7 +54,7 @@ static void note_loss(controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
     const link_t *const link = &self->links[slot];
     const uint32_t bit = (uint32_t)1U << slot;
-    uint32_t cause = link->cause;
+    uint32_t cause = link->sealed.cause;
     if (is_loop_late(link)) {
         cause = (uint32_t)LINK_CAUSE_LOOP_LATE;
     } else if (cause != (uint32_t)LINK_CAUSE_AGE) {
@@ -147,7 +147,7 @@ static void watch_lost(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     link_t *const link = &self->links[self->cards.slots[index]];
     axis_t *const axis = &self->axes[index];
-    const uint32_t missed_cycles = axis->encoder.missed_cycles;
+    const uint32_t missed_cycles = axis->sealed.encoder.missed_cycles;
     if (tells_new_beginning(cycle) && link_has_broken(link, missed_cycles)) {
         lose_position(axis);
     }
@@ -194,12 +194,13 @@ static void observe_stranger(controller_t *self, const cycle_t *cycle, uint32_t 
     link_t *const link = &self->links[slot];
     (void)link_check(link);
     hear(link, cycle, slot);
-    if ((link->is_fresh != 0U) && ((self->unexpected_cards & bit) == 0U)) {
-        self->unexpected_cards |= bit;
+    if ((link->is_fresh != 0U) && ((self->sealed.unexpected_cards & bit) == 0U)) {
+        self->sealed.unexpected_cards |= bit;
         controller_note(self, cycle, EVENT_UNEXPECTED_CARD, slot, (int32_t)link->report.card_type);
     }
-    if (((self->unexpected_cards & bit) != 0U) && (link->age_cycles >= LIMIT_LINK_AGE_CYCLES)) {
-        self->unexpected_cards &= ~bit;
+    if (((self->sealed.unexpected_cards & bit) != 0U) &&
+        (link->sealed.age_cycles >= LIMIT_LINK_AGE_CYCLES)) {
+        self->sealed.unexpected_cards &= ~bit;
         controller_note(self, cycle, EVENT_CARD_LOST, slot, (int32_t)LINK_CAUSE_AGE);
         link_init(link, (uint32_t)CARD_TYPE_NONE, cycle->robot->card_firmware);
     }
@@ -208,7 +209,7 @@ static void observe_stranger(controller_t *self, const cycle_t *cycle, uint32_t 
 /* In the slots that the robot does not name. */
 static void observe_unexpected_cards(controller_t *self, const cycle_t *cycle)
 {
-    const uint32_t answered = cycle->inputs->frames_received | self->unexpected_cards;
+    const uint32_t answered = cycle->inputs->frames_received | self->sealed.unexpected_cards;
     const uint32_t slots = answered & ~self->cards.named_slots & CARD_EVERY_SLOT;
     for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
         if (((slots >> i) & 1U) != 0U) {
@@ -238,7 +239,7 @@ static void note_troubles(controller_t *self, const cycle_t *cycle, uint32_t slo
 /* The position of the axis does not depend on its driver. */
 static void spare_driver(controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         if ((self->cards.slots[i] == slot) && axis_is_enabled(&self->axes[i])) {
             axis_disable(&self->axes[i]);
             controller_note(self, cycle, EVENT_CARD_HOT, slot,
@@ -250,7 +251,7 @@ static void spare_driver(controller_t *self, const cycle_t *cycle, uint32_t slot
 
 void controller_watch_card(controller_t *self, const cycle_t *cycle)
 {
-    const uint32_t slot = self->cycle % CARD_SLOT_COUNT;
+    const uint32_t slot = self->sealed.cycle % CARD_SLOT_COUNT;
     const link_t *const link = &self->links[slot];
     card_health_t *const health = &self->health[slot];
     /* Cards of another dialect do not report their health. */

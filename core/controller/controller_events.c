@@ -9,12 +9,12 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
     controller_outputs_t *const outputs = cycle->outputs;
     self->last_event = (uint32_t)id;
     if (outputs->event_count >= CONTROLLER_EVENTS) {
-        self->events_lost++;
+        self->sealed.events_lost++;
         return;
     }
     event_t *const event = &outputs->events[outputs->event_count];
-    event->number = self->events;
-    event->cycle = self->cycle;
+    event->number = self->sealed.events;
+    event->cycle = self->sealed.cycle;
     event->id = (uint32_t)id;
     event->severity = (uint32_t)event_severity(id);
     event->subject = subject;
@@ -22,7 +22,7 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
     event->cause = (uint32_t)cycle->cause;
     event->peer = cycle->peer;
     outputs->event_count++;
-    self->events++;
+    self->sealed.events++;
 }
 
 cycle_t controller_with_cause(const cycle_t *cycle, event_cause_t cause, uint32_t peer)

@@ -5,7 +5,7 @@
 
 bool controller_is_homed(const controller_t *self)
 {
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         if (!axis_is_homed(&self->axes[i])) {
             return false;
         }
@@ -45,8 +45,8 @@ static bool is_box_ready(const controller_inputs_t *inputs)
 /* A robot that is there is looked at only where a recording is missing. */
 bool controller_lacks_box(const controller_t *self, const cycle_t *cycle)
 {
-    return (cycle->inputs->lacks_black_box != 0U) && (self->is_box_settled == 0U) &&
-           (self->awaited == 0U) && !controller_is_table_invalid(self) &&
+    return (cycle->inputs->lacks_black_box != 0U) && (self->sealed.is_box_settled == 0U) &&
+           (self->sealed.awaited == 0U) && !controller_is_table_invalid(self) &&
            !needle_may_be_in(cycle->robot, self->axes);
 }
 
@@ -63,10 +63,10 @@ uint32_t controller_facts(const controller_t *self, const cycle_t *cycle)
     uint32_t facts = controller_bars(self, cycle) | GUARD_HOMED | GUARD_LINKED |
                      fact(is_box_ready(cycle->inputs), GUARD_HARDWARE_READY) |
                      fact(is_clear(self), GUARD_CLEAR) |
-                     fact(self->pedal.is_released != 0U, GUARD_PEDAL_RELEASED) |
+                     fact(self->pedal.sealed.is_released != 0U, GUARD_PEDAL_RELEASED) |
                      fact(self->plan.is_registered != 0U, GUARD_REGISTERED) |
                      fact(self->plan.has_target != 0U, GUARD_TARGET);
-    const uint32_t count = self->axis_count;
+    const uint32_t count = self->sealed.axis_count;
     for (uint32_t i = 0U; i < count; i++) {
         const axis_t *const axis = &self->axes[i];
         facts &= ~facts_against_card(controller_link(self, i));

@@ -12,7 +12,7 @@
 /** The robot's table was damaged: nothing of it may be used. */
 static inline bool controller_is_table_invalid(const controller_t *self)
 {
-    return self->table_damage != 0U;
+    return self->sealed.table_damage != 0U;
 }
 
 /** The link to the card of axis `index`. */
@@ -34,7 +34,7 @@ static inline bool controller_is_of_workphase(const controller_t *self, const co
  */
 static inline bool controller_is_spent(const controller_t *self)
 {
-    return self->account_state == (uint32_t)HOMING_ACCOUNT_SPENT;
+    return self->sealed.account_state == (uint32_t)HOMING_ACCOUNT_SPENT;
 }
 
 /** Every axis is homed. */
@@ -43,8 +43,8 @@ bool controller_is_homed(const controller_t *self);
 /** Positions of the axes; beyond those of the robot nothing is written. */
 static inline void controller_positions(const controller_t *self, int32_t ticks[ROBOT_AXIS_MAX])
 {
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        ticks[i] = self->axes[i].encoder.position_ticks;
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
+        ticks[i] = self->axes[i].sealed.encoder.position_ticks;
     }
 }
 

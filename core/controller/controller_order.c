@@ -15,9 +15,9 @@ answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle)
 
 static void begin_account(controller_t *self, const cycle_t *cycle)
 {
-    if (self->account_state == (uint32_t)HOMING_ACCOUNT_EMPTY) {
+    if (self->sealed.account_state == (uint32_t)HOMING_ACCOUNT_EMPTY) {
         homing_account_init(&self->account);
-        self->account_state = (uint32_t)HOMING_ACCOUNT_OPEN;
+        self->sealed.account_state = (uint32_t)HOMING_ACCOUNT_OPEN;
     }
     homing_account_begin(&self->account, cycle->robot, self->axes);
 }
@@ -29,29 +29,29 @@ void controller_arm(controller_t *self, const cycle_t *cycle, const command_t *c
     if (kind == MODE_HOMING) {
         begin_account(self, cycle);
     }
-    self->has_arrived = 0U;
+    self->sealed.has_arrived = 0U;
     controller_note(self, cycle, EVENT_ORDER_ARMED, (uint32_t)kind,
                     (int32_t)procedure_workphase(&self->procedure));
-    self->pending.id = command->id;
-    self->pending.source = command->source;
-    self->pending.kind = command->kind;
-    self->pending.asked = (uint32_t)command_kinds_workphase(command);
-    self->pending.is_waiting = 1U;
+    self->sealed.pending.id = command->id;
+    self->sealed.pending.source = command->source;
+    self->sealed.pending.kind = command->kind;
+    self->sealed.pending.asked = (uint32_t)command_kinds_workphase(command);
+    self->sealed.pending.is_waiting = 1U;
 }
 
 /* Ends the pending long command, if there is one. */
 static void answer_pending(controller_t *self, const cycle_t *cycle, answer_kind_t kind,
                            status_t status)
 {
-    if (self->pending.is_waiting == 0U) {
+    if (self->sealed.pending.is_waiting == 0U) {
         return;
     }
-    self->pending.is_waiting = 0U;
+    self->sealed.pending.is_waiting = 0U;
     answer_t *const answer = controller_add_answer(self, cycle);
-    answer->id = self->pending.id;
-    answer->source = self->pending.source;
-    answer->command = self->pending.kind;
-    answer->asked = self->pending.asked;
+    answer->id = self->sealed.pending.id;
+    answer->source = self->sealed.pending.source;
+    answer->command = self->sealed.pending.kind;
+    answer->asked = self->sealed.pending.asked;
     answer->kind = (uint32_t)kind;
     answer->status = (uint32_t)status;
     answer->is_final = 1U;
@@ -61,16 +61,16 @@ static void answer_pending(controller_t *self, const cycle_t *cycle, answer_kind
 void controller_abandon_order(controller_t *self, const cycle_t *cycle)
 {
     answer_pending(self, cycle, ANSWER_ABORTED, STATUS_FAULT_PRESENT);
-    mode_stop(&self->mode, self->axes, self->axis_count);
+    mode_stop(&self->mode, self->axes, self->sealed.axis_count);
 }
 
 static void count_vain_start_up(controller_t *self, const cycle_t *cycle)
 {
-    self->vain_start_ups++;
-    homing_account_charge(&self->account, cycle->robot, self->axes, self->vain_axis);
-    if ((self->vain_start_ups >= LIMIT_SERVICE_START_UPS) &&
+    self->sealed.vain_start_ups++;
+    homing_account_charge(&self->account, cycle->robot, self->axes, self->sealed.vain_axis);
+    if ((self->sealed.vain_start_ups >= LIMIT_SERVICE_START_UPS) &&
         homing_account_is_beyond(&self->account, cycle->robot)) {
-        self->account_state = (uint32_t)HOMING_ACCOUNT_SPENT;
+        self->sealed.account_state = (uint32_t)HOMING_ACCOUNT_SPENT;
     }
 }
 
@@ -79,34 +79,34 @@ static void count_vain(controller_t *self, const cycle_t *cycle)
 {
     const bool is_of_axis = cycle->cause == EVENT_CAUSE_AXIS;
     const bool is_of_card = cycle->cause == EVENT_CAUSE_CARD;
-    const bool is_homing = self->mode.kind == (uint32_t)MODE_HOMING;
-    const bool is_move = self->mode.kind == (uint32_t)MODE_MOVE;
+    const bool is_homing = self->mode.sealed.kind == (uint32_t)MODE_HOMING;
+    const bool is_move = self->mode.sealed.kind == (uint32_t)MODE_MOVE;
     if ((!is_homing && !is_move) || (!is_of_axis && !is_of_card)) {
         return;
     }
-    self->vain_axis = is_of_axis ? cycle->peer : ROBOT_AXIS_MAX;
-    self->vain_card = is_of_card ? cycle->peer : CARD_SLOT_COUNT;
-    self->vain_event = self->last_event;
+    self->sealed.vain_axis = is_of_axis ? cycle->peer : ROBOT_AXIS_MAX;
+    self->sealed.vain_card = is_of_card ? cycle->peer : CARD_SLOT_COUNT;
+    self->sealed.vain_event = self->last_event;
     if (is_homing) {
         count_vain_start_up(self, cycle);
     } else {
-        self->vain_moves++;
+        self->sealed.vain_moves++;
     }
 }
 
 static void close_account(controller_t *self)
 {
-    self->vain_start_ups = 0U;
-    self->account_state = (uint32_t)HOMING_ACCOUNT_EMPTY;
+    self->sealed.vain_start_ups = 0U;
+    self->sealed.account_state = (uint32_t)HOMING_ACCOUNT_EMPTY;
 }
 
 /* Moves that fail between START_UPs add up until service has been called. */
 static void close_moves(controller_t *self)
 {
-    const bool is_served =
-        (self->mode.kind == (uint32_t)MODE_HOMING) && (self->vain_moves >= LIMIT_SERVICE_MOVES);
-    if (is_served || (self->mode.kind == (uint32_t)MODE_MOVE)) {
-        self->vain_moves = 0U;
+    const bool is_served = (self->mode.sealed.kind == (uint32_t)MODE_HOMING) &&
+                           (self->sealed.vain_moves >= LIMIT_SERVICE_MOVES);
+    if (is_served || (self->mode.sealed.kind == (uint32_t)MODE_MOVE)) {
+        self->sealed.vain_moves = 0U;
     }
 }
 
@@ -121,7 +121,7 @@ void controller_be_mended(controller_t *self, const cycle_t *cycle)
 {
     controller_note(self, cycle, EVENT_MENDED, 0U, 0);
     close_account(self);
-    self->vain_moves = 0U;
+    self->sealed.vain_moves = 0U;
 }
 
 void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
@@ -129,28 +129,28 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
 {
     if ((actions & ARMING_ACTION_REPORT_DISCARDED) != 0U) {
         count_vain(self, cycle);
-        controller_note(self, cycle, EVENT_ORDER_DISCARDED, self->mode.kind, (int32_t)fault);
+        controller_note(self, cycle, EVENT_ORDER_DISCARDED, self->mode.sealed.kind, (int32_t)fault);
         answer_pending(self, cycle, ANSWER_ABORTED, fault);
-        mode_stop(&self->mode, self->axes, self->axis_count);
+        mode_stop(&self->mode, self->axes, self->sealed.axis_count);
     }
     if ((actions & ARMING_ACTION_REPORT_EXPIRED) != 0U) {
-        controller_note(self, cycle, EVENT_ORDER_EXPIRED, self->mode.kind, 0);
+        controller_note(self, cycle, EVENT_ORDER_EXPIRED, self->mode.sealed.kind, 0);
         answer_pending(self, cycle, ANSWER_ABORTED, STATUS_EXPIRED);
-        mode_stop(&self->mode, self->axes, self->axis_count);
+        mode_stop(&self->mode, self->axes, self->sealed.axis_count);
     }
     if ((actions & ARMING_ACTION_REPORT_DONE) != 0U) {
-        controller_note(self, cycle, EVENT_ORDER_DONE, self->mode.kind, 0);
-        if ((self->mode.kind == (uint32_t)MODE_MOVE) ||
-            (self->mode.kind == (uint32_t)MODE_INSERT) ||
-            (self->mode.kind == (uint32_t)MODE_PROGRAM)) {
-            self->has_arrived = 1U;
+        controller_note(self, cycle, EVENT_ORDER_DONE, self->mode.sealed.kind, 0);
+        if ((self->mode.sealed.kind == (uint32_t)MODE_MOVE) ||
+            (self->mode.sealed.kind == (uint32_t)MODE_INSERT) ||
+            (self->mode.sealed.kind == (uint32_t)MODE_PROGRAM)) {
+            self->sealed.has_arrived = 1U;
         }
-        if (self->mode.kind == (uint32_t)MODE_HOMING) {
+        if (self->mode.sealed.kind == (uint32_t)MODE_HOMING) {
             close_account(self);
         }
         close_moves(self);
         answer_pending(self, cycle, ANSWER_DONE, STATUS_OK);
-        mode_stop(&self->mode, self->axes, self->axis_count);
+        mode_stop(&self->mode, self->axes, self->sealed.axis_count);
     }
     if ((actions & ARMING_ACTION_RENEW_PEDAL) != 0U) {
         pedal_gate_renew(&self->pedal);

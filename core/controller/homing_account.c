@@ -37,7 +37,7 @@ void homing_account_begin(homing_account_t *self, const robot_t *robot,
     const bool was_intact = homing_account_is_intact(self);
     self->homed = 0U;
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        self->from_readings[i] = axes[i].encoder.reading;
+        self->from_readings[i] = axes[i].sealed.encoder.reading;
         self->homed |= axis_is_homed(&axes[i]) ? ((uint32_t)1U << i) : 0U;
     }
     reseal(self, was_intact);
@@ -58,7 +58,7 @@ void homing_account_charge(homing_account_t *self, const robot_t *robot,
         const axis_config_t *const config = &robot->axes[i];
         const bool was_homed = ((self->homed >> i) & 1U) != 0U;
         const int64_t unseen = (i == failed) ? (int64_t)config->following_error_ticks : 0;
-        const int64_t way = find_way(self, config, &axes[i].encoder, i);
+        const int64_t way = find_way(self, config, &axes[i].sealed.encoder, i);
         if (axis_is_homed(&axes[i]) && !was_homed) {
             self->ways_ticks[i] = 0;
         } else {

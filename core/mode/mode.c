@@ -27,9 +27,9 @@ mode_kind_t mode_of(workphase_t workphase)
 
 mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase)
 {
-    const bool is_of_it =
-        (self->kind < MODE_KIND_COUNT) && mode_runs_in((mode_kind_t)self->kind, workphase);
-    return is_of_it ? (mode_kind_t)self->kind : MODE_NONE;
+    const bool is_of_it = (self->sealed.kind < MODE_KIND_COUNT) &&
+                          mode_runs_in((mode_kind_t)self->sealed.kind, workphase);
+    return is_of_it ? (mode_kind_t)self->sealed.kind : MODE_NONE;
 }
 
 uint32_t mode_axes(mode_kind_t kind, uint32_t commanded, const robot_t *robot)
@@ -47,20 +47,20 @@ uint32_t mode_axes(mode_kind_t kind, uint32_t commanded, const robot_t *robot)
 
 bool mode_needs(const mode_state_t *self, uint32_t index)
 {
-    return ((self->request.axes >> index) & 1U) != 0U;
+    return ((self->request.sealed.axes >> index) & 1U) != 0U;
 }
 
 void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *request)
 {
-    self->kind = (uint32_t)kind;
+    self->sealed.kind = (uint32_t)kind;
     self->request = *request;
-    trajectory_mode_begin(&self->trajectory, request->span.start_ms);
-    self->program.stage = (uint32_t)PROGRAM_STAGE_NONE;
+    trajectory_mode_begin(&self->sealed.trajectory, request->sealed.span.start_ms);
+    self->sealed.program.stage = (uint32_t)PROGRAM_STAGE_NONE;
     if (kind == MODE_PROGRAM) {
-        program_mode_begin(&self->program);
+        program_mode_begin(&self->sealed.program);
     }
-    leg_stop(&self->leg);
-    escort_end(&self->escort);
+    leg_stop(&self->sealed.leg);
+    escort_end(&self->sealed.escort);
 }
 
 /* An armed mode that is not known any more fails. */
@@ -100,15 +100,15 @@ void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *res
 {
     const mode_kind_t kind = mode_in(self, frame->workphase);
     const bool is_done = mode_dispatch_is_done(self, kind, frame);
-    const bool is_armed_program = self->program.stage != (uint32_t)PROGRAM_STAGE_NONE;
+    const bool is_armed_program = self->sealed.program.stage != (uint32_t)PROGRAM_STAGE_NONE;
     mode_clear(result);
     if (is_armed_program && frame->is_treatment_stopped) {
-        program_mode_stop(&self->program, frame, result);
+        program_mode_stop(&self->sealed.program, frame, result);
     } else if (frame->is_moving && !is_done) {
         run(self, kind, frame, result);
     } else {
-        leg_stop(&self->leg);
-        trajectory_mode_pause(&self->trajectory);
+        leg_stop(&self->sealed.leg);
+        trajectory_mode_pause(&self->sealed.trajectory);
         mode_rest(frame, result);
         result->progress = is_done ? MODE_DONE : MODE_RUNNING;
     }
@@ -128,17 +128,19 @@ mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
                         const axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)
 {
     mode_share_t share = {.done_per_mille = 0U, .left_ms = 0U};
-    const uint32_t list_ms = self->request.span.end_ms - self->request.span.start_ms;
+    const uint32_t list_ms = self->request.sealed.span.end_ms - self->request.sealed.span.start_ms;
     if ((kind == MODE_TRAJECTORY) && (list_ms > 0U)) {
-        share = time_share(trajectory_mode_left_ms(&self->trajectory, self->request.span.end_ms),
-                           list_ms);
+        share = time_share(
+            trajectory_mode_left_ms(&self->sealed.trajectory, self->request.sealed.span.end_ms),
+            list_ms);
     } else if (kind == MODE_VELOCITY) {
         share = time_share(velocity_share_left_ms(&self->request.own.velocity, axes),
                            velocity_share_span_ms(&self->request.own.velocity));
-    } else if (self->leg.is_running != 0U) {
-        share = leg_share(&self->leg);
-    } else if (self->program.stage == (uint32_t)PROGRAM_STAGE_DWELLS) {
-        share = time_share(program_mode_left_ms(&self->program), self->program.dwell_ms);
+    } else if (self->sealed.leg.is_running != 0U) {
+        share = leg_share(&self->sealed.leg);
+    } else if (self->sealed.program.stage == (uint32_t)PROGRAM_STAGE_DWELLS) {
+        share =
+            time_share(program_mode_left_ms(&self->sealed.program), self->sealed.program.dwell_ms);
     } else if (kind == MODE_HOMING) {
         share.done_per_mille = homed_per_mille(axes, axis_count);
     } else {
@@ -149,13 +151,13 @@ mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
 
 void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)
 {
-    const bool has_swept =
-        (self->kind == (uint32_t)MODE_SWEEP) && sweep_mode_has_begun(&self->request.own.sweep);
-    leg_stop(&self->leg);
-    self->program.stage = (uint32_t)PROGRAM_STAGE_NONE;
+    const bool has_swept = (self->sealed.kind == (uint32_t)MODE_SWEEP) &&
+                           sweep_mode_has_begun(&self->request.own.sweep);
+    leg_stop(&self->sealed.leg);
+    self->sealed.program.stage = (uint32_t)PROGRAM_STAGE_NONE;
     for (uint32_t i = 0U; i < axis_count; i++) {
         axis_stop_homing(&axes[i]);
-        if (has_swept && (i == self->request.way.axis)) {
+        if (has_swept && (i == self->request.sealed.way.axis)) {
             axis_doubt(&axes[i]);
         }
     }
@@ -184,7 +186,7 @@ uint32_t mode_heeding_needle(const mode_state_t *self, mode_kind_t kind, const r
     if (needle == (uint32_t)MODE_NEEDLE_ACROSS) {
         heeding = across_needle(robot, driven);
     } else if (needle == (uint32_t)MODE_NEEDLE_COMMANDED) {
-        heeding = self->request.axes;
+        heeding = self->request.sealed.axes;
     } else {
         /* Nothing to heed. */
     }

@@ -14,16 +14,21 @@
 
 #include <stdint.h>
 
-/** Request to a mode; each reads the members that it needs. */
+/** Members that several modes read; under seal. */
 typedef struct {
     uint32_t axes;  /**< Bit n: axis n is commanded. mode_axes() makes of it those that it needs. */
     mode_way_t way; /**< One axis, and where it goes if its mode asks for that. */
     move_mode_t move;
     trajectory_span_t span;
+} mode_request_sealed_t;
+
+/** Request to a mode; each reads the members that it needs. */
+typedef struct {
+    mode_request_sealed_t sealed;
     mode_own_t own; /**< Members of one mode alone, sealed while that was armed last. */
 } mode_request_t;
 
-/** At first all zero. */
+/** Under seal. */
 typedef struct {
     uint32_t kind; /**< mode_kind_t of the order that was armed last. */
     leg_t leg;
@@ -31,6 +36,11 @@ typedef struct {
     trajectory_mode_t trajectory;
     trajectory_list_t list; /**< Trajectory that is held, armed or not. */
     program_mode_t program;
+} mode_sealed_t;
+
+/** At first all zero. */
+typedef struct {
+    mode_sealed_t sealed;
     mode_request_t request; /**< With the axes that it needs. */
 } mode_state_t;
 

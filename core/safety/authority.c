@@ -12,14 +12,14 @@ static bool is_same(const authority_party_t *one, const authority_party_t *other
 
 static bool is_granted(const authority_t *self)
 {
-    return self->request == (uint32_t)AUTHORITY_REQUEST_GRANTED;
+    return self->sealed.request == (uint32_t)AUTHORITY_REQUEST_GRANTED;
 }
 
 static void hold(authority_t *self, const authority_party_t *party, authority_time_t now)
 {
-    self->holder = *party;
-    self->since_cycle = now.cycle;
-    self->since_us = now.time_us;
+    self->sealed.holder = *party;
+    self->sealed.since_cycle = now.cycle;
+    self->sealed.since_us = now.time_us;
 }
 
 void authority_init(authority_t *self)
@@ -32,7 +32,7 @@ bool authority_check(authority_t *self)
 {
     const bool was_damaged = authority_chart_check(&self->chart) != 0U;
     if (was_damaged) {
-        self->holder.peer = 0U;
+        self->sealed.holder.peer = 0U;
         authority_forget_request(self);
     }
     return was_damaged;
@@ -40,7 +40,7 @@ bool authority_check(authority_t *self)
 
 bool authority_is_of(const authority_t *self, const authority_party_t *party)
 {
-    return authority_is_held(self) && is_same(&self->holder, party);
+    return authority_is_held(self) && is_same(&self->sealed.holder, party);
 }
 
 bool authority_take(authority_t *self, const authority_party_t *party, authority_time_t now)
@@ -58,21 +58,22 @@ uint32_t authority_lose(authority_t *self, uint32_t time_us)
     if (!authority_is_held(self)) {
         return 0U;
     }
-    self->holder.peer = 0U;
-    self->since_us = time_us;
+    self->sealed.holder.peer = 0U;
+    self->sealed.since_us = time_us;
     return authority_chart_dispatch(&self->chart, AUTHORITY_EVENT_LOSE);
 }
 
 bool authority_is_unrenewed(const authority_t *self, uint32_t time_us)
 {
-    return authority_is_held(self) && (self->holder.source == (uint32_t)COMMAND_SOURCE_HTTP) &&
-           ((time_us - self->since_us) >= LIMIT_AUTHORITY_RENEW_US);
+    return authority_is_held(self) &&
+           (self->sealed.holder.source == (uint32_t)COMMAND_SOURCE_HTTP) &&
+           ((time_us - self->sealed.since_us) >= LIMIT_AUTHORITY_RENEW_US);
 }
 
 /* The party that was granted authority has it as soon as it is free. */
 static bool succeed(authority_t *self, authority_time_t now)
 {
-    const authority_party_t party = self->requester;
+    const authority_party_t party = self->sealed.requester;
     const bool has_taken = is_granted(self) && authority_take(self, &party, now);
     if (has_taken) {
         authority_forget_request(self);
@@ -84,7 +85,7 @@ bool authority_step(authority_t *self, bool is_at_rest, uint32_t elapsed_us, aut
 {
     (void)authority_chart_advance(&self->chart, elapsed_us);
     if (authority_is_ending(self) &&
-        (is_at_rest || ((now.time_us - self->since_us) >= LIMIT_AUTHORITY_END_US))) {
+        (is_at_rest || ((now.time_us - self->sealed.since_us) >= LIMIT_AUTHORITY_END_US))) {
         (void)authority_chart_dispatch(&self->chart, AUTHORITY_EVENT_RESTED);
     }
     return succeed(self, now);
@@ -93,28 +94,29 @@ bool authority_step(authority_t *self, bool is_at_rest, uint32_t elapsed_us, aut
 bool authority_is_asked(const authority_t *self, authority_request_t request, uint32_t axis,
                         const authority_party_t *party)
 {
-    return (self->request == (uint32_t)request) && (self->request_axis == axis) &&
-           is_same(&self->requester, party);
+    return (self->sealed.request == (uint32_t)request) && (self->sealed.request_axis == axis) &&
+           is_same(&self->sealed.requester, party);
 }
 
 bool authority_ask(authority_t *self, authority_request_t request, uint32_t axis,
                    const authority_party_t *party, uint32_t time_us)
 {
-    const bool is_anothers = (self->requester.peer != 0U) && !is_same(&self->requester, party);
+    const bool is_anothers =
+        (self->sealed.requester.peer != 0U) && !is_same(&self->sealed.requester, party);
     if (is_anothers) {
         return false;
     }
-    self->request = (uint32_t)request;
-    self->request_axis = axis;
-    self->requester = *party;
-    self->requested_us = time_us;
+    self->sealed.request = (uint32_t)request;
+    self->sealed.request_axis = axis;
+    self->sealed.requester = *party;
+    self->sealed.requested_us = time_us;
     return true;
 }
 
 uint32_t authority_request_left_us(const authority_t *self, uint32_t time_us)
 {
-    const uint32_t passed_us = time_us - self->requested_us;
-    const bool is_waiting = (self->requester.peer != 0U) && !is_granted(self);
+    const uint32_t passed_us = time_us - self->sealed.requested_us;
+    const bool is_waiting = (self->sealed.requester.peer != 0U) && !is_granted(self);
     if (!is_waiting || (passed_us >= LIMIT_AUTHORITY_ASK_US)) {
         return 0U;
     }
@@ -123,6 +125,6 @@ uint32_t authority_request_left_us(const authority_t *self, uint32_t time_us)
 
 void authority_forget_request(authority_t *self)
 {
-    self->request = (uint32_t)AUTHORITY_REQUEST_NONE;
-    self->requester.peer = 0U;
+    self->sealed.request = (uint32_t)AUTHORITY_REQUEST_NONE;
+    self->sealed.requester.peer = 0U;
 }

@@ -21,6 +21,7 @@ typedef struct {
     uint32_t peer;   /**< As command_t; 0: none. */
 } authority_party_t;
 
+/** Under seal. */
 typedef struct {
     authority_party_t holder; /**< Peer 0 while it is not held. */
     uint32_t since_cycle;     /**< It was taken. */
@@ -29,6 +30,10 @@ typedef struct {
     uint32_t request_axis;    /**< Axis, with AUTHORITY_REQUEST_CONFIRM_AXIS. */
     authority_party_t requester;
     uint32_t requested_us;
+} authority_sealed_t;
+
+typedef struct {
+    authority_sealed_t sealed;
     authority_chart_t chart;
 } authority_t;
 
@@ -74,7 +79,7 @@ bool authority_take(authority_t *self, const authority_party_t *party, authority
 /** The holder has given a sign of life. */
 static inline void authority_renew(authority_t *self, uint32_t time_us)
 {
-    self->since_us = time_us;
+    self->sealed.since_us = time_us;
 }
 
 /** The holder, if there is one, has lost it. @return AUTHORITY_ACTION_ bits */

@@ -6,18 +6,18 @@
 bool confirm_button_step(confirm_button_t *self, bool is_pressed, bool is_barred)
 {
     if (is_barred || !is_pressed) {
-        self->held_cycles = 0U;
-        self->is_proven = 0U;
+        self->sealed.held_cycles = 0U;
+        self->sealed.is_proven = 0U;
         if (!is_barred) {
-            self->is_proven = 1U;
+            self->sealed.is_proven = 1U;
         }
         return false;
     }
-    self->held_cycles += self->is_proven;
-    if ((self->held_cycles * LIMIT_CYCLE_US) < LIMIT_CONFIRM_HOLD_US) {
+    self->sealed.held_cycles += self->sealed.is_proven;
+    if ((self->sealed.held_cycles * LIMIT_CYCLE_US) < LIMIT_CONFIRM_HOLD_US) {
         return false;
     }
-    self->held_cycles = 0U;
-    self->is_proven = 0U;
+    self->sealed.held_cycles = 0U;
+    self->sealed.is_proven = 0U;
     return true;
 }

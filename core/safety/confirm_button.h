@@ -11,10 +11,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** All zero at the start: not seen released. */
+/** Under seal. */
 typedef struct {
     uint32_t held_cycles; /**< Cycles of the present press. */
     uint32_t is_proven;   /**< Seen released since it counted or was barred: 0 or 1. */
+} confirm_button_sealed_t;
+
+/** All zero at the start: not seen released. */
+typedef struct {
+    confirm_button_sealed_t sealed;
 } confirm_button_t;
 
 /**
@@ -33,8 +38,8 @@ bool confirm_button_step(confirm_button_t *self, bool is_pressed, bool is_barred
  */
 static inline void confirm_button_renew(confirm_button_t *self)
 {
-    self->held_cycles = 0U;
-    self->is_proven = 0U;
+    self->sealed.held_cycles = 0U;
+    self->sealed.is_proven = 0U;
 }
 
 #endif

@@ -59,7 +59,7 @@ static void find_joints(const robot_t *robot, const coupled_limit_t *limit,
     (void)memset(joints, 0, sizeof *joints);
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         if (coupled_limit_has(limit, i)) {
-            joints->value[i] = joints_of(&robot->axes[i], axes[i].encoder.position_ticks);
+            joints->value[i] = joints_of(&robot->axes[i], axes[i].sealed.encoder.position_ticks);
         }
     }
 }
@@ -78,7 +78,7 @@ static int64_t full_speed_q8(const axis_config_t *config)
 static int32_t end_of_way(const reach_t *self, uint32_t index, bool is_upwards)
 {
     const axis_config_t *const config = &self->robot->axes[index];
-    const encoder_t *const encoder = &self->view->axes[index].encoder;
+    const encoder_t *const encoder = &self->view->axes[index].sealed.encoder;
     const int64_t measured_q8 = is_upwards ? (int64_t)encoder->speed_ticks_per_s_q8
                                            : -(int64_t)encoder->speed_ticks_per_s_q8;
     int64_t speed_q8 = 0;
@@ -143,7 +143,7 @@ static bool is_any_fast(const reach_t *self, const coupled_limit_t *limit)
 {
     bool is_any = false;
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
-        const int64_t speed_q8 = (int64_t)self->view->axes[i].encoder.speed_ticks_per_s_q8;
+        const int64_t speed_q8 = (int64_t)self->view->axes[i].sealed.encoder.speed_ticks_per_s_q8;
         const int64_t full_q8 = full_speed_q8(&self->robot->axes[i]);
         is_any = is_any ||
                  (coupled_limit_has(limit, i) && ((speed_q8 > full_q8) || (speed_q8 < -full_q8)));

@@ -6,8 +6,8 @@
 void loop_guard_init(loop_guard_t *self)
 {
     loop_guard_chart_init(&self->chart);
-    self->overruns = 0U;
-    self->lateness = (loop_lateness_t){.count = 0U};
+    self->sealed.overruns = 0U;
+    self->sealed.lateness = (loop_lateness_t){.count = 0U};
 }
 
 static uint32_t add(uint32_t one, uint32_t other)
@@ -22,7 +22,7 @@ static uint32_t add(uint32_t one, uint32_t other)
 /* While the loop is stopped, what has stopped it stands. */
 static void keep(loop_guard_t *self, uint32_t elapsed_us, uint32_t stage, bool is_late)
 {
-    loop_lateness_t *const lateness = &self->lateness;
+    loop_lateness_t *const lateness = &self->sealed.lateness;
     if (self->chart.state == LOOP_GUARD_STATE_STOPPED) {
         return;
     }
@@ -54,8 +54,9 @@ void loop_guard_step(loop_guard_t *self, uint32_t elapsed_us, uint32_t stage)
     for (uint32_t i = 0U; i < times; i++) {
         actions = loop_guard_chart_dispatch(&self->chart, event);
     }
-    if (((actions & LOOP_GUARD_ACTION_COUNT_OVERRUN) != 0U) && (self->overruns < UINT32_MAX)) {
-        self->overruns++;
+    if (((actions & LOOP_GUARD_ACTION_COUNT_OVERRUN) != 0U) &&
+        (self->sealed.overruns < UINT32_MAX)) {
+        self->sealed.overruns++;
     }
 }
 

@@ -21,10 +21,15 @@ typedef struct {
     uint32_t longest_stage; /**< Stage that made it so long, as control numbers them. */
 } loop_lateness_t;
 
+/** Under seal. */
 typedef struct {
-    loop_guard_chart_t chart;
     uint32_t overruns; /**< Late cycles since the start, saturates. */
     loop_lateness_t lateness;
+} loop_guard_sealed_t;
+
+typedef struct {
+    loop_guard_chart_t chart;
+    loop_guard_sealed_t sealed;
 } loop_guard_t;
 
 void loop_guard_init(loop_guard_t *self);

@@ -21,7 +21,8 @@ int32_t needle_retracted_ticks(const robot_t *robot)
 static bool is_in(const robot_t *robot, const axis_t *needle)
 {
     const axis_config_t *const config = &robot->axes[robot->needle_axis];
-    const int64_t in_ticks = (int64_t)needle->encoder.position_ticks - (int64_t)config->home_ticks;
+    const int64_t in_ticks =
+        (int64_t)needle->sealed.encoder.position_ticks - (int64_t)config->home_ticks;
     return joints_is_beyond(config, in_ticks, LIMIT_NEEDLE_OUT_NM, LIMIT_NEEDLE_OUT_NM);
 }
 
@@ -36,7 +37,7 @@ bool needle_may_be_in(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
 {
     const axis_t *const needle = &axes[robot->needle_axis];
     return !axis_is_as_parked(needle) &&
-           ((needle->place != AXIS_PLACE_COUNTED) || is_in(robot, needle));
+           ((needle->sealed.place != AXIS_PLACE_COUNTED) || is_in(robot, needle));
 }
 
 bool needle_must_leave(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])

@@ -3,21 +3,21 @@
 
 static pedal_gate_inputs_t chart_inputs(const pedal_gate_t *self)
 {
-    const pedal_gate_inputs_t inputs = {.is_released = (self->is_released != 0U)};
+    const pedal_gate_inputs_t inputs = {.is_released = (self->sealed.is_released != 0U)};
     return inputs;
 }
 
 void pedal_gate_init(pedal_gate_t *self)
 {
     pedal_gate_chart_init(&self->chart);
-    self->is_released = 0U;
+    self->sealed.is_released = 0U;
 }
 
 void pedal_gate_step(pedal_gate_t *self, bool is_a_closed, bool is_b_closed, uint32_t elapsed_us)
 {
-    self->is_released = 1U;
+    self->sealed.is_released = 1U;
     if (is_a_closed || is_b_closed) {
-        self->is_released = 0U;
+        self->sealed.is_released = 0U;
     }
     const pedal_gate_inputs_t inputs = chart_inputs(self);
     (void)pedal_gate_chart_advance(&self->chart, &inputs, elapsed_us);

@@ -13,8 +13,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/** Under seal. */
 typedef struct {
     uint32_t is_released; /**< Both channels were open at the last step: 0 or 1. */
+} pedal_gate_sealed_t;
+
+typedef struct {
+    pedal_gate_sealed_t sealed;
     pedal_gate_chart_t chart;
 } pedal_gate_t;
 

@@ -13,9 +13,9 @@ module Interface
     FROM = 'core/interface/modes.yml'
     SAYS = 'Which function of the folder of a mode does what.'
     # Arguments that a call may get, of the request and of the state of all modes.
-    REQUEST = { 'way' => '&%sway', 'move' => '&%smove', 'span' => '&%sspan', 'axis' => '%sway.axis',
-                'end' => '%sway.end_ticks', 'own' => '&%sown.%s' }.freeze
-    STATE = %w[leg escort trajectory list program].to_h { |part| [part, "&self->#{part}"] }.freeze
+    REQUEST = { 'way' => '&%ssealed.way', 'move' => '&%ssealed.move', 'span' => '&%ssealed.span',
+                'axis' => '%ssealed.way.axis', 'end' => '%ssealed.way.end_ticks', 'own' => '&%sown.%s' }.freeze
+    STATE = %w[leg escort trajectory list program].to_h { |part| [part, "&self->sealed.#{part}"] }.freeze
     GIVEN = { 'ask' => REQUEST.keys - %w[axis end], 'judge' => REQUEST.keys, 'step' => REQUEST.keys + STATE.keys,
               'is_done' => REQUEST.keys + STATE.keys }.freeze
     # The payload of a command that says an axis and nothing else.
@@ -101,15 +101,16 @@ module Interface
 
     def ask
       cases = @modes.filter_map { |mode| asked(mode)&.then { |lines| one(mode, lines) } }
-      function('mode_request_t mode_ask(mode_kind_t kind, const mode_asked_t *asked)', 'mode_request_t request = {.axes = 0U}',
+      function('mode_request_t mode_ask(mode_kind_t kind, const mode_asked_t *asked)', 'mode_request_t request = {.sealed = {.axes = 0U}}',
                '(uint32_t)kind', cases, nil, 'request')
     end
 
     def asked(mode)
       if mode.calls.key?('ask')
-        ["request.axes = #{call(mode, 'ask', ['asked'], [], 'request.')}"]
+        ["request.sealed.axes = #{call(mode, 'ask', ['asked'], [], 'request.')}"]
       elsif mode.payload == BARE_AXIS
-        ['request.way.axis = command_as_axis(asked->command)->axis', 'request.axes = mode_asked_axes(request.way.axis)']
+        ['request.sealed.way.axis = command_as_axis(asked->command)->axis',
+         'request.sealed.axes = mode_asked_axes(request.sealed.way.axis)']
       elsif mode.axes == 'COMMANDED'
         mode.value.node.refuse('has no ask, is COMMANDED for axes, and its command has not the payload axis')
       end
@@ -143,7 +144,7 @@ module Interface
       "    case (uint32_t)#{@kinds.constant(mode.value)}:\n#{lines.map { |line| "        #{line};\n" }.join}        break;\n"
     end
 
-    # "jog_mode_step(&self->request.way, &self->leg, frame, result)".
+    # "jog_mode_step(&self->request.sealed.way, &self->sealed.leg, frame, result)".
     def call(mode, name, first, last, request)
       given = mode.calls.fetch(name).map do |part|
         STATE[part] || format(REQUEST.fetch(part), request, mode.folder)

@@ -52,7 +52,7 @@ void tearDown(void)
 
 static void fail(const char *sentence)
 {
-    (void)fprintf(stderr, "Cycle %" PRIu32 ": %s.\n", rig.controller.cycle, sentence);
+    (void)fprintf(stderr, "Cycle %" PRIu32 ": %s.\n", rig.controller.sealed.cycle, sentence);
     _Exit(EXIT_FAILURE);
 }
 
@@ -101,7 +101,7 @@ static void keep(void)
 static void cycles(uint32_t count)
 {
     for (uint32_t i = 0U; i < count; i++) {
-        sample.cycle = rig.controller.cycle;
+        sample.cycle = rig.controller.sealed.cycle;
         (void)memcpy(sample.before, &rig.controller, sizeof sample.before);
         rig_cycle(&rig);
         sample.inputs = rig.inputs;

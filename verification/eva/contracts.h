@@ -111,7 +111,7 @@ solution_t coupled_guard_judge_homing(const robot_t *robot, const axis_t axes[RO
 bool needle_forbids_jog(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index,
                         bool is_upwards);
 
-/*@ requires axis: request->way.axis < ROBOT_AXIS_MAX; */
+/*@ requires axis: request->sealed.way.axis < ROBOT_AXIS_MAX; */
 void controller_arm(controller_t *self, const cycle_t *cycle, const command_t *command,
                     mode_kind_t kind, const mode_request_t *request);
 

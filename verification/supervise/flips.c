@@ -38,8 +38,8 @@ static flip_t some_flip(uint32_t *random, const scene_t *scene)
     flip_t flip = {.is_table = prng_below(random, TABLE_SHARE) == 0U,
                    .is_moving = rig_is_driving(&scene->rig)};
     const controller_t *const controller = &scene->rig.controller;
-    const size_t held =
-        CONTROLLER_CHECKPOINT_BYTES + (controller->mode.list.count * sizeof controller->rows[0]);
+    const size_t held = CONTROLLER_CHECKPOINT_BYTES +
+                        (controller->mode.sealed.list.count * sizeof controller->rows[0]);
     const size_t size = flip.is_table ? sizeof scene->rig.robot : held;
     flip.byte = 4U * prng_below(random, (uint32_t)(size / 4U));
     const uint32_t bits = 1U + prng_below(random, BITS_MOST);

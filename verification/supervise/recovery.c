@@ -125,7 +125,7 @@ static void tell(const scene_t *scene, const operator_t *player, uint32_t seed)
     } else {
         printf(", axis %u, card %u, last %s\n", (unsigned)shown->step_axis,
                (unsigned)shown->step_card,
-               event_id_name((int32_t)scene->rig.controller.vain_event));
+               event_id_name((int32_t)scene->rig.controller.sealed.vain_event));
     }
 }
 

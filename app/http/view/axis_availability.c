@@ -20,7 +20,7 @@ typedef struct {
 /* The nearest place that way where a target may lie; the next one while the axis is not homed. */
 static int32_t next_ticks(const axis_config_t *config, const axis_t *axis, bool is_upwards)
 {
-    const int32_t next = axis->encoder.position_ticks + (is_upwards ? 1 : -1);
+    const int32_t next = axis->sealed.encoder.position_ticks + (is_upwards ? 1 : -1);
     int32_t found = next;
     if (!axis_is_homed(axis)) {
         /* Its limits mean nothing yet. */
@@ -76,7 +76,7 @@ static outlook_t look(const robot_t *robot, const snapshot_t *snapshot, mode_kin
     if (barred != STATUS_OK) {
         view = (outlook_t){.status = barred, .rank = RANK_CHART};
     } else if (view.status == STATUS_OK) {
-        const workphase_inputs_t guards = shown_guards(robot, snapshot, kind, request.axes);
+        const workphase_inputs_t guards = shown_guards(robot, snapshot, kind, request.sealed.axes);
         procedure_t procedure = shown_procedure(snapshot);
         procedure_actions_t actions;
         view.status = procedure_request_motion(&procedure, &guards, &actions);

@@ -38,7 +38,7 @@ static status_t aligned_outlook(const robot_t *robot, const snapshot_t *snapshot
     shown_axes(snapshot, axes);
     for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
         move.target_ticks[i] =
-            (i == turning) ? axes[i].encoder.position_ticks : snapshot->target_ticks[i];
+            (i == turning) ? axes[i].sealed.encoder.position_ticks : snapshot->target_ticks[i];
     }
     return insert_mode_judge(&move, robot, axes).status;
 }

@@ -8,7 +8,7 @@ void shown_axes(const snapshot_t *snapshot, axis_t axes[ROBOT_AXIS_MAX])
     (void)memset(axes, 0, sizeof(axis_t) * ROBOT_AXIS_MAX);
     for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
         axes[i].chart.reference = snapshot->axes[i].reference;
-        axes[i].encoder.position_ticks = snapshot->axes[i].position_ticks;
+        axes[i].sealed.encoder.position_ticks = snapshot->axes[i].position_ticks;
     }
 }
 

@@ -28,8 +28,8 @@ void controller_init(controller_t *self, const robot_t *robot)
     estop_latch_init(&self->estop);
     procedure_init(&self->procedure);
     plan_init(&self->plan, robot);
-    self->axis_count = robot->axis_count;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    self->sealed.axis_count = robot->axis_count;
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         axis_init(&self->axes[i]);
     }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
@@ -43,9 +43,9 @@ void controller_init(controller_t *self, const robot_t *robot)
 
 static void begin(controller_t *self, const cycle_t *cycle)
 {
-    const trajectory_list_t *const list = &self->mode.list;
-    self->has_started = 1U;
-    controller_note(self, cycle, EVENT_STARTED, 0U, (int32_t)self->kept.verdict);
+    const trajectory_list_t *const list = &self->mode.sealed.list;
+    self->sealed.has_started = 1U;
+    controller_note(self, cycle, EVENT_STARTED, 0U, (int32_t)self->sealed.kept_verdict);
     if (list->is_whole != 0U) {
         controller_note(self, cycle, EVENT_TRAJECTORY_HELD, 0U, (int32_t)list->count);
     }
@@ -64,10 +64,10 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     /* The rest is written, or cleared, by controller_show() and controller_drive(). */
     clear_aligned_words((uint8_t *)outputs, offsetof(controller_outputs_t, snapshot));
     controller_check_memory(self, &cycle);
-    if (self->has_started == 0U) {
+    if (self->sealed.has_started == 0U) {
         begin(self, &cycle);
     }
-    self->time_us += inputs->elapsed_us;
+    self->sealed.time_us += inputs->elapsed_us;
     controller_observe(self, &cycle);
     controller_obey(self, &cycle);
     controller_move(self, &cycle, &result);
@@ -75,6 +75,6 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     controller_drive(self, &cycle, guards, result.requests);
     controller_look_ahead(self, &cycle, guards);
     controller_show(self, &cycle, guards);
-    self->cycle++;
+    self->sealed.cycle++;
     controller_seal(self);
 }

@@ -49,7 +49,7 @@ typedef struct {
 static uint32_t driven_axes(const controller_t *self, const card_drive_t requests[ROBOT_AXIS_MAX])
 {
     uint32_t driven = 0U;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         const bool is_on = requests[i].mode != (uint32_t)CARD_DRIVE_OFF;
         driven |= (is_on ? (uint32_t)1U : (uint32_t)0U) << i;
     }
@@ -93,8 +93,9 @@ static uint32_t system_state(const controller_t *self, const cycle_t *cycle)
 /* Stepped in every cycle, with or without a drive. */
 static bool is_too_fast(controller_t *self, const cycle_t *cycle, uint32_t index, bool is_homed)
 {
-    return speed_cap_step(&self->records[index].speed_cap, &cycle->robot->axes[index],
-                          permit_cap_percent(is_homed), self->axes[index].encoder.position_ticks,
+    return speed_cap_step(&self->records[index].sealed.speed_cap, &cycle->robot->axes[index],
+                          permit_cap_percent(is_homed),
+                          self->axes[index].sealed.encoder.position_ticks,
                           controller_link(self, index)->reported_us);
 }
 
@@ -109,7 +110,7 @@ static inline void send(controller_t *self, const cycle_t *cycle, const card_com
 {
     card_frame_write_command(command, cycle->outputs->frames[command->slot]);
     cycle->outputs->frames_to_send |= (uint32_t)1U << command->slot;
-    link_note_sent(&self->links[command->slot], self->sequence, &command->drive);
+    link_note_sent(&self->links[command->slot], self->sealed.sequence, &command->drive);
 }
 
 /* The only place where a drive enters an outgoing frame; it comes from the permit. */
@@ -120,8 +121,8 @@ static void send_to_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     const link_t *const link = controller_link(self, index);
     card_command_t command = {
         .slot = self->cards.slots[index],
-        .sequence = self->sequence,
-        .time_us = self->time_us,
+        .sequence = self->sealed.sequence,
+        .time_us = self->sealed.time_us,
         .system_state = state,
         .control = control_of(link, state),
         .drive = *drive,
@@ -143,8 +144,8 @@ static void send_to_sensor(controller_t *self, const cycle_t *cycle, uint32_t sl
 {
     const card_command_t command = {
         .slot = slot,
-        .sequence = self->sequence,
-        .time_us = self->time_us,
+        .sequence = self->sealed.sequence,
+        .time_us = self->sealed.time_us,
         .system_state = state,
         .control = control_of(&self->links[slot], state),
         .watchdog_us = LIMIT_CARD_WATCHDOG_US,
@@ -156,17 +157,17 @@ static void send_to_sensor(controller_t *self, const cycle_t *cycle, uint32_t sl
 /* While nothing is driven, one slot after the other that is empty as far as one knows. */
 static uint32_t probed_slot(const controller_t *self, bool is_driven)
 {
-    if (is_driven || ((self->cycle % LIMIT_PROBE_CYCLES) != 0U)) {
+    if (is_driven || ((self->sealed.cycle % LIMIT_PROBE_CYCLES) != 0U)) {
         return 0U;
     }
-    const uint32_t slot = (self->cycle / LIMIT_PROBE_CYCLES) % CARD_SLOT_COUNT;
+    const uint32_t slot = (self->sealed.cycle / LIMIT_PROBE_CYCLES) % CARD_SLOT_COUNT;
     return (uint32_t)1U << slot;
 }
 
 /* Cards of the robot without an axis, and others that are known to be there or are looked for. */
 static void send_to_others(controller_t *self, const cycle_t *cycle, uint32_t state, bool is_driven)
 {
-    const uint32_t others = self->unexpected_cards | probed_slot(self, is_driven);
+    const uint32_t others = self->sealed.unexpected_cards | probed_slot(self, is_driven);
     const uint32_t slots = self->cards.sensor_slots | (others & ~self->cards.named_slots);
     for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
         if (((slots >> i) & 1U) != 0U) {
@@ -187,19 +188,19 @@ static void remember(controller_t *self, const cycle_t *cycle, uint32_t index,
                      const permit_t *permit)
 {
     axis_record_t *const record = &self->records[index];
-    const uint32_t shown_before = record->reason_hold.shown;
-    reason_hold_step(&record->reason_hold, permit->reasons, cycle->inputs->elapsed_us);
-    if (record->reason_hold.shown != shown_before) {
-        record->permit_since_cycle = self->cycle;
+    const uint32_t shown_before = record->sealed.reason_hold.shown;
+    reason_hold_step(&record->sealed.reason_hold, permit->reasons, cycle->inputs->elapsed_us);
+    if (record->sealed.reason_hold.shown != shown_before) {
+        record->sealed.permit_since_cycle = self->sealed.cycle;
     }
-    record->speed_cap_percent = permit->speed_cap_percent;
+    record->sealed.speed_cap_percent = permit->speed_cap_percent;
 }
 
 /* Drives that the cards of the axes apply now. */
 static void gather_sent(const controller_t *self, card_drive_t sent[ROBOT_AXIS_MAX])
 {
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        sent[i] = controller_link(self, i)->sent;
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
+        sent[i] = controller_link(self, i)->sealed.sent;
     }
 }
 
@@ -223,16 +224,16 @@ void controller_drive(controller_t *self, const cycle_t *cycle, uint32_t guards,
     if (!facts.is_memory_damaged) {
         view.at_coupled_limit = coupled_guard_blocks(cycle->robot, &view.axes);
     }
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         const permit_t permit = decide(self, cycle, i, &view);
         remember(self, cycle, i, &permit);
         card_drive_t drive = permit_apply(
             &permit, is_too_fast(self, cycle, i, view.facts.is_every_axis_homed), &requests[i]);
         modes |= drive.mode;
-        motor_heat_tune(&self->axes[i].heat, &drive);
+        motor_heat_tune(&self->axes[i].sealed.heat, &drive);
         send_to_axis(self, cycle, i, state | (permit.is_allowed ? CARD_SYSTEM_PERMIT : 0U), &drive);
     }
     send_to_others(self, cycle, state, modes != (uint32_t)CARD_DRIVE_OFF);
     controller_translate(cycle);
-    self->sequence++;
+    self->sealed.sequence++;
 }

@@ -24,7 +24,7 @@ static void fill_frame(controller_t *self, const cycle_t *cycle, bool is_every_a
     const uint32_t percent = permit_cap_percent(is_every_axis_homed);
     frame->robot = cycle->robot;
     frame->axes = self->axes;
-    frame->axis_count = self->axis_count;
+    frame->axis_count = self->sealed.axis_count;
     frame->is_every_axis_homed = is_every_axis_homed;
     frame->workphase = procedure_workphase(&self->procedure);
     frame->is_moving = procedure_is_moving(&self->procedure);
@@ -34,7 +34,7 @@ static void fill_frame(controller_t *self, const cycle_t *cycle, bool is_every_a
     frame->is_dose_reached = cycle->inputs->dose_reached != 0U;
     frame->is_treatment_stopped = cycle->inputs->treatment_stopped != 0U;
     frame->links = self->links;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         frame->speed_cap_percent[i] = percent;
     }
 }

@@ -18,22 +18,22 @@ static int32_t supervised_detail(const axis_t *axis, event_id_t id)
     int32_t value = 0;
     switch ((uint32_t)id) {
     case (uint32_t)EVENT_AXIS_STALLED:
-        value = axis->encoder.position_ticks;
+        value = axis->sealed.encoder.position_ticks;
         break;
     case (uint32_t)EVENT_AXIS_FOLLOWING_ERROR:
-        value = axis->setpoint_ticks - axis->encoder.position_ticks;
+        value = axis->sealed.setpoint_ticks - axis->sealed.encoder.position_ticks;
         break;
     case (uint32_t)EVENT_AXIS_WRONG_WAY:
-        value = axis->supervision.backwards_ticks;
+        value = axis->supervision.sealed.backwards_ticks;
         break;
     case (uint32_t)EVENT_AXIS_MOVED_OFF:
-        value = axis->supervision.off_ticks;
+        value = axis->supervision.sealed.off_ticks;
         break;
     case (uint32_t)EVENT_AXIS_NO_COUNTS:
-        value = axis->supervision.missing_ticks;
+        value = axis->supervision.sealed.missing_ticks;
         break;
     case (uint32_t)EVENT_AXIS_WRONG_SPEED:
-        value = axis->supervision.account.percent;
+        value = axis->supervision.sealed.account.percent;
         break;
     default:
         value = 0;
@@ -48,19 +48,19 @@ static int32_t detail(const axis_t *axis, event_id_t id)
     int32_t value = 0;
     switch ((uint32_t)id) {
     case (uint32_t)EVENT_AXIS_HOMED:
-        value = axis->home_correction_ticks;
+        value = axis->sealed.home_correction_ticks;
         break;
     case (uint32_t)EVENT_AXIS_ENCODER_FAULT:
-        value = axis->encoder.jump_ticks;
+        value = axis->sealed.encoder.jump_ticks;
         break;
     case (uint32_t)EVENT_AXIS_SWITCH_FAULT:
-        value = axis->encoder.position_ticks - axis->homing.start_ticks;
+        value = axis->sealed.encoder.position_ticks - axis->sealed.homing.start_ticks;
         break;
     case (uint32_t)EVENT_AXIS_SWITCH_ELSEWHERE:
-        value = axis->contradiction_ticks;
+        value = axis->sealed.contradiction_ticks;
         break;
     case (uint32_t)EVENT_AXIS_DRIFTED:
-        value = axis->drift.idle_ticks;
+        value = axis->sealed.drift.idle_ticks;
         break;
     default:
         value = supervised_detail(axis, id);
@@ -95,7 +95,7 @@ static bool leaves_target(const controller_t *self, const cycle_t *cycle, uint32
                           uint32_t notes)
 {
     return ((notes & ~AXIS_NOTE_HOMED) == AXIS_NOTE_DRIFTED) &&
-           !drift_audit_is_far(&self->axes[index].drift, &cycle->robot->axes[index]);
+           !drift_audit_is_far(&self->axes[index].sealed.drift, &cycle->robot->axes[index]);
 }
 
 /* Trouble that begins ends every order; an axis that has it already, those that need this axis. */
@@ -121,12 +121,12 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
 static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index, uint32_t notes)
 {
     const axis_t *const axis = &self->axes[index];
-    const uint32_t before = self->records[index].grade;
+    const uint32_t before = self->records[index].sealed.grade;
     const uint32_t now = (uint32_t)axis->chart.reference;
     const bool was_known = (before == (uint32_t)AXIS_REFERENCE_UNVERIFIED) ||
                            (before == (uint32_t)AXIS_REFERENCE_TAKEN) ||
                            (before == (uint32_t)AXIS_REFERENCE_VERIFIED);
-    self->records[index].grade = now;
+    self->records[index].sealed.grade = now;
     if (now == before) {
         return;
     }
@@ -136,13 +136,14 @@ static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index,
         plan_forget_target(&self->plan);
     }
     if (is_in_doubt) {
-        controller_note(self, cycle, EVENT_AXIS_UNVERIFIED, index, axis->encoder.position_ticks);
+        controller_note(self, cycle, EVENT_AXIS_UNVERIFIED, index,
+                        axis->sealed.encoder.position_ticks);
         const cycle_t because = controller_with_cause(cycle, EVENT_CAUSE_AXIS, index);
         controller_tell_order(self, &because, ARMING_EVENT_FAULT, STATUS_NOT_HOMED);
     }
     if ((now == (uint32_t)AXIS_REFERENCE_LOST) && was_known && !axis_is_faulty(axis)) {
         controller_note(self, cycle, EVENT_AXIS_REFERENCE_LOST, index,
-                        axis->encoder.position_ticks);
+                        axis->sealed.encoder.position_ticks);
     }
 }
 
@@ -168,12 +169,12 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
         plan_forget_target(&self->plan);
     }
     uint32_t notes = axis_observe(&self->axes[index], config, report, cycle->inputs->elapsed_us);
-    if (self->awaited != 0U) {
+    if (self->sealed.awaited != 0U) {
         controller_compare(self, cycle, index);
     }
     const axis_sample_t sample = sample_of(link);
     notes |= axis_supervise(&self->axes[index], config,
-                            self->records[index].speed_cap_percent != 0U, &sample);
+                            self->records[index].sealed.speed_cap_percent != 0U, &sample);
     note_axis(self, cycle, index, notes);
     note_grade(self, cycle, index, notes);
 }
@@ -185,8 +186,8 @@ static void watch_drift(controller_t *self, const cycle_t *cycle, uint32_t index
     axis_t *const axis = &self->axes[index];
     const bool is_in_doubt = axis->chart.reference == AXIS_REFERENCE_UNVERIFIED;
     const bool is_asked = axis_is_homed(axis) || (is_in_doubt && (self->plan.has_target != 0U));
-    if (is_asked && drift_audit_is_far(&axis->drift, &cycle->robot->axes[index])) {
-        controller_note(self, cycle, EVENT_AXIS_DRIFTED, index, axis->drift.idle_ticks);
+    if (is_asked && drift_audit_is_far(&axis->sealed.drift, &cycle->robot->axes[index])) {
+        controller_note(self, cycle, EVENT_AXIS_DRIFTED, index, axis->sealed.drift.idle_ticks);
         plan_forget_target(&self->plan);
         axis_doubt(axis);
     }
@@ -213,8 +214,8 @@ static void watch_heat(controller_t *self, const cycle_t *cycle, uint32_t index)
 /* One axis a cycle, in turn: what gets hot or drifts takes its time. */
 static void watch_axis(controller_t *self, const cycle_t *cycle)
 {
-    const uint32_t index = self->cycle % ROBOT_AXIS_MAX;
-    if ((index < self->axis_count) && !controller_is_table_invalid(self)) {
+    const uint32_t index = self->sealed.cycle % ROBOT_AXIS_MAX;
+    if ((index < self->sealed.axis_count) && !controller_is_table_invalid(self)) {
         watch_drift(self, cycle, index);
         watch_heat(self, cycle, index);
     }
@@ -266,15 +267,15 @@ static void note_gate(controller_t *self, const cycle_t *cycle)
     event_cause_t cause = EVENT_CAUSE_PEDAL;
     if (!is_read(cycle, BOX_INPUT_PEDAL)) {
         cause = EVENT_CAUSE_INPUTS;
-    } else if ((self->was_gate_open == 0U) && is_held) {
-        cause = (self->was_scanner_active != 0U) ? EVENT_CAUSE_SCANNER : EVENT_CAUSE_NONE;
+    } else if ((self->sealed.was_gate_open == 0U) && is_held) {
+        cause = (self->sealed.was_scanner_active != 0U) ? EVENT_CAUSE_SCANNER : EVENT_CAUSE_NONE;
     } else {
         /* The pedal itself. */
     }
     const cycle_t because = controller_with_cause(cycle, cause, 0U);
     controller_note(self, &because,
-                    (self->was_gate_open != 0U) ? EVENT_PEDAL_PRESSED : EVENT_PEDAL_RELEASED, 0U,
-                    0);
+                    (self->sealed.was_gate_open != 0U) ? EVENT_PEDAL_PRESSED : EVENT_PEDAL_RELEASED,
+                    0U, 0);
 }
 
 /** @satisfies SWR-PERMIT-041 */
@@ -290,8 +291,8 @@ static void observe_pedal(controller_t *self, const cycle_t *cycle)
         pedal_gate_renew(&self->pedal); /* It was not seen released. */
     }
     const uint32_t is_open = pedal_gate_is_open(&self->pedal) ? 1U : 0U;
-    if (is_open != self->was_gate_open) {
-        self->was_gate_open = is_open;
+    if (is_open != self->sealed.was_gate_open) {
+        self->sealed.was_gate_open = is_open;
         note_gate(self, cycle);
     }
     if ((self->pedal.chart.state == PEDAL_GATE_STATE_FAULT) && !was_faulty) {
@@ -327,7 +328,7 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
     if (is_pulled) {
         tell_estop(self, cycle);
     }
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         axis_disable(&self->axes[i]);
     }
     const cycle_t because =
@@ -338,20 +339,20 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
 /** @satisfies SWR-LOOP-011 */
 static void observe_loop(controller_t *self, const cycle_t *cycle)
 {
-    const uint32_t overruns = self->loop.overruns;
+    const uint32_t overruns = self->loop.sealed.overruns;
     const loop_guard_state_t before = self->loop.chart.state;
     if (loop_guard_check(&self->loop)) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_LOOP_GUARD, 0);
     }
     loop_guard_step(&self->loop, cycle->inputs->elapsed_us, cycle->inputs->late_stage);
-    if (self->loop.overruns != overruns) {
+    if (self->loop.sealed.overruns != overruns) {
         controller_note(self, cycle, EVENT_OVERRUN, cycle->inputs->late_stage,
                         (int32_t)cycle->inputs->elapsed_us);
     }
     if ((self->loop.chart.state == LOOP_GUARD_STATE_STOPPED) &&
         (self->loop.chart.state != before)) {
-        controller_note(self, cycle, EVENT_LOOP_STOPPED, self->loop.lateness.longest_stage,
-                        (int32_t)self->loop.lateness.longest_us);
+        controller_note(self, cycle, EVENT_LOOP_STOPPED, self->loop.sealed.lateness.longest_stage,
+                        (int32_t)self->loop.sealed.lateness.longest_us);
         controller_fail_order(self, cycle, EVENT_CAUSE_LOOP, 0U);
     }
 }
@@ -359,9 +360,9 @@ static void observe_loop(controller_t *self, const cycle_t *cycle)
 /* A scan begins or has ended. */
 static void audit_scan(controller_t *self, const cycle_t *cycle)
 {
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        drift_audit_t *const drift = &self->axes[i].drift;
-        if (self->was_scanner_active != 0U) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
+        drift_audit_t *const drift = &self->axes[i].sealed.drift;
+        if (self->sealed.was_scanner_active != 0U) {
             drift_audit_begin_scan(drift);
         } else {
             controller_note(self, cycle, EVENT_SCAN_DRIFT, i, drift->scan_ticks);
@@ -376,10 +377,10 @@ static void observe_scanner(controller_t *self, const cycle_t *cycle)
     if (cycle->inputs->scanner_active != 0U) {
         pedal_gate_renew(&self->pedal);
     }
-    if ((cycle->inputs->scanner_active != self->was_scanner_active) &&
+    if ((cycle->inputs->scanner_active != self->sealed.was_scanner_active) &&
         is_read(cycle, BOX_INPUT_SCANNER)) {
-        self->was_scanner_active = cycle->inputs->scanner_active;
-        controller_note(self, cycle, EVENT_SCANNER, 0U, (int32_t)self->was_scanner_active);
+        self->sealed.was_scanner_active = cycle->inputs->scanner_active;
+        controller_note(self, cycle, EVENT_SCANNER, 0U, (int32_t)self->sealed.was_scanner_active);
         if (!controller_is_table_invalid(self)) {
             audit_scan(self, cycle);
         }
@@ -390,7 +391,7 @@ static bool is_confirmation_barred(const controller_t *self, const cycle_t *cycl
 {
     bool is_barred = procedure_is_armed(&self->procedure) || (cycle->inputs->estop_open != 0U) ||
                      controller_is_table_invalid(self);
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         is_barred = is_barred || axis_is_moving_in_doubt(&self->axes[i]);
     }
     return is_barred;
@@ -399,12 +400,13 @@ static bool is_confirmation_barred(const controller_t *self, const cycle_t *cycl
 /* The operator confirms the positions that are shown; that of a silent card is old. */
 static void confirm(controller_t *self, const cycle_t *cycle)
 {
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         axis_t *const axis = &self->axes[i];
         if (controller_confirms_axis(self, i) && link_is_healthy_now(controller_link(self, i)) &&
             axis_confirm(axis, &cycle->robot->axes[i])) {
             controller_renew_account(self);
-            controller_note(self, cycle, EVENT_AXIS_CONFIRMED, i, axis->encoder.position_ticks);
+            controller_note(self, cycle, EVENT_AXIS_CONFIRMED, i,
+                            axis->sealed.encoder.position_ticks);
         }
     }
 }
@@ -412,7 +414,7 @@ static void confirm(controller_t *self, const cycle_t *cycle)
 /* Service is due and nothing comes before it, nor has anyone asked for another thing. */
 static bool is_for_service(const controller_t *self, const cycle_t *cycle)
 {
-    return (self->authority.request == (uint32_t)AUTHORITY_REQUEST_NONE) &&
+    return (self->authority.sealed.request == (uint32_t)AUTHORITY_REQUEST_NONE) &&
            (controller_ready(self, cycle).step == NEXT_STEP_SERVICE);
 }
 
@@ -420,8 +422,8 @@ static bool is_for_service(const controller_t *self, const cycle_t *cycle)
 static void observe_button(controller_t *self, const cycle_t *cycle)
 {
     const bool is_for_authority = controller_awaits_grant(self);
-    const bool is_barred =
-        is_for_authority ? (self->pedal.is_released == 0U) : is_confirmation_barred(self, cycle);
+    const bool is_barred = is_for_authority ? (self->pedal.sealed.is_released == 0U)
+                                            : is_confirmation_barred(self, cycle);
     if (!confirm_button_step(&self->confirm, cycle->inputs->confirm_pressed != 0U, is_barred)) {
         return;
     }
@@ -507,7 +509,7 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
     observe_estop(self, cycle);
     observe_scanner(self, cycle);
     observe_recording(self, cycle);
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         controller_observe_card(self, cycle, i);
         if (!controller_is_table_invalid(self)) {
             observe_axis(self, cycle, i);

@@ -8,7 +8,6 @@
 #include "base/seal.h"
 #include "robot/robot_damage.h"
 
-#include <stddef.h>
 #include <string.h>
 
 #define CARDS ROBOT_AXIS_MAX /* Cards of the axes, in their order. */
@@ -17,30 +16,9 @@
 #define INTERLOCKS (MODE + 1U)
 #define REST (INTERLOCKS + 1U)
 
-typedef struct {
-    size_t from;
-    size_t to;
-} range_t;
-
-static const range_t mode_range = {offsetof(controller_t, mode), offsetof(controller_t, axes)};
-/* Part of the rest that is more than a count, beside the records. */
-static const range_t forgotten_range = {offsetof(controller_t, pending),
-                                        offsetof(controller_t, has_started)};
-
-#define AXIS_BYTES (offsetof(axis_t, supervision.stall.now_us) - offsetof(axis_t, encoder))
-
-#define LINK_BYTES (offsetof(controller_t, links[1]) - offsetof(controller_t, links[0].sent))
-
-/* Sixteen words of a link and seven times as many of an axis are sealed straight on: no array where
- * they are more or less. */
-typedef uint8_t axis_bytes_t[((AXIS_BYTES == 448U) && (LINK_BYTES == 64U)) ? 448 : -1];
-
-/* Part of a link that decides in a cycle to come: a report, and that one came, decides only in its
- * cycle. */
 static inline uint32_t seal_of_link(uint32_t seal, const link_t *link)
 {
-    const uint8_t *const bytes = (const uint8_t *)link;
-    return seal_of_sixteen(seal, &bytes[offsetof(link_t, sent)]);
+    return seal_of(seal, (const uint8_t *)&link->sealed, sizeof link->sealed);
 }
 
 static uint32_t seal_of_sensors(const controller_t *self)
@@ -55,73 +33,66 @@ static uint32_t seal_of_sensors(const controller_t *self)
     return seal;
 }
 
-static inline uint32_t seal_between(const controller_t *self, uint32_t seal, size_t from, size_t to)
-{
-    const uint8_t *const bytes = (const uint8_t *)self;
-    return seal_of(seal, &bytes[from], to - from);
-}
-
 /* Members that one mode alone reads, and writes when it is begun, are under seal while it was begun
  * last. */
-static uint32_t seal_of_mode(const controller_t *self)
+static uint32_t seal_of_mode(const mode_state_t *mode)
 {
-    const mode_own_t *const own = &self->mode.request.own;
-    const uint32_t seal = seal_between(self, SEAL_START, offsetof(controller_t, mode),
-                                       offsetof(controller_t, mode.request.own));
-    if (self->mode.kind >= MODE_KIND_COUNT) {
+    const mode_request_t *const request = &mode->request;
+    const uint32_t common =
+        seal_of(SEAL_START, (const uint8_t *)&mode->sealed, sizeof mode->sealed);
+    const uint32_t seal =
+        seal_of(common, (const uint8_t *)&request->sealed, sizeof request->sealed);
+    if (mode->sealed.kind >= MODE_KIND_COUNT) {
         return seal;
     }
-    const mode_own_range_t *const range = &mode_own_ranges[self->mode.kind];
-    return (range->bytes == 0U) ? seal
-                                : seal_of(seal, &((const uint8_t *)own)[range->from], range->bytes);
+    const uint8_t *const own = (const uint8_t *)&request->own;
+    const mode_own_range_t *const range = &mode_own_ranges[mode->sealed.kind];
+    return (range->bytes == 0U) ? seal : seal_of(seal, &own[range->from], range->bytes);
+}
+
+static uint32_t seal_of_pedal(uint32_t seal, const pedal_gate_t *pedal)
+{
+    return seal_of(seal_of(seal, (const uint8_t *)&pedal->sealed, sizeof pedal->sealed),
+                   (const uint8_t *)&pedal->chart, PEDAL_GATE_CHART_BYTES);
 }
 
 static uint32_t seal_of_interlocks(const controller_t *self)
 {
-    const uint32_t pedal = seal_between(self, SEAL_START, offsetof(controller_t, pedal),
-                                        offsetof(controller_t, pedal.chart.now_us));
-    const uint32_t authority = seal_between(self, pedal, offsetof(controller_t, loop.overruns),
-                                            offsetof(controller_t, authority.chart));
-    return seal_between(self, authority, offsetof(controller_t, procedure.arming),
-                        offsetof(controller_t, procedure.arming.now_us));
+    uint32_t seal = seal_of_pedal(SEAL_START, &self->pedal);
+    seal = seal_of(seal, (const uint8_t *)&self->loop.sealed, sizeof self->loop.sealed);
+    seal = seal_of(seal, (const uint8_t *)&self->confirm.sealed, sizeof self->confirm.sealed);
+    seal = seal_of(seal, (const uint8_t *)&self->authority.sealed, sizeof self->authority.sealed);
+    return seal_of(seal, (const uint8_t *)&self->procedure.arming, ARMING_CHART_BYTES);
 }
 
 static uint32_t seal_of_rest(const controller_t *self)
 {
-    const uint32_t pending = seal_between(self, SEAL_START, offsetof(controller_t, pending),
-                                          offsetof(controller_t, kept.axes));
-    uint32_t seal =
-        seal_between(self, pending, offsetof(controller_t, awaited), offsetof(controller_t, seals));
-    if (self->awaited != 0U) {
-        seal = seal_between(self, seal, offsetof(controller_t, kept.axes),
-                            offsetof(controller_t, awaited));
+    uint32_t seal = seal_of(SEAL_START, (const uint8_t *)&self->sealed, sizeof self->sealed);
+    if (self->sealed.awaited != 0U) {
+        seal = seal_of(seal, (const uint8_t *)self->kept.sealed, sizeof self->kept.sealed);
     }
-    return seal_of(seal, (const uint8_t *)self->records,
-                   self->axis_count * sizeof self->records[0]);
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
+        const axis_record_t *const record = &self->records[i];
+        seal = seal_of(seal, (const uint8_t *)&record->sealed, sizeof record->sealed);
+    }
+    return seal;
 }
 
-static inline uint32_t seal_of_bytes(const axis_bytes_t bytes)
-{
-    uint32_t seal = seal_of_sixteen(seal_of_sixteen(SEAL_START, bytes), &bytes[64]);
-    seal = seal_of_sixteen(seal_of_sixteen(seal, &bytes[128]), &bytes[192]);
-    seal = seal_of_sixteen(seal_of_sixteen(seal, &bytes[256]), &bytes[320]);
-    return seal_of_sixteen(seal, &bytes[384]);
-}
-
-/* Charts without timers hold their state twice. The time and the path of an entry do not affect
- * later behaviour and are not sealed. */
+/* Charts without timers hold all of their state twice, and are not under seal. */
 static inline uint32_t seal_of_axis(const axis_t *axis)
 {
-    const uint8_t *const bytes = (const uint8_t *)axis;
-    return seal_of_bytes(&bytes[offsetof(axis_t, encoder)]);
+    const supervision_t *const supervision = &axis->supervision;
+    uint32_t seal = seal_of(SEAL_START, (const uint8_t *)&axis->sealed, sizeof axis->sealed);
+    seal = seal_of(seal, (const uint8_t *)&supervision->sealed, sizeof supervision->sealed);
+    return seal_of(seal, (const uint8_t *)&supervision->stall, STALL_WATCHDOG_CHART_BYTES);
 }
 
 static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
 {
-    seals[MODE] = seal_of_mode(self);
+    seals[MODE] = seal_of_mode(&self->mode);
     seals[INTERLOCKS] = seal_of_interlocks(self);
     seals[REST] = seal_of_rest(self);
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         seals[i] = seal_of_axis(&self->axes[i]);
         seals[CARDS + i] = seal_of_link(SEAL_START, controller_link(self, i));
     }
@@ -135,25 +106,28 @@ void controller_seal(controller_t *self)
 
 static void disable_all(controller_t *self)
 {
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         axis_disable(&self->axes[i]);
     }
 }
 
-static void clear(controller_t *self, const range_t *range)
-{
-    uint8_t *const bytes = (uint8_t *)self;
-    (void)memset(&bytes[range->from], 0, range->to - range->from);
-}
-
-/* Positions kept from before the start may be among it: an axis that waits for its own is lost. */
+/* Positions kept from before the start may be among it: an axis that waits for its own is lost.
+ * Counts go on, and so do the axes, which a table that is whole has named. */
 static void forget_rest(controller_t *self)
 {
-    clear(self, &forgotten_range);
+    const controller_sealed_t damaged = self->sealed;
+    (void)memset(&self->sealed, 0, sizeof self->sealed);
+    (void)memset(&self->kept, 0, sizeof self->kept);
     (void)memset(self->records, 0, sizeof self->records);
-    self->has_started = 1U;
-    self->is_box_settled = 1U; /* It may have been: START_UP is not refused later. */
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    self->sealed.has_started = 1U;
+    self->sealed.is_box_settled = 1U; /* It may have been: START_UP is not refused later. */
+    self->sealed.axis_count = damaged.axis_count;
+    self->sealed.cycle = damaged.cycle;
+    self->sealed.time_us = damaged.time_us;
+    self->sealed.sequence = damaged.sequence;
+    self->sealed.events = damaged.events;
+    self->sealed.events_lost = damaged.events_lost;
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         axis_forget(&self->axes[i]);
     }
     disable_all(self);
@@ -161,7 +135,7 @@ static void forget_rest(controller_t *self)
 
 static void forget_interlocks(controller_t *self)
 {
-    self->pedal.is_released = 0U;
+    self->pedal.sealed.is_released = 0U;
     pedal_gate_renew(&self->pedal);
     confirm_button_renew(&self->confirm);
     authority_init(&self->authority);
@@ -204,7 +178,7 @@ static void forget_single(controller_t *self, uint32_t section)
 {
     switch (section) {
     case MODE:
-        clear(self, &mode_range);
+        (void)memset(&self->mode, 0, sizeof self->mode);
         break;
     case INTERLOCKS:
         forget_interlocks(self);
@@ -242,12 +216,12 @@ static void check_plan(controller_t *self, const cycle_t *cycle)
 static void take_axes(controller_t *self, const robot_t *robot, uint32_t damage)
 {
     if (damage == 0U) {
-        self->axis_count = robot->axis_count;
+        self->sealed.axis_count = robot->axis_count;
         robot_cards_find(&self->cards, robot);
         return;
     }
-    if (self->axis_count > ROBOT_AXIS_MAX) {
-        self->axis_count = ROBOT_AXIS_MAX;
+    if (self->sealed.axis_count > ROBOT_AXIS_MAX) {
+        self->sealed.axis_count = ROBOT_AXIS_MAX;
     }
     robot_cards_bound(&self->cards);
 }
@@ -257,8 +231,8 @@ static void check_table(controller_t *self, const cycle_t *cycle, uint32_t damag
     if ((damage == 0U) || controller_is_table_invalid(self)) {
         return;
     }
-    self->table_damage = damage;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    self->sealed.table_damage = damage;
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         axis_distrust(&self->axes[i]);
     }
     for (uint32_t i = 0U; i <= ROBOT_PART_GEOMETRY; i++) {
@@ -283,12 +257,12 @@ static void check_state(controller_t *self, const cycle_t *cycle,
     if (seals[SENSORS] != self->seals[SENSORS]) {
         forget_sensors(self, cycle);
     }
-    for (uint32_t i = self->axis_count; i > 0U; i--) {
+    for (uint32_t i = self->sealed.axis_count; i > 0U; i--) {
         if (seals[CARDS + i - 1U] != self->seals[CARDS + i - 1U]) {
             forget_card(self, cycle, i - 1U);
         }
     }
-    for (uint32_t i = self->axis_count; i > 0U; i--) {
+    for (uint32_t i = self->sealed.axis_count; i > 0U; i--) {
         if (seals[i - 1U] != self->seals[i - 1U]) {
             forget_axis(self, cycle, i - 1U);
         }

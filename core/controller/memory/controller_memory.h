@@ -16,6 +16,7 @@
  * @satisfies SWR-MEMORY-004
  * @satisfies SWR-MEMORY-006
  * @satisfies SWR-MEMORY-007
+ * @satisfies SWR-MEMORY-260
  */
 void controller_check_memory(controller_t *self, const cycle_t *cycle);
 

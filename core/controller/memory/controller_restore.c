@@ -7,24 +7,28 @@
 #include "base/contract.h"
 #include "base/fixed.h"
 
+#include <string.h>
+
 static const char contract_module[] = "controller";
 
 /* Its counts are to be compared: a lost axis stays so whatever they say, and so does one with an
  * unknown grade. */
 static bool is_awaited(const controller_t *self, uint32_t index)
 {
-    const uint32_t grade = self->kept.axes[index].grade;
-    return (self->kept.verdict == (uint32_t)KEPT_GOOD) &&
+    const uint32_t grade = self->kept.sealed[index].grade;
+    return (self->sealed.kept_verdict == (uint32_t)KEPT_GOOD) &&
            ((grade == (uint32_t)KEPT_FRESH) || (grade == (uint32_t)KEPT_KNOWN));
 }
 
 void controller_restore(controller_t *self, const kept_positions_t *kept)
 {
-    REQUIRE(101U, self->has_started == 0U);
-    self->kept = *kept;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    REQUIRE(101U, self->sealed.has_started == 0U);
+    self->sealed.power_on = kept->power_on;
+    self->sealed.kept_verdict = kept->verdict;
+    (void)memcpy(self->kept.sealed, kept->axes, sizeof self->kept.sealed);
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         if (is_awaited(self, i)) {
-            self->awaited++;
+            self->sealed.awaited++;
         } else if (kept->verdict != (uint32_t)KEPT_NOTHING) {
             axis_forget(&self->axes[i]);
         } else {
@@ -37,7 +41,7 @@ void controller_restore(controller_t *self, const kept_positions_t *kept)
 static void restore(controller_t *self, const cycle_t *cycle, uint32_t index,
                     int32_t position_ticks)
 {
-    if (self->kept.axes[index].grade == (uint32_t)KEPT_KNOWN) {
+    if (self->kept.sealed[index].grade == (uint32_t)KEPT_KNOWN) {
         axis_restore(&self->axes[index], &cycle->robot->axes[index], position_ticks);
         controller_note(self, cycle, EVENT_AXIS_RESTORED, index, position_ticks);
     }
@@ -48,7 +52,7 @@ static void contradict(controller_t *self, const cycle_t *cycle, uint32_t index,
                        int32_t position_ticks, int32_t way_ticks)
 {
     axis_forget(&self->axes[index]);
-    if (self->kept.axes[index].grade == (uint32_t)KEPT_KNOWN) {
+    if (self->kept.sealed[index].grade == (uint32_t)KEPT_KNOWN) {
         axis_remember(&self->axes[index], position_ticks);
     }
     controller_note(self, cycle, EVENT_AXIS_CONTRADICTED, index, way_ticks);
@@ -58,8 +62,9 @@ static void compare(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const axis_t *const axis = &self->axes[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
-    const kept_axis_t *const kept = &self->kept.axes[index];
-    const int32_t way_ticks = encoder_way(config, kept->reading_ticks, axis->encoder.reading);
+    const kept_axis_t *const kept = &self->kept.sealed[index];
+    const int32_t way_ticks =
+        encoder_way(config, kept->reading_ticks, axis->sealed.encoder.reading);
     const int64_t rest_ticks = (int64_t)supervision_rest_ticks(config);
     const int32_t position_ticks =
         fixed_saturate((int64_t)kept->position_ticks + (int64_t)way_ticks);
@@ -68,22 +73,23 @@ static void compare(controller_t *self, const cycle_t *cycle, uint32_t index)
     } else {
         contradict(self, cycle, index, position_ticks, way_ticks);
     }
-    self->kept.axes[index].grade = (uint32_t)KEPT_LOST;
-    self->awaited--;
+    self->kept.sealed[index].grade = (uint32_t)KEPT_LOST;
+    self->sealed.awaited--;
 }
 
 void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
-    if (is_awaited(self, index) && (self->axes[index].encoder.has_reading != 0U)) {
+    if (is_awaited(self, index) && (self->axes[index].sealed.encoder.has_reading != 0U)) {
         compare(self, cycle, index);
     }
 }
 
 static bool is_at_rest(const controller_t *self)
 {
-    bool is_every_one = !procedure_is_armed(&self->procedure) && (self->pedal.is_released != 0U);
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_every_one = is_every_one && encoder_is_at_rest(&self->axes[i].encoder);
+    bool is_every_one =
+        !procedure_is_armed(&self->procedure) && (self->pedal.sealed.is_released != 0U);
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
+        is_every_one = is_every_one && encoder_is_at_rest(&self->axes[i].sealed.encoder);
     }
     return is_every_one;
 }
@@ -105,7 +111,7 @@ static status_t judge_axes(const controller_t *self, const cycle_t *cycle,
                            const command_positions_t *sent, answer_t *answer)
 {
     status_t status = STATUS_OK;
-    for (uint32_t i = 0U; (i < self->axis_count) && (status == STATUS_OK); i++) {
+    for (uint32_t i = 0U; (i < self->sealed.axis_count) && (status == STATUS_OK); i++) {
         answer->axis = i;
         if (!is_named(sent, i)) {
             status = STATUS_OK;
@@ -125,7 +131,7 @@ static status_t judge_restore(const controller_t *self, const cycle_t *cycle,
 {
     const command_positions_t *const sent = command_as_positions(command);
     status_t status = STATUS_UNKNOWN_COMMAND;
-    if ((sent->axes == 0U) || ((sent->axes >> self->axis_count) != 0U)) {
+    if ((sent->axes == 0U) || ((sent->axes >> self->sealed.axis_count) != 0U)) {
         status = STATUS_UNKNOWN_COMMAND;
     } else if (!controller_is_of_workphase(self, command)) {
         status = STATUS_WRONG_WORKPHASE;
@@ -145,7 +151,7 @@ status_t controller_obey_restore(controller_t *self, const cycle_t *cycle, const
         return status;
     }
     const command_positions_t *const sent = command_as_positions(command);
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         if (is_named(sent, i)) {
             axis_place(&self->axes[i], &cycle->robot->axes[i], sent->ticks[i]);
             controller_note(self, cycle, EVENT_AXIS_PLACED, i, sent->ticks[i]);

@@ -38,17 +38,18 @@ solution_t controller_aim(controller_t *self, const cycle_t *cycle, const comman
     solution_t result = {.status = STATUS_OK};
     if (kind == MODE_ALIGN) {
         result = judge_target(self, cycle);
-        request->move = align_mode_move(cycle->robot, self->axes, target_ticks);
+        request->sealed.move = align_mode_move(cycle->robot, self->axes, target_ticks);
     } else if ((kind == MODE_INSERT) || (kind == MODE_PROGRAM)) {
         result = judge_target(self, cycle);
-        (void)memcpy(request->move.target_ticks, target_ticks, sizeof request->move.target_ticks);
+        (void)memcpy(request->sealed.move.target_ticks, target_ticks,
+                     sizeof request->sealed.move.target_ticks);
         if ((kind == MODE_PROGRAM) && (result.status == STATUS_OK)) {
             result = controller_judge_program(self, cycle, command_as_list(command)->checksum,
-                                              &request->move);
+                                              &request->sealed.move);
         }
     } else if (kind == MODE_POSE) {
         result.status = pose_mode_find(command_as_pose_name(command)->pose, cycle->robot,
-                                       self->axes, &request->move);
+                                       self->axes, &request->sealed.move);
     } else if (kind == MODE_TRAJECTORY) {
         result = controller_judge_trajectory(self, cycle, command_as_list(command)->checksum);
     } else {

@@ -6,7 +6,7 @@
 
 static authority_time_t now_of(const controller_t *self)
 {
-    const authority_time_t now = {.cycle = self->cycle, .time_us = self->time_us};
+    const authority_time_t now = {.cycle = self->sealed.cycle, .time_us = self->sealed.time_us};
     return now;
 }
 
@@ -18,16 +18,16 @@ static authority_party_t party_of(const command_t *command)
 
 static void note_taken(controller_t *self, const cycle_t *cycle)
 {
-    controller_note(self, cycle, EVENT_AUTHORITY_TAKEN, self->authority.holder.peer,
-                    (int32_t)self->authority.holder.source);
+    controller_note(self, cycle, EVENT_AUTHORITY_TAKEN, self->authority.sealed.holder.peer,
+                    (int32_t)self->authority.sealed.holder.source);
 }
 
 /* The order of the party that has lost it is discarded: the pedal must be pressed anew for another
  * one. */
 static void lose(controller_t *self, const cycle_t *cycle, authority_loss_t loss)
 {
-    const uint32_t peer = self->authority.holder.peer;
-    const uint32_t actions = authority_lose(&self->authority, self->time_us);
+    const uint32_t peer = self->authority.sealed.holder.peer;
+    const uint32_t actions = authority_lose(&self->authority, self->sealed.time_us);
     if ((actions & AUTHORITY_ACTION_DISCARD_ORDER) != 0U) {
         controller_note(self, cycle, EVENT_AUTHORITY_LOST, peer, (int32_t)loss);
         controller_tell_order(self, cycle, ARMING_EVENT_DISCARD, STATUS_NO_AUTHORITY);
@@ -37,8 +37,8 @@ static void lose(controller_t *self, const cycle_t *cycle, authority_loss_t loss
 static bool are_axes_at_rest(const controller_t *self)
 {
     bool is_every_one = true;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_every_one = is_every_one && (self->axes[i].encoder.speed_ticks_per_s_q8 == 0);
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
+        is_every_one = is_every_one && (self->axes[i].sealed.encoder.speed_ticks_per_s_q8 == 0);
     }
     return is_every_one;
 }
@@ -57,18 +57,18 @@ void controller_end_request(controller_t *self)
 
 static void observe_request(controller_t *self, const cycle_t *cycle)
 {
-    const bool is_over = (self->authority.request != (uint32_t)AUTHORITY_REQUEST_GRANTED) &&
-                         (authority_request_left_us(&self->authority, self->time_us) == 0U);
-    if (is_over || is_silent(cycle, &self->authority.requester)) {
+    const bool is_over = (self->authority.sealed.request != (uint32_t)AUTHORITY_REQUEST_GRANTED) &&
+                         (authority_request_left_us(&self->authority, self->sealed.time_us) == 0U);
+    if (is_over || is_silent(cycle, &self->authority.sealed.requester)) {
         controller_end_request(self);
     }
 }
 
 static void observe_holder(controller_t *self, const cycle_t *cycle)
 {
-    if (is_silent(cycle, &self->authority.holder)) {
+    if (is_silent(cycle, &self->authority.sealed.holder)) {
         lose(self, cycle, AUTHORITY_LOSS_SILENT);
-    } else if (authority_is_unrenewed(&self->authority, self->time_us)) {
+    } else if (authority_is_unrenewed(&self->authority, self->sealed.time_us)) {
         lose(self, cycle, AUTHORITY_LOSS_UNRENEWED);
     } else {
         /* It lives. */
@@ -87,7 +87,7 @@ void controller_observe_authority(controller_t *self, const cycle_t *cycle)
         note_taken(self, cycle);
     }
     observe_holder(self, cycle);
-    if (self->authority.requester.peer != 0U) {
+    if (self->authority.sealed.requester.peer != 0U) {
         observe_request(self, cycle);
     }
 }
@@ -129,8 +129,9 @@ static bool may_take_by_it(const controller_t *self, const command_t *command)
 /* A command that only shows something: that of a connection, unless another one commands. */
 static bool may_show(const controller_t *self, const command_t *command)
 {
-    const bool is_anothers = authority_is_held(&self->authority) &&
-                             (self->authority.holder.source == (uint32_t)COMMAND_SOURCE_IGTL);
+    const bool is_anothers =
+        authority_is_held(&self->authority) &&
+        (self->authority.sealed.holder.source == (uint32_t)COMMAND_SOURCE_IGTL);
     return (command->kind == (uint32_t)COMMAND_NEEDLE) && !is_anothers;
 }
 
@@ -154,7 +155,7 @@ static void take(controller_t *self, const cycle_t *cycle, const command_t *comm
     const authority_party_t party = party_of(command);
     if (authority_take(&self->authority, &party, now_of(self))) {
         note_taken(self, cycle);
-        if (is_of_sender(&self->authority.requester, command)) {
+        if (is_of_sender(&self->authority.sealed.requester, command)) {
             controller_end_request(self);
         }
     }
@@ -164,7 +165,7 @@ void controller_credit(controller_t *self, const cycle_t *cycle, const command_t
 {
     const authority_party_t party = party_of(command);
     if (authority_is_of(&self->authority, &party)) {
-        authority_renew(&self->authority, self->time_us);
+        authority_renew(&self->authority, self->sealed.time_us);
     } else if (!is_everyones(command) && (command->kind != (uint32_t)COMMAND_NEEDLE)) {
         take(self, cycle, command);
     } else {
@@ -181,10 +182,10 @@ static status_t obey_take(controller_t *self, const cycle_t *cycle, const comman
 
 static void obey_release(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
-    if (is_of_sender(&self->authority.requester, command)) {
+    if (is_of_sender(&self->authority.sealed.requester, command)) {
         controller_end_request(self);
     }
-    if (is_of_sender(&self->authority.holder, command)) {
+    if (is_of_sender(&self->authority.sealed.holder, command)) {
         lose(self, cycle, AUTHORITY_LOSS_RELEASED);
     }
 }
@@ -199,7 +200,7 @@ status_t controller_ask_button(controller_t *self, const cycle_t *cycle, const c
     if (authority_is_asked(&self->authority, request, axis, &party)) {
         return STATUS_OK;
     }
-    if (!authority_ask(&self->authority, request, axis, &party, self->time_us)) {
+    if (!authority_ask(&self->authority, request, axis, &party, self->sealed.time_us)) {
         return STATUS_BUSY;
     }
     confirm_button_renew(&self->confirm);
@@ -252,6 +253,6 @@ status_t controller_obey_authority(controller_t *self, const cycle_t *cycle,
 
 void controller_grant(controller_t *self, const cycle_t *cycle)
 {
-    self->authority.request = (uint32_t)AUTHORITY_REQUEST_GRANTED;
+    self->authority.sealed.request = (uint32_t)AUTHORITY_REQUEST_GRANTED;
     lose(self, cycle, AUTHORITY_LOSS_TAKEN);
 }

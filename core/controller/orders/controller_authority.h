@@ -58,14 +58,14 @@ status_t controller_ask_button(controller_t *self, const cycle_t *cycle, const c
  */
 static inline bool controller_confirms_axis(const controller_t *self, uint32_t index)
 {
-    return (self->authority.request != (uint32_t)AUTHORITY_REQUEST_CONFIRM_AXIS) ||
-           (self->authority.request_axis == index);
+    return (self->authority.sealed.request != (uint32_t)AUTHORITY_REQUEST_CONFIRM_AXIS) ||
+           (self->authority.sealed.request_axis == index);
 }
 
 /** The press of the button that comes now is to give authority away. */
 static inline bool controller_awaits_grant(const controller_t *self)
 {
-    return self->authority.request == (uint32_t)AUTHORITY_REQUEST_TAKE;
+    return self->authority.sealed.request == (uint32_t)AUTHORITY_REQUEST_TAKE;
 }
 
 /**

@@ -13,9 +13,9 @@ void controller_forget_reference(controller_t *self, const cycle_t *cycle, uint3
     axis_lose_reference(axis);
     plan_forget_target(&self->plan);
     if (axis->chart.reference != before) {
-        self->records[index].grade = (uint32_t)axis->chart.reference;
+        self->records[index].sealed.grade = (uint32_t)axis->chart.reference;
         controller_note(self, cycle, EVENT_AXIS_REFERENCE_LOST, index,
-                        axis->encoder.position_ticks);
+                        axis->sealed.encoder.position_ticks);
     }
 }
 
@@ -38,7 +38,8 @@ static status_t obey_confirm(controller_t *self, const cycle_t *cycle, const com
     const status_t status =
         controller_ask_button(self, cycle, command, AUTHORITY_REQUEST_CONFIRM_AXIS, index);
     if (status == STATUS_OK) {
-        controller_note(self, cycle, EVENT_CONFIRM_ASKED, index, axis->encoder.position_ticks);
+        controller_note(self, cycle, EVENT_CONFIRM_ASKED, index,
+                        axis->sealed.encoder.position_ticks);
     }
     return status;
 }
@@ -46,8 +47,8 @@ static status_t obey_confirm(controller_t *self, const cycle_t *cycle, const com
 static status_t judge_set_home(const controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const bool is_at_rest = !procedure_is_armed(&self->procedure) &&
-                            (self->pedal.is_released != 0U) &&
-                            encoder_is_at_rest(&self->axes[index].encoder);
+                            (self->pedal.sealed.is_released != 0U) &&
+                            encoder_is_at_rest(&self->axes[index].sealed.encoder);
     status_t status = STATUS_OK;
     if (cycle->robot->axes[index].home_method == (uint8_t)HOME_BY_SWITCH) {
         status = STATUS_HOMES_OTHERWISE;
@@ -70,7 +71,7 @@ static status_t obey_set_home(controller_t *self, const cycle_t *cycle, uint32_t
     if (status == STATUS_OK) {
         const axis_config_t *const config = &cycle->robot->axes[index];
         axis_place(axis, config, config->home_ticks);
-        controller_note(self, cycle, EVENT_HOME_SET, index, axis->home_correction_ticks);
+        controller_note(self, cycle, EVENT_HOME_SET, index, axis->sealed.home_correction_ticks);
         controller_renew_account(self);
         plan_forget_target(&self->plan);
         /* An operator who presses the button already has compared another position. */
@@ -92,7 +93,8 @@ static status_t obey_enable(controller_t *self, const cycle_t *cycle, uint32_t i
         status = STATUS_HARDWARE_NOT_READY;
     } else {
         axis_enable(axis, false);
-        controller_note(self, cycle, EVENT_AXIS_ENABLED, index, axis->encoder.position_ticks);
+        controller_note(self, cycle, EVENT_AXIS_ENABLED, index,
+                        axis->sealed.encoder.position_ticks);
     }
     return status;
 }
@@ -105,7 +107,7 @@ static status_t obey_disable(controller_t *self, const cycle_t *cycle, uint32_t 
         return STATUS_NOT_AT_REST;
     }
     axis_disable(axis);
-    controller_note(self, cycle, EVENT_AXIS_DISABLED, index, axis->encoder.position_ticks);
+    controller_note(self, cycle, EVENT_AXIS_DISABLED, index, axis->sealed.encoder.position_ticks);
     return STATUS_OK;
 }
 
@@ -142,7 +144,7 @@ status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const co
     status_t status = STATUS_UNKNOWN_COMMAND;
     if (!controller_is_of_workphase(self, command)) {
         status = STATUS_WRONG_WORKPHASE;
-    } else if (index >= self->axis_count) {
+    } else if (index >= self->sealed.axis_count) {
         status = STATUS_UNKNOWN_COMMAND;
     } else {
         status = obey_act(self, cycle, command);

@@ -13,7 +13,7 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
     const mode_asked_t asked = {.command = command,
                                 .robot = cycle->robot,
                                 .axes = self->axes,
-                                .list = &self->mode.list,
+                                .list = &self->mode.sealed.list,
                                 .rows = self->rows};
     return mode_ask(kind, &asked);
 }
@@ -23,8 +23,8 @@ static void begin(controller_t *self, const cycle_t *cycle, const command_t *com
                   mode_kind_t kind, const mode_request_t *request)
 {
     controller_arm(self, cycle, command, kind, request);
-    if ((kind == MODE_HOME_AXIS) && axis_is_homed(&self->axes[request->way.axis])) {
-        controller_forget_reference(self, cycle, request->way.axis);
+    if ((kind == MODE_HOME_AXIS) && axis_is_homed(&self->axes[request->sealed.way.axis])) {
+        controller_forget_reference(self, cycle, request->sealed.way.axis);
     }
 }
 
@@ -43,8 +43,8 @@ status_t controller_obey_motion(controller_t *self, const cycle_t *cycle, const 
     if (judged.status != STATUS_OK) {
         return judged.status;
     }
-    request.axes = mode_axes(kind, request.axes, cycle->robot);
-    const workphase_inputs_t guards = controller_guards(self, cycle, kind, request.axes);
+    request.sealed.axes = mode_axes(kind, request.sealed.axes, cycle->robot);
+    const workphase_inputs_t guards = controller_guards(self, cycle, kind, request.sealed.axes);
     const status_t status = procedure_request_motion(&self->procedure, &guards, &actions);
     controller_report_order(self, cycle, actions.arming, STATUS_DISCARDED);
     if (status == STATUS_OK) {

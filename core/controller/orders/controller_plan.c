@@ -33,7 +33,7 @@ static status_t tell_registration(controller_t *self, const cycle_t *cycle,
     }
     const plan_origin_t origin = {.source = command->source,
                                   .peer = command->peer,
-                                  .cycle = self->cycle,
+                                  .cycle = self->sealed.cycle,
                                   .ignores_rotation =
                                       sent->use == (uint32_t)REGISTRATION_TRANSLATION};
     const status_t status = plan_register(&self->plan, cycle->robot, &sent->pose, &origin);
@@ -121,7 +121,7 @@ static status_t tell_entry(controller_t *self, const cycle_t *cycle, const comma
 
 static status_t tell_proposal(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
-    const plan_proposer_t proposer = {.peer = command->peer, .cycle = self->cycle};
+    const plan_proposer_t proposer = {.peer = command->peer, .cycle = self->sealed.cycle};
     status_t status = STATUS_OK;
     if (command->kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) {
         status = plan_propose_registration(&self->plan, cycle->robot,

@@ -10,7 +10,7 @@ static const char contract_module[] = "controller";
 
 static status_t begin_list(controller_t *self, const command_t *command)
 {
-    trajectory_list_t *const list = &self->mode.list;
+    trajectory_list_t *const list = &self->mode.sealed.list;
     const status_t status = trajectory_list_begin(list, command_as_list_begin(command)->count);
     if (status == STATUS_OK) {
         list->source = (command->source == (uint32_t)COMMAND_SOURCE_HTTP)
@@ -29,7 +29,7 @@ static status_t add_row(controller_t *self, const cycle_t *cycle, const command_
     (void)memcpy(row.ticks, sent->ticks, sizeof row.ticks);
     (void)memcpy(row.speeds_ticks_per_s, sent->speeds_ticks_per_s, sizeof row.speeds_ticks_per_s);
     const solution_t judged =
-        trajectory_list_add(&self->mode.list, self->rows, cycle->robot, sent->index, &row);
+        trajectory_list_add(&self->mode.sealed.list, self->rows, cycle->robot, sent->index, &row);
     answer->axis = (uint32_t)judged.axis;
     answer->is_maximum = (uint32_t)judged.is_maximum;
     return judged.status;
@@ -49,9 +49,10 @@ status_t controller_obey_trajectory(controller_t *self, const cycle_t *cycle,
         status = add_row(self, cycle, command, answer);
     } else {
         answer->checksum = command_as_list(command)->checksum;
-        status = trajectory_list_end(&self->mode.list, answer->checksum);
+        status = trajectory_list_end(&self->mode.sealed.list, answer->checksum);
         if (status == STATUS_OK) {
-            controller_note(self, cycle, EVENT_TRAJECTORY_HELD, 0U, (int32_t)self->mode.list.count);
+            controller_note(self, cycle, EVENT_TRAJECTORY_HELD, 0U,
+                            (int32_t)self->mode.sealed.list.count);
         }
     }
     return status;
@@ -60,8 +61,8 @@ status_t controller_obey_trajectory(controller_t *self, const cycle_t *cycle,
 solution_t controller_hold(controller_t *self, const robot_t *robot, const trajectory_row_t *rows,
                            uint32_t count, uint32_t *row)
 {
-    REQUIRE(102U, self->has_started == 0U);
-    trajectory_list_t *const list = &self->mode.list;
+    REQUIRE(102U, self->sealed.has_started == 0U);
+    trajectory_list_t *const list = &self->mode.sealed.list;
     uint32_t crc = 0U;
     solution_t result = {.status = trajectory_list_begin(list, count)};
     *row = 0U;
@@ -80,6 +81,6 @@ solution_t controller_hold(controller_t *self, const robot_t *robot, const traje
 
 solution_t controller_judge_trajectory(const controller_t *self, const cycle_t *cycle, uint32_t crc)
 {
-    const trajectory_t trajectory = {.list = &self->mode.list, .rows = self->rows};
+    const trajectory_t trajectory = {.list = &self->mode.sealed.list, .rows = self->rows};
     return trajectory_mode_judge(&trajectory, crc, cycle->robot, self->axes);
 }

@@ -117,8 +117,8 @@ static void note_shared_limit(controller_t *self, const cycle_t *cycle, const an
 /* Any peer may send numbers that are refused, as often as it likes. */
 static bool is_time(controller_t *self)
 {
-    const bool is_one = (self->cycle - self->refused_cycle) >= LIMIT_REFUSED_VALUES_MS;
-    self->refused_cycle = is_one ? self->cycle : self->refused_cycle;
+    const bool is_one = (self->sealed.cycle - self->refused_cycle) >= LIMIT_REFUSED_VALUES_MS;
+    self->refused_cycle = is_one ? self->sealed.cycle : self->refused_cycle;
     return is_one;
 }
 

@@ -10,14 +10,14 @@
 void controller_begin_start_up(controller_t *self, const cycle_t *cycle)
 {
     const estop_latch_state_t before = self->estop.state;
-    self->is_box_settled = 1U;
+    self->sealed.is_box_settled = 1U;
     estop_latch_reset(&self->estop);
     if (self->estop.state != before) {
         controller_note(self, cycle, EVENT_ESTOP_CLEARED, 0U, 0);
     }
     pedal_gate_reset(&self->pedal);
     loop_guard_reset(&self->loop);
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         link_t *const link = &self->links[self->cards.slots[i]];
         link_reset(link);
         axis_enable(&self->axes[i], !link_is_usable(link));
@@ -38,7 +38,7 @@ status_t controller_obey_no_box(controller_t *self, const cycle_t *cycle, const 
     if (!controller_lacks_box(self, cycle)) {
         return STATUS_BLACK_BOX_THERE;
     }
-    self->is_box_settled = 1U;
+    self->sealed.is_box_settled = 1U;
     controller_note(self, cycle, EVENT_NO_BLACK_BOX_ACCEPTED, 0U, 0);
     return STATUS_OK;
 }
@@ -47,9 +47,9 @@ status_t controller_obey_no_box(controller_t *self, const cycle_t *cycle, const 
  */
 static mode_request_t request_of(const controller_t *self, const cycle_t *cycle, mode_kind_t kind)
 {
-    mode_request_t request = {.axes = mode_axes(kind, 0U, cycle->robot)};
-    (void)memcpy(request.move.target_ticks, self->plan.target_ticks,
-                 sizeof request.move.target_ticks);
+    mode_request_t request = {.sealed.axes = mode_axes(kind, 0U, cycle->robot)};
+    (void)memcpy(request.sealed.move.target_ticks, self->plan.target_ticks,
+                 sizeof request.sealed.move.target_ticks);
     return request;
 }
 
@@ -67,7 +67,7 @@ status_t controller_obey_workphase(controller_t *self, const cycle_t *cycle,
     }
     const mode_kind_t kind = mode_of(asked);
     const mode_request_t request = request_of(self, cycle, kind);
-    const workphase_inputs_t guards = controller_guards(self, cycle, kind, request.axes);
+    const workphase_inputs_t guards = controller_guards(self, cycle, kind, request.sealed.axes);
     const workphase_t before = procedure_workphase(&self->procedure);
     const status_t status = procedure_request(&self->procedure, &guards, (uint32_t)asked, &actions);
     controller_report_order(self, cycle, actions.arming, STATUS_DISCARDED);

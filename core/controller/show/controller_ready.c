@@ -49,7 +49,7 @@ static named_step_t find_card(const controller_t *self)
 {
     named_step_t found = controller_step_only(NEXT_STEP_START_UP);
     bool is_any_there = false;
-    for (uint32_t i = self->axis_count; i > 0U; i--) {
+    for (uint32_t i = self->sealed.axis_count; i > 0U; i--) {
         if (is_card_missing(self, i - 1U)) {
             found = of_card(self, NEXT_STEP_CHECK_CARDS, i - 1U, EVENT_CARD_LOST);
         } else {
@@ -65,7 +65,7 @@ static named_step_t find_pedal(const controller_t *self, const controller_inputs
     next_step_t step = NEXT_STEP_START_UP;
     if (is_faulty && (inputs->pedal_a != inputs->pedal_b)) {
         step = NEXT_STEP_PEDAL_FAULT;
-    } else if (self->pedal.is_released == 0U) {
+    } else if (self->pedal.sealed.is_released == 0U) {
         step = NEXT_STEP_RELEASE_PEDAL;
     } else {
         /* It is not pressed. */
@@ -77,7 +77,7 @@ static named_step_t find_pedal(const controller_t *self, const controller_inputs
 static named_step_t find_heat(const controller_t *self, const robot_t *robot)
 {
     named_step_t found = controller_step_only(NEXT_STEP_START_UP);
-    for (uint32_t i = 0U; is_start_up(&found) && (i < self->axis_count); i++) {
+    for (uint32_t i = 0U; is_start_up(&found) && (i < self->sealed.axis_count); i++) {
         if (is_motor_hot(self, robot, i)) {
             found = of_axis(NEXT_STEP_WAIT, i, EVENT_AXIS_HOT);
         } else if (is_driver_hot(self, i)) {
@@ -98,7 +98,7 @@ static named_step_t find_vain_homing(const controller_t *self, const robot_t *ro
     named_step_t found = controller_step_only(NEXT_STEP_START_UP);
     if (axis_is_contradicted(axis)) {
         found = of_axis(NEXT_STEP_COMPARE, index, EVENT_AXIS_SWITCH_ELSEWHERE);
-    } else if (escort_was_missing(&self->mode.escort, index) && !axis_is_homed(axis)) {
+    } else if (escort_was_missing(&self->mode.sealed.escort, index) && !axis_is_homed(axis)) {
         found = of_axis(is_in_doubt ? NEXT_STEP_CONFIRM : NEXT_STEP_BY_HAND, index,
                         EVENT_HOMING_NO_WAY);
     } else if (coupled_guard_bars_homing(robot, self->axes, index)) {
@@ -127,17 +127,17 @@ static named_step_t in_place(const axis_t *axis, uint32_t index)
 static named_step_t find_doubt(const controller_t *self, const robot_t *robot)
 {
     named_step_t found = controller_step_only(NEXT_STEP_START_UP);
-    for (uint32_t i = 0U; is_start_up(&found) && (i < self->axis_count); i++) {
+    for (uint32_t i = 0U; is_start_up(&found) && (i < self->sealed.axis_count); i++) {
         if (axis_needs_confirmation(&self->axes[i], &robot->axes[i])) {
             found = in_place(&self->axes[i], i);
         }
     }
-    for (uint32_t i = 0U; is_start_up(&found) && (i < self->axis_count); i++) {
+    for (uint32_t i = 0U; is_start_up(&found) && (i < self->sealed.axis_count); i++) {
         found = find_vain_homing(self, robot, i);
     }
     const uint32_t unplaced =
-        is_start_up(&found) ? homing_mode_unplaced(robot, self->axes) : self->axis_count;
-    if (unplaced < self->axis_count) {
+        is_start_up(&found) ? homing_mode_unplaced(robot, self->axes) : self->sealed.axis_count;
+    if (unplaced < self->sealed.axis_count) {
         found = of_axis(NEXT_STEP_PLACE, unplaced, EVENT_HOMING_UNPLACED);
     }
     return found;
@@ -158,7 +158,7 @@ static named_step_t free_button(const controller_t *self, const cycle_t *cycle,
     if (cycle->inputs->scanner_active != 0U) {
         return controller_step_only(NEXT_STEP_SCANNER);
     }
-    for (uint32_t i = 0U; (found.step == asked->step) && (i < self->axis_count); i++) {
+    for (uint32_t i = 0U; (found.step == asked->step) && (i < self->sealed.axis_count); i++) {
         if (axis_is_moving_in_doubt(&self->axes[i])) {
             found = of_axis(NEXT_STEP_WAIT, i, EVENT_AXIS_MOVED_OFF);
         }
@@ -168,24 +168,25 @@ static named_step_t free_button(const controller_t *self, const cycle_t *cycle,
 
 static named_step_t of_vain(const controller_t *self)
 {
-    return (named_step_t){NEXT_STEP_SERVICE, self->vain_axis, self->vain_card, self->vain_event};
+    return (named_step_t){NEXT_STEP_SERVICE, self->sealed.vain_axis, self->sealed.vain_card,
+                          self->sealed.vain_event};
 }
 
 static bool are_moves_vain(const controller_t *self)
 {
-    return self->vain_moves >= LIMIT_SERVICE_MOVES;
+    return self->sealed.vain_moves >= LIMIT_SERVICE_MOVES;
 }
 
 static bool is_in_vain(const controller_t *self)
 {
-    return (self->vain_start_ups >= LIMIT_SERVICE_START_UPS) || are_moves_vain(self);
+    return (self->sealed.vain_start_ups >= LIMIT_SERVICE_START_UPS) || are_moves_vain(self);
 }
 
 /* An axis that is placed again and again would end START_UP once more. */
 static bool is_vain_axis(const controller_t *self, const named_step_t *found)
 {
     const bool is_placing = (found->step == NEXT_STEP_PLACE) || (found->step == NEXT_STEP_CONFIRM);
-    return is_placing && (found->axis == self->vain_axis);
+    return is_placing && (found->axis == self->sealed.vain_axis);
 }
 
 /* A confirmation before service would only allow more of the orders that have failed. */

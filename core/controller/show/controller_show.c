@@ -43,7 +43,8 @@ static const remedy_t remedies[] = {
 /* At the target, or at the last step of a program, which may lie before it. */
 static next_step_t step_after_arrival(const controller_t *self)
 {
-    return (self->mode.kind == (uint32_t)MODE_PROGRAM) ? NEXT_STEP_PROGRAM_DONE : NEXT_STEP_NOTHING;
+    return (self->mode.sealed.kind == (uint32_t)MODE_PROGRAM) ? NEXT_STEP_PROGRAM_DONE
+                                                              : NEXT_STEP_NOTHING;
 }
 
 /* `workphase` is entered from the present one, in the chart's words. After START_UP comes PLANNING,
@@ -112,7 +113,7 @@ static next_step_t step_for_plan(const controller_t *self, const robot_t *robot,
         step = step_in(&self->procedure, WORKPHASE_CALIBRATION, NEXT_STEP_REGISTER);
     } else if (self->plan.has_target == 0U) {
         step = step_in(&self->procedure, WORKPHASE_TARGETING, NEXT_STEP_TARGET);
-    } else if (is_going && (self->has_arrived != 0U)) {
+    } else if (is_going && (self->sealed.has_arrived != 0U)) {
         step = step_after_arrival(self);
     } else {
         step = step_to_target(self, robot, present);
@@ -123,15 +124,15 @@ static next_step_t step_for_plan(const controller_t *self, const robot_t *robot,
 /* The pedal has done its part, and is to be seen released before the next one. */
 static next_step_t release_first(const controller_t *self, next_step_t step)
 {
-    return (self->pedal.is_released == 0U) ? NEXT_STEP_RELEASE_PEDAL : step;
+    return (self->pedal.sealed.is_released == 0U) ? NEXT_STEP_RELEASE_PEDAL : step;
 }
 
 /* Follows the reasons of every axis, and the workphase when nothing but an order is missing. */
 static next_step_t next_step(const controller_t *self, const robot_t *robot, bool is_homed)
 {
     uint32_t reasons = 0U;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        reasons |= self->records[i].reason_hold.shown;
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
+        reasons |= self->records[i].sealed.reason_hold.shown;
     }
     const uint32_t count = (uint32_t)(sizeof(remedies) / sizeof(remedies[0]));
     next_step_t step = NEXT_STEP_HOLD_PEDAL;
@@ -154,7 +155,7 @@ static bool is_one_of(next_step_t step, uint64_t steps)
 static bool is_anybodys(const authority_t *authority)
 {
     return authority_is_free(authority) &&
-           (authority->request != (uint32_t)AUTHORITY_REQUEST_GRANTED);
+           (authority->sealed.request != (uint32_t)AUTHORITY_REQUEST_GRANTED);
 }
 
 /* Puts authority before a step that a command fulfils while no client may send one, and the grant
@@ -212,24 +213,24 @@ static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t i
 {
     const axis_t *const axis = &self->axes[index];
     const axis_record_t *const record = &self->records[index];
-    const card_drive_t *const sent = &controller_link(self, index)->sent;
+    const card_drive_t *const sent = &controller_link(self, index)->sealed.sent;
     snapshot_axis_t *const shown = &cycle->outputs->snapshot.axes[index];
     shown->power = (uint32_t)axis->chart.power;
     shown->reference = (uint32_t)axis->chart.reference;
     shown->stall = (uint32_t)axis->supervision.stall.state;
-    shown->permit_reasons = record->reason_hold.shown;
-    shown->permit_since_cycle = record->permit_since_cycle;
-    shown->speed_cap_percent = record->speed_cap_percent;
-    shown->position_ticks = axis->encoder.position_ticks;
-    shown->reading_ticks = axis->encoder.reading;
-    shown->setpoint_ticks = axis->setpoint_ticks;
-    shown->target_ticks = axis->setpoint_ticks;
-    shown->speed_ticks_per_s_q8 = axis->encoder.speed_ticks_per_s_q8;
-    shown->setpoint_speed_ticks_per_s_q8 = axis->setpoint_speed_ticks_per_s_q8;
+    shown->permit_reasons = record->sealed.reason_hold.shown;
+    shown->permit_since_cycle = record->sealed.permit_since_cycle;
+    shown->speed_cap_percent = record->sealed.speed_cap_percent;
+    shown->position_ticks = axis->sealed.encoder.position_ticks;
+    shown->reading_ticks = axis->sealed.encoder.reading;
+    shown->setpoint_ticks = axis->sealed.setpoint_ticks;
+    shown->target_ticks = axis->sealed.setpoint_ticks;
+    shown->speed_ticks_per_s_q8 = axis->sealed.encoder.speed_ticks_per_s_q8;
+    shown->setpoint_speed_ticks_per_s_q8 = axis->sealed.setpoint_speed_ticks_per_s_q8;
     shown->drive_mode = sent->mode;
     shown->drive_direction = sent->direction;
     shown->drive_duty = sent->duty;
-    shown->limit_switches = axis->limit_switches;
+    shown->limit_switches = axis->sealed.limit_switches;
 }
 
 static void show_card(const controller_t *self, const cycle_t *cycle, uint32_t slot)
@@ -237,8 +238,8 @@ static void show_card(const controller_t *self, const cycle_t *cycle, uint32_t s
     const link_t *const link = &self->links[slot];
     snapshot_card_t *const shown = &cycle->outputs->snapshot.cards[slot];
     shown->link = (uint32_t)link->chart.state;
-    shown->age_cycles = link->age_cycles;
-    shown->frame_errors = link->frame_errors;
+    shown->age_cycles = link->sealed.age_cycles;
+    shown->frame_errors = link->sealed.frame_errors;
     shown->frames_out_of_order = link->frames_out_of_order;
     shown->frames_missed = link->frames_missed;
     shown->heartbeat = link->report.heartbeat;
@@ -296,24 +297,24 @@ static void show_authority(const controller_t *self, snapshot_t *shown)
 {
     const authority_t *const authority = &self->authority;
     shown->authority = (uint32_t)authority->chart.state;
-    shown->holder = authority->holder.source;
-    shown->holder_peer = authority->holder.peer;
-    shown->held_since_cycle = authority->since_cycle;
-    shown->request = authority->request;
-    shown->request_axis = authority->request_axis;
-    shown->requester = authority->requester.source;
-    shown->requester_peer = authority->requester.peer;
-    shown->request_left_us = authority_request_left_us(authority, self->time_us);
+    shown->holder = authority->sealed.holder.source;
+    shown->holder_peer = authority->sealed.holder.peer;
+    shown->held_since_cycle = authority->sealed.since_cycle;
+    shown->request = authority->sealed.request;
+    shown->request_axis = authority->sealed.request_axis;
+    shown->requester = authority->sealed.requester.source;
+    shown->requester_peer = authority->sealed.requester.peer;
+    shown->request_left_us = authority_request_left_us(authority, self->sealed.time_us);
 }
 
 static void show_trajectory(const controller_t *self, snapshot_t *shown)
 {
-    const trajectory_list_t *const list = &self->mode.list;
+    const trajectory_list_t *const list = &self->mode.sealed.list;
     shown->trajectory_rows = (list->is_whole != 0U) ? list->count : 0U;
     shown->trajectory_crc = list->crc;
     shown->trajectory_source = list->source;
-    shown->trajectory_row = self->mode.trajectory.row;
-    shown->trajectory_time_us = self->mode.trajectory.time_us;
+    shown->trajectory_row = self->mode.sealed.trajectory.row;
+    shown->trajectory_time_us = self->mode.sealed.trajectory.time_us;
 }
 
 static void show_program(const controller_t *self, const cycle_t *cycle, snapshot_t *shown)
@@ -323,8 +324,8 @@ static void show_program(const controller_t *self, const cycle_t *cycle, snapsho
     shown->program_crc = list->crc;
     shown->program_target_crc = list->target_crc;
     shown->program_source = list->source;
-    shown->program_step = self->mode.program.step;
-    shown->program_dwelt_us = self->mode.program.dwelt_us;
+    shown->program_step = self->mode.sealed.program.step;
+    shown->program_dwelt_us = self->mode.sealed.program.dwelt_us;
     shown->is_dose_reached = cycle->inputs->dose_reached;
     shown->is_treatment_stopped = cycle->inputs->treatment_stopped;
 }
@@ -366,13 +367,13 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
 static void show_way(const controller_t *self, mode_kind_t kind, snapshot_t *shown)
 {
     if ((kind == MODE_MOVE) || (kind == MODE_INSERT)) {
-        for (uint32_t i = 0U; i < self->axis_count; i++) {
+        for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
             shown->axes[i].target_ticks = self->plan.target_ticks[i];
         }
     } else if ((kind == MODE_JOG) && procedure_is_armed(&self->procedure)) {
-        const mode_way_t *const way = &self->mode.request.way;
+        const mode_way_t *const way = &self->mode.request.sealed.way;
         /* Damaged memory is shown before it is repaired. */
-        if (way->axis < self->axis_count) {
+        if (way->axis < self->sealed.axis_count) {
             shown->axes[way->axis].target_ticks = way->end_ticks;
         }
     } else {
@@ -385,7 +386,7 @@ static void show_mode(const controller_t *self, mode_kind_t kind, snapshot_t *sh
 {
     mode_share_t share = {.done_per_mille = 0U, .left_ms = 0U};
     if (procedure_is_moving(&self->procedure)) {
-        share = mode_share(&self->mode, kind, self->axes, self->axis_count);
+        share = mode_share(&self->mode, kind, self->axes, self->sealed.axis_count);
     }
     shown->mode = (uint32_t)(procedure_is_armed(&self->procedure) ? kind : MODE_NONE);
     shown->done_per_mille = share.done_per_mille;
@@ -395,8 +396,8 @@ static void show_mode(const controller_t *self, mode_kind_t kind, snapshot_t *sh
 /* Axes that the robot has not. */
 static void clear_unused(const controller_t *self, snapshot_t *shown)
 {
-    clear_aligned_words((uint8_t *)&shown->axes[self->axis_count],
-                        (ROBOT_AXIS_MAX - self->axis_count) * sizeof shown->axes[0]);
+    clear_aligned_words((uint8_t *)&shown->axes[self->sealed.axis_count],
+                        (ROBOT_AXIS_MAX - self->sealed.axis_count) * sizeof shown->axes[0]);
 }
 
 void controller_look_ahead(controller_t *self, const cycle_t *cycle, uint32_t guards)
@@ -423,30 +424,30 @@ void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t gu
 {
     snapshot_t *const shown = &cycle->outputs->snapshot;
     const mode_kind_t kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
-    shown->cycle = self->cycle;
-    shown->time_us = self->time_us;
+    shown->cycle = self->sealed.cycle;
+    shown->time_us = self->sealed.time_us;
     shown->robot_crc = cycle->robot->crc;
-    shown->axis_count = self->axis_count;
-    shown->power_on = self->kept.power_on;
-    shown->positions_awaited = self->awaited;
+    shown->axis_count = self->sealed.axis_count;
+    shown->power_on = self->sealed.power_on;
+    shown->positions_awaited = self->sealed.awaited;
     shown->workphase = (uint32_t)procedure_workphase(&self->procedure);
     shown->order = (uint32_t)self->procedure.arming.state;
     shown->pedal = (uint32_t)self->pedal.chart.state;
     shown->estop = (uint32_t)self->estop.state;
     shown->loop = (uint32_t)self->loop.chart.state;
-    show_lateness(&self->loop.lateness, shown);
+    show_lateness(&self->loop.sealed.lateness, shown);
     shown->guards = guards;
     shown->is_homed = guards_have(guards, GUARD_HOMED) ? 1U : 0U;
     show_step(self, cycle, shown);
-    shown->is_scanner_active = self->was_scanner_active;
+    shown->is_scanner_active = self->sealed.was_scanner_active;
     shown->unread_inputs = cycle->inputs->unread;
     shown->unfit = cycle->inputs->unfit;
     shown->unrecorded = self->unrecorded;
     shown->is_recorder_failing = cycle->inputs->is_recorder_failing;
     shown->recording_left_min = cycle->inputs->recording_left_min;
-    shown->overruns = self->loop.overruns;
-    shown->events = self->events;
-    shown->events_lost = self->events_lost;
+    shown->overruns = self->loop.sealed.overruns;
+    shown->events = self->sealed.events;
+    shown->events_lost = self->sealed.events_lost;
     show_mode(self, kind, shown);
     show_authority(self, shown);
     show_trajectory(self, shown);
@@ -454,7 +455,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t gu
     show_plan(self, shown);
     show_pose(self, cycle->robot, shown);
     clear_unused(self, shown);
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         show_axis(self, cycle, i);
     }
     show_way(self, kind, shown);

@@ -11,8 +11,9 @@ move_mode_t align_mode_move(const robot_t *robot, const axis_t axes[ROBOT_AXIS_M
     const uint32_t needle = robot->needle_axis;
     move_mode_t move;
     (void)memcpy(move.target_ticks, target_ticks, sizeof move.target_ticks);
-    move.target_ticks[needle] = needle_is_out(robot, axes) ? axes[needle].encoder.position_ticks
-                                                           : needle_retracted_ticks(robot);
+    move.target_ticks[needle] = needle_is_out(robot, axes)
+                                    ? axes[needle].sealed.encoder.position_ticks
+                                    : needle_retracted_ticks(robot);
     return move;
 }
 

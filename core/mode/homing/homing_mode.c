@@ -41,7 +41,7 @@ void homing_mode_begin_axis(const mode_frame_t *frame, uint32_t index, mode_resu
     if (coupled_guard_bars_homing(frame->robot, frame->axes, index)) {
         mode_fail(result, EVENT_HOMING_BARRED, index, 0);
     } else if (axis_begin_homing(axis, &frame->robot->axes[index]) != 0U) {
-        mode_note(result, EVENT_AXIS_TAKEN, index, axis->home_correction_ticks);
+        mode_note(result, EVENT_AXIS_TAKEN, index, axis->sealed.home_correction_ticks);
     } else if (axis_is_homing(axis) && !was_homing) {
         follower_tie(frame->robot, frame->axes, index);
     } else {

@@ -41,7 +41,8 @@ solution_t jog_mode_judge(const mode_way_t *asked, const robot_t *robot,
         return result;
     }
     const axis_t *const axis = &axes[asked->axis];
-    const int64_t way_ticks = (int64_t)asked->end_ticks - (int64_t)axis->encoder.position_ticks;
+    const int64_t way_ticks =
+        (int64_t)asked->end_ticks - (int64_t)axis->sealed.encoder.position_ticks;
     result.status = STATUS_OK;
     if (needle_forbids_jog(robot, axes, asked->axis, way_ticks > 0)) {
         result.status = STATUS_NEEDLE_IN;
@@ -79,7 +80,7 @@ uint32_t jog_mode_ask(const mode_asked_t *asked, mode_way_t *way)
         const command_jog_by_t *const sent = command_as_jog_by(asked->command);
         *way = (mode_way_t){.axis = sent->axis, .end_ticks = 0};
         if (sent->axis < asked->robot->axis_count) {
-            const int32_t from_ticks = asked->axes[sent->axis].encoder.position_ticks;
+            const int32_t from_ticks = asked->axes[sent->axis].sealed.encoder.position_ticks;
             way->end_ticks = fixed_saturate((int64_t)from_ticks + (int64_t)sent->by_ticks);
         }
     }

@@ -140,7 +140,8 @@ static void find_places(escort_outlook_t *self)
     const axis_config_t *const config = &self->robot->axes[self->leader];
     const axis_t *const axis = &self->axes[self->leader];
     const int64_t end = (int64_t)(is_upper(config) ? config->minimum_ticks : config->maximum_ticks);
-    self->far_ticks = end + (int64_t)axis->encoder.position_ticks - axis->homing.start_ticks;
+    self->far_ticks =
+        end + (int64_t)axis->sealed.encoder.position_ticks - axis->sealed.homing.start_ticks;
     self->near_ticks = (int64_t)config->home_ticks - self->way_ticks;
     if (is_upper(config) ? (self->far_ticks > self->near_ticks)
                          : (self->far_ticks < self->near_ticks)) {
@@ -152,7 +153,7 @@ static void look_ahead(escort_outlook_t *self)
 {
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         const axis_config_t *const config = &self->robot->axes[i];
-        const int64_t ticks = (int64_t)self->axes[i].encoder.position_ticks;
+        const int64_t ticks = (int64_t)self->axes[i].sealed.encoder.position_ticks;
         const int64_t way = self->way_ticks * (int64_t)pace_of(self->paces, i);
         self->from.value[i] = joints_of(config, fixed_saturate(ticks));
         self->to.value[i] = joints_of(config, fixed_saturate(ticks + way));
@@ -169,7 +170,7 @@ static bool has_room(const escort_outlook_t *self)
         const axis_config_t *const config = &self->robot->axes[i];
         const int64_t pace = (int64_t)pace_of(self->paces, i);
         const int64_t end =
-            (int64_t)self->axes[i].encoder.position_ticks + (pace * self->way_ticks);
+            (int64_t)self->axes[i].sealed.encoder.position_ticks + (pace * self->way_ticks);
         const bool is_within =
             (end >= (int64_t)config->minimum_ticks) && (end <= (int64_t)config->maximum_ticks);
         has_all = has_all && ((pace == 0) || is_within);
@@ -241,15 +242,16 @@ static bool is_good(const escort_t *self, const robot_t *robot, const axis_t axe
 static void tie(const escort_t *self, const robot_t *robot, axis_t axes[ROBOT_AXIS_MAX])
 {
     axis_t *const leader = &axes[self->leader - 1U];
-    const int64_t gone = (int64_t)leader->encoder.position_ticks - leader->homing.start_ticks;
+    const int64_t gone =
+        (int64_t)leader->sealed.encoder.position_ticks - leader->sealed.homing.start_ticks;
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const int64_t pace = (int64_t)escort_pace(self, i);
         if (pace > 0) {
-            axes[i].homing.start_ticks =
-                fixed_saturate((int64_t)axes[i].encoder.position_ticks - (pace * gone));
+            axes[i].sealed.homing.start_ticks =
+                fixed_saturate((int64_t)axes[i].sealed.encoder.position_ticks - (pace * gone));
         }
     }
-    homing_renew(&leader->homing);
+    homing_renew(&leader->sealed.homing);
 }
 
 bool escort_is_for(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
@@ -345,6 +347,6 @@ int32_t escort_way_by_hand_ticks(const escort_t *self, const robot_t *robot,
 {
     const escort_outlook_t outlook = outlook_of(self, robot, axes, false);
     const int64_t middle = ((outlook.far_ticks + outlook.near_ticks) / 2) -
-                           (int64_t)axes[outlook.leader].encoder.position_ticks;
+                           (int64_t)axes[outlook.leader].sealed.encoder.position_ticks;
     return fixed_saturate(middle);
 }

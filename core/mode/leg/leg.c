@@ -9,7 +9,7 @@
 void leg_positions(const mode_frame_t *frame, int32_t ticks[ROBOT_AXIS_MAX])
 {
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
-        ticks[i] = frame->axes[i].encoder.position_ticks;
+        ticks[i] = frame->axes[i].sealed.encoder.position_ticks;
     }
 }
 
@@ -95,7 +95,8 @@ static void watch_time(leg_t *self, const mode_frame_t *frame, mode_result_t *re
     if ((self->overtime_cycles * LIMIT_CYCLE_US) >= LIMIT_OVERTIME_US) {
         const uint32_t index = find_astray(self, frame);
         mode_fail(result, EVENT_ORDER_OVERDUE, index,
-                  self->profile.end_ticks[index] - frame->axes[index].encoder.position_ticks);
+                  self->profile.end_ticks[index] -
+                      frame->axes[index].sealed.encoder.position_ticks);
     }
 }
 

@@ -15,7 +15,7 @@ bool move_mode_is_aligned(const move_mode_t *self, const robot_t *robot,
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const int64_t slack = (int64_t)robot->axes[i].deadband_ticks + ALIGNED_TICKS;
         const int64_t way =
-            (int64_t)self->target_ticks[i] - (int64_t)axes[i].encoder.position_ticks;
+            (int64_t)self->target_ticks[i] - (int64_t)axes[i].sealed.encoder.position_ticks;
         const bool is_needle = i == robot->needle_axis;
         is_aligned = is_aligned && (is_needle || ((way <= slack) && (way >= -slack)));
     }
@@ -26,7 +26,7 @@ bool move_mode_is_aligned(const move_mode_t *self, const robot_t *robot,
 static void begin_leg(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame)
 {
     const robot_t *const robot = frame->robot;
-    const int32_t needle_ticks = frame->axes[robot->needle_axis].encoder.position_ticks;
+    const int32_t needle_ticks = frame->axes[robot->needle_axis].sealed.encoder.position_ticks;
     int32_t ends[ROBOT_AXIS_MAX];
     (void)memcpy(ends, self->target_ticks, sizeof ends);
     if (move_mode_is_aligned(self, robot, frame->axes)) {

@@ -18,7 +18,7 @@ status_t pose_mode_find(uint32_t pose, const robot_t *robot, const axis_t axes[R
         status = STATUS_MEMORY_DAMAGED;
     } else {
         (void)memcpy(move->target_ticks, robot->poses[pose].ticks, sizeof move->target_ticks);
-        move->target_ticks[needle] = axes[needle].encoder.position_ticks;
+        move->target_ticks[needle] = axes[needle].sealed.encoder.position_ticks;
     }
     return status;
 }
@@ -31,7 +31,7 @@ solution_t pose_mode_judge(const move_mode_t *self, const robot_t *robot,
         return (solution_t){.status = STATUS_NEEDLE_IN, .axis = (uint8_t)robot->needle_axis};
     }
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        ticks[i] = axes[i].encoder.position_ticks;
+        ticks[i] = axes[i].sealed.encoder.position_ticks;
     }
     return coupled_path_judge(robot, ticks, self->target_ticks);
 }

@@ -32,7 +32,7 @@ static bool is_base_aligned(const move_mode_t *target, const robot_t *robot,
     move_mode_t base;
     (void)memcpy(&base, target, sizeof base);
     if (turning < robot->axis_count) {
-        base.target_ticks[turning] = axes[turning].encoder.position_ticks;
+        base.target_ticks[turning] = axes[turning].sealed.encoder.position_ticks;
     }
     return move_mode_is_aligned(&base, robot, axes);
 }
@@ -52,7 +52,7 @@ solution_t program_mode_judge(const program_list_t *list, uint32_t crc, const mo
         int32_t from[ROBOT_AXIS_MAX] = {0};
         int32_t to[ROBOT_AXIS_MAX];
         for (uint32_t i = 0U; i < robot->axis_count; i++) {
-            from[i] = axes[i].encoder.position_ticks;
+            from[i] = axes[i].sealed.encoder.position_ticks;
         }
         program_list_ends(robot, target->target_ticks, &list->steps[0], to);
         result = coupled_path_judge(robot, from, to);
@@ -80,7 +80,7 @@ static bool stands_at(const mode_frame_t *frame, const place_t *place)
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         const int64_t slack = (int64_t)frame->robot->axes[i].deadband_ticks + SLACK_TICKS;
         const int64_t way =
-            (int64_t)place->ends[i] - (int64_t)frame->axes[i].encoder.position_ticks;
+            (int64_t)place->ends[i] - (int64_t)frame->axes[i].sealed.encoder.position_ticks;
         const bool is_driven = (driven & LEG_AXIS(i)) != 0U;
         is_there = is_there && (!is_driven || (fixed_magnitude(way) <= slack));
     }

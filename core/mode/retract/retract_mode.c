@@ -9,7 +9,7 @@ static int32_t end_ticks_of(const robot_t *robot, const axis_t axes[ROBOT_AXIS_M
     const axis_t *const needle = &axes[robot->needle_axis];
     const axis_config_t *const config = &robot->axes[robot->needle_axis];
     const int64_t stroke = (int64_t)config->maximum_ticks - (int64_t)config->minimum_ticks;
-    const int64_t end = (int64_t)needle->encoder.position_ticks - stroke;
+    const int64_t end = (int64_t)needle->sealed.encoder.position_ticks - stroke;
     return axis_is_homed(needle) ? needle_retracted_ticks(robot) : fixed_saturate(end);
 }
 
@@ -17,9 +17,9 @@ bool retract_mode_is_done(int32_t end_ticks, const mode_frame_t *frame)
 {
     const axis_t *const needle = &frame->axes[frame->robot->needle_axis];
     const axis_config_t *const config = &frame->robot->axes[frame->robot->needle_axis];
-    const int64_t left = (int64_t)needle->encoder.position_ticks - (int64_t)end_ticks;
+    const int64_t left = (int64_t)needle->sealed.encoder.position_ticks - (int64_t)end_ticks;
     return (left <= (int64_t)config->deadband_ticks) ||
-           (!axis_is_homed(needle) && (needle->limit_switches != 0U));
+           (!axis_is_homed(needle) && (needle->sealed.limit_switches != 0U));
 }
 
 void retract_mode_step(int32_t end_ticks, leg_t *leg, const mode_frame_t *frame,

@@ -40,7 +40,7 @@ static bool is_sweepable(const robot_t *robot, uint32_t index)
 static bool has_room(const axis_config_t *config, const axis_t *axis)
 {
     const int64_t longest = longest_ticks(config);
-    const int64_t at = (int64_t)axis->encoder.position_ticks;
+    const int64_t at = (int64_t)axis->sealed.encoder.position_ticks;
     return ((at + longest) <= (int64_t)config->maximum_ticks) &&
            ((at - longest) >= (int64_t)config->minimum_ticks);
 }
@@ -94,7 +94,7 @@ static card_drive_t drive_of(const sweep_mode_t *self, const axis_config_t *conf
 /* In the direction of the drive. */
 static int32_t way_of(const sweep_mode_t *self, const axis_t *axis)
 {
-    const int64_t way = (int64_t)axis->encoder.position_ticks - (int64_t)self->start_ticks;
+    const int64_t way = (int64_t)axis->sealed.encoder.position_ticks - (int64_t)self->start_ticks;
     return fixed_saturate(is_upwards(self) ? way : -way);
 }
 
@@ -229,7 +229,7 @@ static void run(sweep_mode_t *self, uint32_t index, uint32_t run_cycles, const m
                 mode_result_t *result)
 {
     if (run_cycles == 0U) {
-        self->start_ticks = frame->axes[index].encoder.position_ticks;
+        self->start_ticks = frame->axes[index].sealed.encoder.position_ticks;
         mode_note(result, EVENT_SWEEP_WORD, index, hertz_of(self));
     }
     const status_t status = trouble(self, index, run_cycles, frame);

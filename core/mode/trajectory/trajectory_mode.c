@@ -40,7 +40,7 @@ static status_t judge_axis(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MA
                            const int32_t ticks[ROBOT_AXIS_MAX], uint32_t axis)
 {
     const axis_config_t *const config = &robot->axes[axis];
-    const int64_t way = (int64_t)ticks[axis] - (int64_t)axes[axis].encoder.position_ticks;
+    const int64_t way = (int64_t)ticks[axis] - (int64_t)axes[axis].sealed.encoder.position_ticks;
     status_t status = STATUS_OK;
     if (!axis_is_homed(&axes[axis])) {
         status = STATUS_NOT_HOMED;
@@ -64,7 +64,7 @@ solution_t trajectory_mode_judge_start(const robot_t *robot, const axis_t axes[R
     solution_t result = {.status = STATUS_OK};
     int32_t from[ROBOT_AXIS_MAX] = {0};
     for (uint32_t i = 0U; (i < robot->axis_count) && (result.status == STATUS_OK); i++) {
-        from[i] = axes[i].encoder.position_ticks;
+        from[i] = axes[i].sealed.encoder.position_ticks;
         result.axis = (uint8_t)i;
         result.status = judge_axis(robot, axes, ticks, i);
     }

@@ -27,7 +27,7 @@ bool velocity_bound_is_switch(const velocity_mode_t *self, const mode_frame_t *f
 {
     const bool is_upper = frame->robot->axes[index].limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
     const bool is_up = self->speeds_ticks_per_s[index] > 0;
-    return (frame->axes[index].limit_switches != 0U) && (is_upper == is_up);
+    return (frame->axes[index].sealed.limit_switches != 0U) && (is_upper == is_up);
 }
 
 velocity_bound_t velocity_bound_of(const velocity_mode_t *self, const mode_frame_t *frame,
@@ -51,7 +51,7 @@ velocity_bound_t velocity_bound_of(const velocity_mode_t *self, const mode_frame
         bind(&bound, is_up, start + (is_up ? way : -way), VELOCITY_END_WAY);
     }
     if (velocity_bound_is_switch(self, frame, index)) {
-        bind(&bound, is_up, (int64_t)axis->encoder.position_ticks, VELOCITY_END_SWITCH_ZONE);
+        bind(&bound, is_up, (int64_t)axis->sealed.encoder.position_ticks, VELOCITY_END_SWITCH_ZONE);
     }
     return bound;
 }

@@ -114,7 +114,7 @@ static void refuse(velocity_mode_t *self, status_t status, uint32_t index)
 
 static int64_t now_q8(const mode_frame_t *frame, uint32_t index)
 {
-    return fixed_magnitude((int64_t)frame->axes[index].setpoint_speed_ticks_per_s_q8);
+    return fixed_magnitude((int64_t)frame->axes[index].sealed.setpoint_speed_ticks_per_s_q8);
 }
 
 /* The fastest of all that the axis may have. */
@@ -137,7 +137,7 @@ static int64_t most_q8(const velocity_mode_t *self, const mode_frame_t *frame, u
 static int64_t room_of(const velocity_mode_t *self, const mode_frame_t *frame, uint32_t index)
 {
     const velocity_bound_t bound = velocity_bound_of(self, frame, index);
-    const int64_t ticks = (int64_t)bound.ticks - (int64_t)frame->axes[index].setpoint_ticks;
+    const int64_t ticks = (int64_t)bound.ticks - (int64_t)frame->axes[index].sealed.setpoint_ticks;
     const int64_t room = (ticks * TICK) - (int64_t)self->rest[index];
     return is_upwards(self, index) ? room : -room;
 }
@@ -156,7 +156,7 @@ static int32_t place_after(const velocity_mode_t *self, const axis_t *axis, uint
     const int64_t more = (int64_t)self->rest[index] + (is_upwards(self, index) ? way : -way);
     const int64_t ticks = fixed_divide_rounded(more, TICK);
     *rest = (int32_t)(more - (ticks * TICK));
-    return fixed_saturate((int64_t)axis->setpoint_ticks + ticks);
+    return fixed_saturate((int64_t)axis->sealed.setpoint_ticks + ticks);
 }
 
 static void set_speed(const velocity_mode_t *self, const mode_frame_t *frame, uint32_t index,
@@ -174,12 +174,12 @@ static void plan_axes(const velocity_mode_t *self, const mode_frame_t *frame, ve
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         const axis_t *const axis = &frame->axes[i];
         plan->speeds_q8[i] = 0;
-        plan->from_ticks[i] = axis->encoder.position_ticks;
+        plan->from_ticks[i] = axis->sealed.encoder.position_ticks;
         plan->to_ticks[i] = plan->from_ticks[i];
         if (has_axis(self, i)) {
             const int64_t step = fixed_divide_by(
                 (int64_t)frame->robot->axes[i].acceleration_ticks_per_s2 * 256, CYCLES_PER_S);
-            plan->from_ticks[i] = axis->setpoint_ticks;
+            plan->from_ticks[i] = axis->sealed.setpoint_ticks;
             plan->steps_q8[i] = step;
             set_speed(self, frame, i, next_q8(self, frame, i, step), plan);
         }
@@ -242,7 +242,7 @@ static void run(velocity_mode_t *self, const mode_frame_t *frame, const velocity
 static velocity_end_t end_of(const velocity_mode_t *self, const mode_frame_t *frame, uint32_t index)
 {
     const velocity_bound_t bound = velocity_bound_of(self, frame, index);
-    const int64_t left = (int64_t)bound.ticks - (int64_t)frame->axes[index].setpoint_ticks;
+    const int64_t left = (int64_t)bound.ticks - (int64_t)frame->axes[index].sealed.setpoint_ticks;
     const bool is_there = is_upwards(self, index) ? (left <= 0) : (left >= 0);
     velocity_end_t end = VELOCITY_END_TIME;
     if ((self->barred & LEG_AXIS(index)) != 0U) {
@@ -274,8 +274,8 @@ static void begin_rest(const velocity_mode_t *self, leg_t *leg, const mode_frame
     int32_t ends[ROBOT_AXIS_MAX] = {0};
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         const axis_t *const axis = &frame->axes[i];
-        ends[i] = velocity_bound_is_switch(self, frame, i) ? axis->encoder.position_ticks
-                                                           : axis->setpoint_ticks;
+        ends[i] = velocity_bound_is_switch(self, frame, i) ? axis->sealed.encoder.position_ticks
+                                                           : axis->sealed.setpoint_ticks;
     }
     leg_begin(leg, frame, self->axes, ends);
 }

@@ -37,8 +37,8 @@ static uint32_t running_ms(const velocity_mode_t *mode, const axis_t axes[ROBOT_
     const uint32_t index = only_axis(mode);
     uint32_t left_ms = (mode->left_cycles * LIMIT_CYCLE_US) / 1000U;
     if (mode->way_ticks > 0U) {
-        const int64_t gone =
-            magnitude((int64_t)axes[index].setpoint_ticks - (int64_t)mode->start_ticks[index]);
+        const int64_t gone = magnitude((int64_t)axes[index].sealed.setpoint_ticks -
+                                       (int64_t)mode->start_ticks[index]);
         left_ms = way_ms(mode, (int64_t)mode->way_ticks - gone);
     }
     return left_ms;

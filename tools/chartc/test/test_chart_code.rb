@@ -72,6 +72,13 @@ class TestChartCode < Minitest::Test
     refute_includes svg, 'style='
   end
 
+  # A seal over the state needs to know how far the part goes that decides.
+  def test_SWR_CHART_001_the_header_says_how_many_bytes_decide
+    header = File.read(Dir[File.join(TestChartCode.folder, 'gen', '**', 'sample_chart.h')].first)
+    assert_includes header, '#define SAMPLE_CHART_BYTES offsetof(sample_chart_t, now_us)'
+    assert_match(/_is_armed;\n    uint64_t now_us;[^\n]*\n    chart_trace_t trace;[^\n]*\n\} sample_chart_t;/, header)
+  end
+
   def test_SWR_CHART_001_the_table_numbers_agree_with_the_code
     chart = JSON.parse(File.read(path('gen', 'charts', 'charts.json'))).fetch('charts').first
     header = File.read(path('gen', 'charts', 'sample_chart.h'))

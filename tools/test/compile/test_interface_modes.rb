@@ -49,8 +49,8 @@ class TestInterfaceModes < Minitest::Test
   def test_SWR_TOOL_081_a_row_becomes_the_calls_that_it_names
     with_output('modes.yml' => MODES) do |folder|
       source = File.read(File.join(folder, 'mode_dispatch.c'))
-      assert_equal ['go_mode_ask(asked, &request.own.go)', 'go_mode_judge(request->way.axis, robot, axes)',
-                    'go_mode_step(&self->request.own.go, &self->leg, frame, result)'], source.scan(/go_mode_\w+\(.*\)/)
+      assert_equal ['go_mode_ask(asked, &request.own.go)', 'go_mode_judge(request->sealed.way.axis, robot, axes)',
+                    'go_mode_step(&self->request.own.go, &self->sealed.leg, frame, result)'], source.scan(/go_mode_\w+\(.*\)/)
       assert_includes source, "case (uint32_t)COMMAND_GO:\n        found = MODE_GO;"
       assert_includes source, '[MODE_GO] = {.from = (uint32_t)offsetof(mode_own_t, go),'
       assert_includes source, '#include "mode/go/go_mode.h"'
@@ -63,7 +63,7 @@ class TestInterfaceModes < Minitest::Test
     text = COMMANDS.sub('from: [PAGE, NETWORK]', 'payload: axis, from: [PAGE]').sub('ask: [own], ', '')
                    .sub('structures:', "structures:\n  - {name: command_axis, fields: [{name: axis, type: uint32}]}")
     with_output('commands.yml' => text) do |folder|
-      assert_includes File.read(File.join(folder, 'mode_dispatch.c')), 'request.way.axis = command_as_axis(asked->command)->axis;'
+      assert_includes File.read(File.join(folder, 'mode_dispatch.c')), 'request.sealed.way.axis = command_as_axis(asked->command)->axis;'
     end
   end
 

@@ -155,7 +155,7 @@ static uint32_t cycles_to_notice(uint32_t axis)
     while (rig_count(&rig, EVENT_AXIS_MOVED_OFF) == 0U) {
         rig_cycle(&rig);
         late += (rest_ways(axis, *at - start) >= 1.0) ? 1U : 0U;
-        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.sealed.cycle);
     }
     return late;
 }
@@ -216,7 +216,7 @@ static void cruise(uint32_t axis)
     while ((shown->setpoint_speed_ticks_per_s_q8 < speed_q8) &&
            (shown->setpoint_speed_ticks_per_s_q8 > -speed_q8)) {
         rig_cycle(&rig);
-        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.sealed.cycle);
     }
     rig_cycles(&rig, 100U);
     TEST_ASSERT_TRUE(rig_is_driving(&rig));

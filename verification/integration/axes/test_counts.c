@@ -263,7 +263,7 @@ void test_SWR_CTRL_014_cycles_that_come_late_make_no_sound_encoder_uneven(void)
     rig_press(&rig);
     rig_forget(&rig);
     while (rig.answer_count == 0U) {
-        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.sealed.cycle);
         rig.late_us = next_lateness(&random);
         rig_cycle(&rig);
     }
@@ -334,7 +334,7 @@ void test_SWR_AXIS_047_a_box_that_stands_for_some_cycles_makes_no_count_wrong(vo
     rig_press(&rig);
     rig_forget(&rig);
     while (rig.answer_count == 0U) {
-        rig.held_cycles = ((rig.controller.cycle % 97U) == 0U) ? 3U : rig.held_cycles;
+        rig.held_cycles = ((rig.controller.sealed.cycle % 97U) == 0U) ? 3U : rig.held_cycles;
         rig_cycle(&rig);
     }
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig.answers[0].kind);

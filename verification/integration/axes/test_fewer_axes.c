@@ -95,16 +95,16 @@ void test_SWR_ROBOT_013_what_the_table_does_not_hold_is_not_jogged(void)
 void test_SWR_ROBOT_013_a_number_of_axes_that_was_damaged_is_not_believed(void)
 {
     rig_home(&rig);
-    rig.controller.axis_count = UINT32_MAX;
+    rig.controller.sealed.axis_count = UINT32_MAX;
     rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(2U, rig.controller.axis_count);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig.controller.sealed.axis_count);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
     rig.robot.axis_count = UINT32_MAX;
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ROBOT_TABLE_DAMAGED));
     expect_frames_to_axes();
-    rig.controller.axis_count = UINT32_MAX;
+    rig.controller.sealed.axis_count = UINT32_MAX;
     rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_MAX, rig.controller.axis_count);
+    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_MAX, rig.controller.sealed.axis_count);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
 }

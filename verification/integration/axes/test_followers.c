@@ -114,7 +114,7 @@ static bool is_homing(uint32_t axis)
 static void run_until_homing(uint32_t axis, uint32_t more)
 {
     while (!is_homing(axis)) {
-        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.sealed.cycle);
         rig_cycle(&rig);
     }
     rig_cycles(&rig, more);
@@ -123,7 +123,7 @@ static void run_until_homing(uint32_t axis, uint32_t more)
 static void run_until_homed(uint32_t axis)
 {
     while (!is_homed(axis)) {
-        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.sealed.cycle);
         rig_cycle(&rig);
     }
 }
@@ -172,7 +172,7 @@ void test_SWR_AXIS_028_the_pairs_keep_their_length_and_the_stages_come_in_order(
     start();
     while (!is_homed(FRONT_RIGHT) || !is_homed(REAR_RIGHT)) {
         rig_cycle(&rig);
-        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.sealed.cycle);
         TEST_ASSERT_TRUE(is_homed(NEEDLE) || !is_homing(FRONT_LEFT));
         TEST_ASSERT_TRUE(is_homed(REAR_LEFT) || !is_homing(FRONT_LEFT));
         TEST_ASSERT_TRUE(is_homed(FRONT_LEFT) || !is_homing(FRONT_RIGHT));
@@ -266,10 +266,11 @@ void test_SWR_ROBOT_024_a_homed_robot_that_stands_elsewhere_is_taken_home(void)
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.answer_count);
     rig_press(&rig);
     while (rig_count(&rig, EVENT_ORDER_DONE) == 0U) {
-        const int32_t speed_q8 = rig.controller.axes[FRONT_LEFT].setpoint_speed_ticks_per_s_q8;
+        const int32_t speed_q8 =
+            rig.controller.axes[FRONT_LEFT].sealed.setpoint_speed_ticks_per_s_q8;
         fastest = (speed_q8 > fastest) ? speed_q8 : fastest;
         rig_cycle(&rig);
-        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.sealed.cycle);
     }
     TEST_ASSERT_GREATER_THAN_INT32(3 * HOME_SPEED * 256, fastest);
     expect_at_home();
@@ -299,7 +300,7 @@ void test_SWR_AXIS_053_two_carriages_in_doubt_home_one_after_the_other(void)
     while (!is_homed(FRONT_RIGHT)) {
         rig_cycle(&rig);
         TEST_ASSERT_TRUE(is_homed(FRONT_RIGHT) || !is_homing(REAR_RIGHT));
-        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.sealed.cycle);
     }
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, MOST_CYCLES).kind);
     expect_at_home();
@@ -424,8 +425,8 @@ void test_SWR_AXIS_080_SWR_NEXT_035_one_that_is_placed_in_vain_is_for_service(vo
 
 static void fail_in_vain(uint32_t axis)
 {
-    rig.controller.vain_start_ups = LIMIT_SERVICE_START_UPS;
-    rig.controller.vain_axis = axis;
+    rig.controller.sealed.vain_start_ups = LIMIT_SERVICE_START_UPS;
+    rig.controller.sealed.vain_axis = axis;
     controller_seal(&rig.controller);
 }
 
@@ -570,7 +571,7 @@ void test_SWR_AXIS_031_a_homing_that_was_interrupted_begins_anew_from_where_the_
     rig_press(&rig);
     while (!is_homed(FRONT_LEFT)) {
         rig_cycle(&rig);
-        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.sealed.cycle);
         expect_pairs_keep();
     }
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_FOLLOWER_STUCK));
@@ -580,7 +581,7 @@ void test_SWR_AXIS_031_a_homing_that_was_interrupted_begins_anew_from_where_the_
 static void run_until_leg(uint32_t axis, axis_reference_t leg)
 {
     while (rig.controller.axes[axis].chart.reference != (uint32_t)leg) {
-        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.sealed.cycle);
         rig_cycle(&rig);
     }
 }
@@ -593,7 +594,7 @@ void test_SWR_AXIS_033_a_switch_that_lies_ends_start_up_before_the_other_pair_go
     run_until_homing(FRONT_RIGHT, 2000U);
     rig_box(&rig, "switch rear_right stuck");
     run_until_leg(REAR_RIGHT, AXIS_REFERENCE_BACK_OFF);
-    const int32_t edge = rig.controller.axes[REAR_RIGHT].homing.edge_ticks;
+    const int32_t edge = rig.controller.axes[REAR_RIGHT].sealed.homing.edge_ticks;
     rig_box(&rig, "switch rear_right normal");
     run_until_leg(REAR_RIGHT, AXIS_REFERENCE_LATCH);
     while (rig_position(&rig, REAR_RIGHT) > edge) {

@@ -60,7 +60,7 @@ void test_SWR_AXIS_002_the_needle_homes_before_the_other_axes_move(void)
            (uint32_t)AXIS_REFERENCE_VERIFIED) {
         TEST_ASSERT_EQUAL_INT32(0, rig_position(&rig, NEURO_AXIS_HEAD));
         rig_cycle(&rig);
-        TEST_ASSERT_LESS_THAN_UINT32(40000U, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(40000U, rig.controller.sealed.cycle);
     }
 }
 
@@ -92,7 +92,7 @@ void test_SWR_JOG_016_the_needle_leaves_before_the_base_homes(void)
             rig_cycle(&rig);
             TEST_ASSERT_DOUBLE_WITHIN(0.5, start, *place);
             TEST_ASSERT_EQUAL(CARD_DRIVE_OFF, rig_sent(&rig, lost[i]).drive.mode);
-            TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.cycle);
+            TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.sealed.cycle);
         }
         TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
         TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED,
@@ -146,7 +146,7 @@ void test_SWR_JOG_016_the_permit_drives_nothing_across_a_needle_that_is_in(void)
     TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, requests[NEURO_AXIS_INSERTION].mode);
     controller_drive(&rig.controller, &cycle, controller_facts(&rig.controller, &cycle), requests);
     TEST_ASSERT_EQUAL_HEX32(1UL << PERMIT_REASON_NEEDLE_IN,
-                            rig.controller.records[NEURO_AXIS_LATERAL].reason_hold.shown);
+                            rig.controller.records[NEURO_AXIS_LATERAL].sealed.reason_hold.shown);
     TEST_ASSERT_EQUAL(CARD_DRIVE_OFF, rig_sent(&rig, NEURO_AXIS_LATERAL).drive.mode);
     TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, rig_sent(&rig, NEURO_AXIS_INSERTION).drive.mode);
 }
@@ -182,7 +182,7 @@ static double needle_way_in_start_up(answer_kind_t expected)
     while (rig.answer_count == before) {
         rig_cycle(&rig);
         most = ((*needle - start) > most) ? (*needle - start) : most;
-        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.sealed.cycle);
     }
     TEST_ASSERT_EQUAL_UINT32(expected, rig.answers[before % RIG_ANSWERS].kind);
     rig_release(&rig);
@@ -318,7 +318,7 @@ static axis_reference_t needle_grade(void)
 static void cycle_while(axis_reference_t leg)
 {
     while (needle_grade() == leg) {
-        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.sealed.cycle);
         rig_cycle(&rig);
     }
 }
@@ -428,9 +428,9 @@ void test_SWR_AXIS_025_a_switch_that_is_free_beyond_home_is_a_fault(void)
     axis_t *const lateral = &rig.controller.axes[NEURO_AXIS_LATERAL];
     rig_start_homed(&rig);
     jog_to(NEURO_AXIS_LATERAL, -500);
-    encoder_set_position(&lateral->encoder, 30);
+    encoder_set_position(&lateral->sealed.encoder, 30);
     supervision_shift(&lateral->supervision, 530);
-    drift_audit_settle(&lateral->drift);
+    drift_audit_settle(&lateral->sealed.drift);
     controller_seal(&rig.controller);
     rig_cycle(&rig);
     expect_elsewhere(NEURO_AXIS_LATERAL, 30, 1);

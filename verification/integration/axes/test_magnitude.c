@@ -82,7 +82,7 @@ static uint32_t end_move(uint32_t *largest)
         TEST_ASSERT_LESS_THAN_UINT32(40000U, i);
         *largest = (magnitude > *largest) ? magnitude : *largest;
         rig_cycle(&rig);
-        late = profile_is_finished(&rig.controller.mode.leg.profile) ? (late + 1U) : 0U;
+        late = profile_is_finished(&rig.controller.mode.sealed.leg.profile) ? (late + 1U) : 0U;
     }
     rig_release(&rig);
     (void)rig_workphase(&rig, WORKPHASE_TARGETING);

@@ -65,13 +65,13 @@ static uint32_t home(void)
     rig_start_robot(&rig, &simulated);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_press(&rig);
-    const uint32_t first = rig.controller.cycle;
+    const uint32_t first = rig.controller.sealed.cycle;
     while ((rig.answers[rig.answer_count - 1U].is_final == 0U) &&
-           (rig.controller.cycle < MOST_CYCLES)) {
+           (rig.controller.sealed.cycle < MOST_CYCLES)) {
         rig_cycle(&rig);
         expect_inside_limits();
     }
-    return rig.controller.cycle - first;
+    return rig.controller.sealed.cycle - first;
 }
 
 static void expect_home(void)

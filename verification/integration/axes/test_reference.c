@@ -235,7 +235,7 @@ void test_SWR_REF_015_an_axis_that_comes_back_elsewhere_is_lost(void)
     rig_cycles(&rig, SILENT_CYCLES);
     /* Farther than it may move, and not so far that its card sees it leave its guard. */
     rig.box.axes[NEURO_AXIS_ROTATION].encoder.count +=
-        (3 * rig.controller.axes[NEURO_AXIS_ROTATION].supervision.rest_ticks) / 2;
+        (3 * rig.controller.axes[NEURO_AXIS_ROTATION].supervision.sealed.rest_ticks) / 2;
     rig_cycles(&rig, 20U);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(NEURO_AXIS_ROTATION));
     rig_box(&rig, "card rotation normal");
@@ -273,7 +273,7 @@ void test_SWR_LOOP_010_a_pause_of_control_at_rest_loses_nothing(void)
     box_advance(&rig.box, 2U * LIMIT_CARD_WATCHDOG_US);
     rig_cycles(&rig, 3U);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_FAULT, rig_link(&rig, i)->cause);
+        TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_FAULT, rig_link(&rig, i)->sealed.cause);
         TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[i]));
     }
     expect_start_up(STATUS_OK);
@@ -353,7 +353,7 @@ void test_SWR_REF_011_each_change_of_trust_names_its_axis(void)
 {
     const uint32_t axis = NEURO_AXIS_ROTATION;
     rig_start_homed(&rig);
-    encoder_set_position(&rig.controller.axes[axis].encoder, 12);
+    encoder_set_position(&rig.controller.axes[axis].sealed.encoder, 12);
     supervision_shift(&rig.controller.axes[axis].supervision, 12);
     controller_seal(&rig.controller);
     axis_doubt(&rig.controller.axes[axis]);

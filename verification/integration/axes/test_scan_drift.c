@@ -40,7 +40,7 @@ static void scan_for_a_minute(uint32_t noise)
 
 static int32_t drifted_ticks(void)
 {
-    return rig.controller.axes[PROSTATE_AXIS_ROTATION].drift.idle_ticks;
+    return rig.controller.axes[PROSTATE_AXIS_ROTATION].sealed.drift.idle_ticks;
 }
 
 void test_SWR_AXIS_022_a_minute_of_a_scan_leaves_a_coarse_rotation_verified(void)

@@ -119,7 +119,7 @@ static void home(uint32_t axis)
     while (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) {
         rig_cycle(&rig);
         driven |= driven_axes();
-        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.sealed.cycle);
     }
     TEST_ASSERT_EQUAL_UINT32(1UL << axis, driven);
     const answer_t *const last = &rig.answers[(rig.answer_count - 1U) % RIG_ANSWERS];
@@ -191,9 +191,9 @@ void test_SWR_AXIS_034_a_limit_that_bars_the_way_fails_the_homing(void)
 {
     start_manual();
     expect(STATUS_OK, COMMAND_HOME_AXIS, NEURO_AXIS_HEAD);
-    encoder_set_position(&rig.controller.axes[NEURO_AXIS_FEET].encoder, -5000);
+    encoder_set_position(&rig.controller.axes[NEURO_AXIS_FEET].sealed.encoder, -5000);
     supervision_shift(&rig.controller.axes[NEURO_AXIS_FEET].supervision, -5000);
-    drift_audit_settle(&rig.controller.axes[NEURO_AXIS_FEET].drift);
+    drift_audit_settle(&rig.controller.axes[NEURO_AXIS_FEET].sealed.drift);
     controller_seal(&rig.controller);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_HOMING_BARRED));
@@ -426,7 +426,7 @@ void test_SWR_AXIS_040_what_a_press_would_not_verify_is_refused(void)
     expect(STATUS_NOTHING_TO_CONFIRM, COMMAND_CONFIRM_AXIS, NEURO_AXIS_YAW);
     expect(STATUS_OK, COMMAND_CLEAR_AXIS, NEURO_AXIS_YAW);
     expect(STATUS_NOTHING_TO_CONFIRM, COMMAND_CONFIRM_AXIS, NEURO_AXIS_YAW);
-    rig.controller.axes[NEURO_AXIS_YAW].elsewhere_ticks = 500;
+    rig.controller.axes[NEURO_AXIS_YAW].sealed.elsewhere_ticks = 500;
     controller_seal(&rig.controller);
     expect(STATUS_OK, COMMAND_CONFIRM_AXIS, NEURO_AXIS_YAW);
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button());

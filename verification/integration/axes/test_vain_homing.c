@@ -88,7 +88,7 @@ static void spend(void)
     for (uint32_t i = 0U; i < LIMIT_SERVICE_START_UPS; i++) {
         try_in_vain(FAR_TICKS);
     }
-    TEST_ASSERT_EQUAL_UINT32(HOMING_ACCOUNT_SPENT, rig.controller.account_state);
+    TEST_ASSERT_EQUAL_UINT32(HOMING_ACCOUNT_SPENT, rig.controller.sealed.account_state);
 }
 
 static status_t home_head(void)
@@ -123,8 +123,8 @@ static void draw_needle_out(void)
 
 static void expect_anew(void)
 {
-    TEST_ASSERT_EQUAL_UINT32(HOMING_ACCOUNT_EMPTY, rig.controller.account_state);
-    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.vain_start_ups);
+    TEST_ASSERT_EQUAL_UINT32(HOMING_ACCOUNT_EMPTY, rig.controller.sealed.account_state);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.sealed.vain_start_ups);
 }
 
 void test_SWR_NEXT_024_beyond_the_bound_nothing_is_homed_and_service_is_due(void)
@@ -162,7 +162,7 @@ void test_SWR_NEXT_024_tries_that_move_less_are_not_refused(void)
         try_in_vain(1);
     }
     expect_step(NEXT_STEP_SERVICE);
-    TEST_ASSERT_EQUAL_UINT32(HOMING_ACCOUNT_OPEN, rig.controller.account_state);
+    TEST_ASSERT_EQUAL_UINT32(HOMING_ACCOUNT_OPEN, rig.controller.sealed.account_state);
     try_in_vain(FAR_TICKS);
     TEST_ASSERT_EQUAL_UINT32(STATUS_MOVED_IN_VAIN, rig_workphase(&rig, WORKPHASE_START_UP).status);
 }
@@ -279,7 +279,7 @@ void test_SWR_AXIS_080_who_asks_for_the_button_has_it_first(void)
     expect_step(NEXT_STEP_GRANT);
     hold_button();
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MENDED));
-    TEST_ASSERT_EQUAL_UINT32(HOMING_ACCOUNT_SPENT, rig.controller.account_state);
+    TEST_ASSERT_EQUAL_UINT32(HOMING_ACCOUNT_SPENT, rig.controller.sealed.account_state);
 }
 
 void test_SWR_AXIS_081_what_bars_the_button_comes_before_service(void)
@@ -310,7 +310,7 @@ void test_SWR_NEXT_025_before_the_bound_a_restored_position_does_not_begin_anew(
     try_in_vain(FAR_TICKS);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, restore_head());
-    TEST_ASSERT_EQUAL_UINT32(1U, rig.controller.vain_start_ups);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.controller.sealed.vain_start_ups);
     TEST_ASSERT_EQUAL_INT32(FAR_TICKS, rig.controller.account.ways_ticks[NEURO_AXIS_HEAD]);
 }
 
@@ -356,12 +356,12 @@ void test_SWR_MEMORY_002_an_account_of_vain_tries_that_is_damaged_is_spent(void)
     try_in_vain(0);
     rig.controller.account.ways_ticks[NEURO_AXIS_FEET] ^= 0x1;
     for (uint32_t i = 1U; i < LIMIT_SERVICE_START_UPS; i++) {
-        TEST_ASSERT_EQUAL_UINT32(HOMING_ACCOUNT_OPEN, rig.controller.account_state);
+        TEST_ASSERT_EQUAL_UINT32(HOMING_ACCOUNT_OPEN, rig.controller.sealed.account_state);
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
         rig_box(&rig, "card head silent");
         TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, MOST_CYCLES).kind);
         rig_box(&rig, "card head normal");
         rig_cycles(&rig, REST_CYCLES);
     }
-    TEST_ASSERT_EQUAL_UINT32(HOMING_ACCOUNT_SPENT, rig.controller.account_state);
+    TEST_ASSERT_EQUAL_UINT32(HOMING_ACCOUNT_SPENT, rig.controller.sealed.account_state);
 }

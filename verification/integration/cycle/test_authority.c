@@ -482,7 +482,7 @@ void test_SWR_CORE_004_damaged_authority_is_nobodys_and_ends_the_order(void)
 void test_SWR_MEMORY_002_a_holder_that_changes_by_itself_is_forgotten(void)
 {
     start_moving();
-    rig.controller.authority.holder.peer = OTHER_PAGE;
+    rig.controller.authority.sealed.holder.peer = OTHER_PAGE;
     rig_cycle(&rig);
     expect_nobody();
     TEST_ASSERT_FALSE(rig_is_driving(&rig));

@@ -96,7 +96,7 @@ void test_SWR_LINK_009_the_firmware_of_a_card_without_an_axis_is_judged(void)
     rig_box(&rig, "card 8 foreign");
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, shown(SENSOR)->link);
-    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_WRONG_CARD, rig.controller.links[SENSOR].cause);
+    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_WRONG_CARD, rig.controller.links[SENSOR].sealed.cause);
 }
 
 void test_SWR_LINK_010_its_drive_is_off_in_every_cycle_while_an_axis_is_driven(void)
@@ -145,9 +145,9 @@ void test_SWR_LINK_010_damaged_memory_of_it_is_told_and_no_axis_stops_for_it(voi
     static rig_t moving;
     begin_jog();
     moving = rig;
-    for (size_t i = offsetof(link_t, sent); i < sizeof(link_t); i += 4U) {
+    for (size_t i = 0U; i < sizeof rig.controller.links[SENSOR].sealed; i += 4U) {
         rig = moving;
-        ((uint8_t *)&rig.controller.links[SENSOR])[i] ^= 0x10U;
+        ((uint8_t *)&rig.controller.links[SENSOR].sealed)[i] ^= 0x10U;
         rig_cycle(&rig);
         TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
         TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_LOST, SENSOR));
@@ -254,7 +254,8 @@ void test_SWR_DRIVE_011_each_empty_slot_is_looked_at_in_its_turn_with_the_drive_
         for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
             if (now == ((uint32_t)1U << slot)) {
                 TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, sent_to(slot).drive.mode);
-                TEST_ASSERT_EQUAL_UINT32(0U, (rig.controller.cycle - 1U) % LIMIT_PROBE_CYCLES);
+                TEST_ASSERT_EQUAL_UINT32(0U,
+                                         (rig.controller.sealed.cycle - 1U) % LIMIT_PROBE_CYCLES);
             }
         }
         seen |= now;

@@ -316,7 +316,7 @@ void test_SWR_PERMIT_005_an_axis_that_has_lagged_catches_up_within_the_cap(void)
 void test_SWR_ENC_002_an_impossible_count_faults_the_axis_and_loses_its_home(void)
 {
     rig_start_homed(&rig);
-    rig.controller.axes[NEURO_AXIS_YAW].encoder.reading ^= 0x40000000;
+    rig.controller.axes[NEURO_AXIS_YAW].sealed.encoder.reading ^= 0x40000000;
     controller_seal(&rig.controller);
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[NEURO_AXIS_YAW].power);
@@ -375,7 +375,7 @@ void test_SWR_AXIS_003_driven_time_of_homing_is_bounded(void)
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
     rig_press(&rig);
     rig_cycles(&rig, 100U);
-    rig.controller.axes[NEURO_AXIS_INSERTION].homing.leg_us =
+    rig.controller.axes[NEURO_AXIS_INSERTION].sealed.homing.leg_us =
         robot_neuro.axes[NEURO_AXIS_INSERTION].home_time_us - 500U;
     controller_seal(&rig.controller);
     rig_cycles(&rig, 2U);
@@ -390,7 +390,7 @@ void test_SWR_AXIS_009_a_following_error_is_noted_with_its_size(void)
     (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
     rig_press(&rig);
     rig_cycles(&rig, 300U);
-    rig.controller.axes[NEURO_AXIS_HEAD].setpoint_ticks +=
+    rig.controller.axes[NEURO_AXIS_HEAD].sealed.setpoint_ticks +=
         robot_neuro.axes[NEURO_AXIS_HEAD].following_error_ticks + 100;
     controller_seal(&rig.controller);
     rig_cycle(&rig);
@@ -589,7 +589,7 @@ void test_SWR_CHART_007_every_chart_is_advanced_in_every_cycle(void)
     TEST_ASSERT_EQUAL_UINT64(now_us, self->estop.now_us);
     TEST_ASSERT_EQUAL_UINT64(now_us, self->procedure.workphase.now_us);
     TEST_ASSERT_EQUAL_UINT64(now_us, self->procedure.arming.now_us);
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         TEST_ASSERT_EQUAL_UINT64(now_us, rig_link(&rig, i)->chart.now_us);
         TEST_ASSERT_EQUAL_UINT64(now_us, self->axes[i].chart.now_us);
         /* It goes by the time between two reports; there was none before the first. */
@@ -683,8 +683,8 @@ void test_SWR_EVENT_002_events_beyond_the_most_of_a_cycle_are_counted(void)
     rig_box(&rig, "scanner on");
     rig_box(&rig, "estop pull");
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        rig.controller.axes[i].encoder.reading ^= 0x40000000;
-        rig.controller.axes[i].encoder.jumps = 1U;
+        rig.controller.axes[i].sealed.encoder.reading ^= 0x40000000;
+        rig.controller.axes[i].sealed.encoder.jumps = 1U;
     }
     controller_seal(&rig.controller);
     rig.elapsed_us = 2000U;

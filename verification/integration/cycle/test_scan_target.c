@@ -28,7 +28,7 @@ void tearDown(void)
 /* Effect of noise on `axis` in a cycle or more. */
 static void drift_to(uint32_t axis, int32_t ticks)
 {
-    drift_audit_t *const drift = &rig.controller.axes[axis].drift;
+    drift_audit_t *const drift = &rig.controller.axes[axis].sealed.drift;
     drift->idle_ticks = ticks;
     controller_seal(&rig.controller);
     rig_cycles(&rig, ROBOT_AXIS_MAX);
@@ -141,7 +141,7 @@ void test_SWR_AXIS_045_homing_that_is_given_up_after_a_drift_forgets_the_target(
 /* So much more than before. */
 static void drift_by(uint32_t axis, int32_t ticks)
 {
-    drift_to(axis, rig.controller.axes[axis].drift.idle_ticks + ticks);
+    drift_to(axis, rig.controller.axes[axis].sealed.drift.idle_ticks + ticks);
 }
 
 static void confirm_drift(uint32_t axis, int32_t ticks)

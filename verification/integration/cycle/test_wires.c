@@ -52,8 +52,9 @@ void test_SWR_NEXT_001_a_fault_of_any_axis_asks_for_start_up(void)
 {
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_move();
-        rig.controller.axes[i].setpoint_ticks += 2 * robot_neuro.axes[i].following_error_ticks;
-        rig.controller.mode.leg.profile.start_ticks[i] +=
+        rig.controller.axes[i].sealed.setpoint_ticks +=
+            2 * robot_neuro.axes[i].following_error_ticks;
+        rig.controller.mode.sealed.leg.profile.start_ticks[i] +=
             2 * robot_neuro.axes[i].following_error_ticks;
         controller_seal(&rig.controller);
         rig_cycles(&rig, 3U);
@@ -176,7 +177,8 @@ void test_SWR_PERMIT_005_an_axis_that_is_too_fast_gets_no_drive_though_its_permi
         begin_jog(i);
         TEST_ASSERT_NOT_EQUAL_UINT32(CARD_DRIVE_OFF, rig_sent(&rig, i).drive.mode);
         /* As if it had come a second's way in this cycle. */
-        rig.controller.records[i].speed_cap.position_ticks -= robot_neuro.axes[i].speed_ticks_per_s;
+        rig.controller.records[i].sealed.speed_cap.position_ticks -=
+            robot_neuro.axes[i].speed_ticks_per_s;
         controller_seal(&rig.controller);
         rig_cycle(&rig);
         TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, rig_sent(&rig, i).drive.mode);
@@ -232,10 +234,10 @@ void test_SWR_EVENT_004_counters_that_wrap_in_a_move_repeat_no_event(void)
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_STARTED));
     begin_move();
     rig_forget(&rig);
-    rig.controller.cycle = UINT32_MAX - 20U;
-    rig.controller.time_us = UINT32_MAX - 20000U;
-    rig.controller.authority.since_us = rig.controller.time_us;
-    rig.controller.events = UINT32_MAX;
+    rig.controller.sealed.cycle = UINT32_MAX - 20U;
+    rig.controller.sealed.time_us = UINT32_MAX - 20000U;
+    rig.controller.authority.sealed.since_us = rig.controller.sealed.time_us;
+    rig.controller.sealed.events = UINT32_MAX;
     controller_seal(&rig.controller);
     rig_cycles(&rig, 100U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.event_count);
@@ -251,12 +253,12 @@ void test_SWR_EVENT_004_the_sequence_of_frames_wraps_without_losing_a_card(void)
     box_init(&rig.box, &robot_neuro, 1U);
     rig.robot = robot_neuro;
     controller_init(&rig.controller, &rig.robot);
-    rig.controller.sequence = UINT32_MAX - 30U;
+    rig.controller.sealed.sequence = UINT32_MAX - 30U;
     controller_seal(&rig.controller);
     rig_cycles(&rig, 100U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_CARD_LOST));
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        TEST_ASSERT_EQUAL_UINT32(rig.controller.sequence - 3U,
+        TEST_ASSERT_EQUAL_UINT32(rig.controller.sealed.sequence - 3U,
                                  rig_link(&rig, i)->report.accepted_sequence);
     }
 }
@@ -332,7 +334,7 @@ void test_SWR_PERMIT_003_a_fault_is_a_reason_at_its_axis_alone(void)
 {
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_move();
-        rig.controller.axes[i].encoder.reading ^= 0x40000000;
+        rig.controller.axes[i].sealed.encoder.reading ^= 0x40000000;
         controller_seal(&rig.controller);
         rig_cycles(&rig, 2U);
         expect_reason(PERMIT_REASON_AXIS_FAULT, i);
@@ -381,7 +383,7 @@ void test_SWR_AXIS_005_an_active_switch_stops_what_drives_towards_it(void)
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
     rig_press(&rig);
     while (rig.box.axes[NEURO_AXIS_PITCH].motor.position_ticks < (maximum_ticks - 15)) {
-        TEST_ASSERT_LESS_THAN_UINT32(20000U, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(20000U, rig.controller.sealed.cycle);
         rig_cycle(&rig);
     }
     rig_release(&rig);
@@ -431,10 +433,11 @@ void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(
     rig_cycles(&rig, 150U);
     const uint32_t since = lateral->permit_since_cycle;
     for (uint32_t i = 0U; i < 200U; i++) {
-        const uint32_t before = rig.controller.records[NEURO_AXIS_LATERAL].speed_cap_percent;
+        const uint32_t before = rig.controller.records[NEURO_AXIS_LATERAL].sealed.speed_cap_percent;
         rig_cycle(&rig);
-        changes +=
-            (rig.controller.records[NEURO_AXIS_LATERAL].speed_cap_percent != before) ? 1U : 0U;
+        changes += (rig.controller.records[NEURO_AXIS_LATERAL].sealed.speed_cap_percent != before)
+                       ? 1U
+                       : 0U;
         TEST_ASSERT_EQUAL_HEX32(reason, lateral->permit_reasons);
         TEST_ASSERT_EQUAL_UINT32(since, lateral->permit_since_cycle);
         expect_step(NEXT_STEP_HOLD_PEDAL);
@@ -452,7 +455,7 @@ void test_SWR_AXIS_004_the_soft_limit_stops_what_was_accepted(void)
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
-    rig.controller.mode.request.way.end_ticks = minimum_ticks - 300;
+    rig.controller.mode.request.sealed.way.end_ticks = minimum_ticks - 300;
     controller_seal(&rig.controller);
     rig_press(&rig);
     for (uint32_t i = 0U; i < 4000U; i++) {
@@ -524,23 +527,25 @@ static rig_t arrived;
 void test_SWR_MOTION_004_every_axis_must_be_at_its_end_for_an_order_to_be_done(void)
 {
     begin_move();
-    while ((rig.controller.mode.leg.settled_cycles < 10U) ||
-           (memcmp(rig.controller.mode.leg.profile.end_ticks, rig.controller.plan.target_ticks,
-                   sizeof rig.controller.plan.target_ticks) != 0)) {
-        TEST_ASSERT_LESS_THAN_UINT32(100000U, rig.controller.cycle);
+    while (
+        (rig.controller.mode.sealed.leg.settled_cycles < 10U) ||
+        (memcmp(rig.controller.mode.sealed.leg.profile.end_ticks, rig.controller.plan.target_ticks,
+                sizeof rig.controller.plan.target_ticks) != 0)) {
+        TEST_ASSERT_LESS_THAN_UINT32(100000U, rig.controller.sealed.cycle);
         rig_cycle(&rig);
     }
     arrived = rig;
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         rig = arrived;
-        rig.controller.mode.leg.profile.end_ticks[i] += robot_neuro.axes[i].deadband_ticks + 3;
+        rig.controller.mode.sealed.leg.profile.end_ticks[i] +=
+            robot_neuro.axes[i].deadband_ticks + 3;
         controller_seal(&rig.controller);
         rig_cycle(&rig);
-        TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.mode.leg.settled_cycles);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.mode.sealed.leg.settled_cycles);
     }
     rig = arrived;
     rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(11U, rig.controller.mode.leg.settled_cycles);
+    TEST_ASSERT_EQUAL_UINT32(11U, rig.controller.mode.sealed.leg.settled_cycles);
 }
 
 /* The pose of the plan's ticks, registered by the identity. */
@@ -571,8 +576,8 @@ void test_SWR_MOTION_002_the_needle_is_retracted_before_any_other_axis_moves(voi
         const int32_t expected = (i == (uint32_t)NEURO_AXIS_INSERTION)
                                      ? rig.controller.plan.target_ticks[NEURO_AXIS_INSERTION]
                                      : retracted;
-        TEST_ASSERT_EQUAL_INT32(expected,
-                                rig.controller.mode.leg.profile.end_ticks[NEURO_AXIS_INSERTION]);
+        TEST_ASSERT_EQUAL_INT32(
+            expected, rig.controller.mode.sealed.leg.profile.end_ticks[NEURO_AXIS_INSERTION]);
     }
 }
 
@@ -595,7 +600,7 @@ void test_SWR_PHASE_005_a_discarded_order_is_told_with_its_cause(void)
 void test_SWR_EVENT_002_events_beyond_the_bound_are_counted(void)
 {
     rig_start_homed(&rig);
-    const uint32_t next = rig.controller.events;
+    const uint32_t next = rig.controller.sealed.events;
     (void)memset(&rig.outputs, 0, sizeof rig.outputs);
     const cycle_t cycle = {.robot = &robot_neuro, .inputs = &rig.inputs, .outputs = &rig.outputs};
     for (uint32_t i = 0U; i < (CONTROLLER_EVENTS + 8U); i++) {

@@ -89,9 +89,9 @@ static void start_manual(void)
 static void shift(uint32_t axis, int32_t ticks)
 {
     axis_t *const shifted = &rig.controller.axes[axis];
-    encoder_set_position(&shifted->encoder, shifted->encoder.position_ticks + ticks);
+    encoder_set_position(&shifted->sealed.encoder, shifted->sealed.encoder.position_ticks + ticks);
     supervision_shift(&shifted->supervision, ticks);
-    drift_audit_settle(&shifted->drift);
+    drift_audit_settle(&shifted->sealed.drift);
     controller_seal(&rig.controller);
 }
 
@@ -101,7 +101,7 @@ static void run_into_limit(uint32_t axis, int32_t accepted, int32_t damaged)
     bool has_stood = false;
     start_manual();
     expect_jog(axis, accepted, STATUS_OK);
-    rig.controller.mode.request.way.end_ticks = damaged;
+    rig.controller.mode.request.sealed.way.end_ticks = damaged;
     controller_seal(&rig.controller);
     rig_press(&rig);
     while (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) {
@@ -129,8 +129,8 @@ static void begin_wrong_move(int32_t head_ticks, int32_t feet_ticks)
 {
     rig_start_targeted(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
-    rig.controller.mode.request.move.target_ticks[NEURO_AXIS_HEAD] = head_ticks;
-    rig.controller.mode.request.move.target_ticks[NEURO_AXIS_FEET] = feet_ticks;
+    rig.controller.mode.request.sealed.move.target_ticks[NEURO_AXIS_HEAD] = head_ticks;
+    rig.controller.mode.request.sealed.move.target_ticks[NEURO_AXIS_FEET] = feet_ticks;
     controller_seal(&rig.controller);
 }
 
@@ -175,7 +175,7 @@ void test_SWR_COUPLE_001_from_outside_of_the_limit_only_the_way_back_is_free(voi
     go(NEURO_AXIS_HEAD, -5000);
     shift(NEURO_AXIS_HEAD, -1000);
     expect_jog(NEURO_AXIS_HEAD, -5000, STATUS_OK);
-    rig.controller.mode.request.way.end_ticks = -7000;
+    rig.controller.mode.request.sealed.way.end_ticks = -7000;
     controller_seal(&rig.controller);
     rig_press(&rig);
     const int32_t start = position(NEURO_AXIS_HEAD);
@@ -420,7 +420,7 @@ void test_SWR_JOG_003_a_needle_that_is_not_homed_is_never_driven_inwards(void)
 {
     start_unhomed();
     expect_jog(NEURO_AXIS_INSERTION, position(NEURO_AXIS_INSERTION) - 100, STATUS_OK);
-    rig.controller.mode.request.way.end_ticks = 5000;
+    rig.controller.mode.request.sealed.way.end_ticks = 5000;
     controller_seal(&rig.controller);
     rig_press(&rig);
     for (uint32_t i = 0U; i < 1000U; i++) {

@@ -91,11 +91,11 @@ void test_SWR_PERMIT_002_the_frame_carries_a_drive_only_with_the_permit(void)
 void test_SWR_LOOP_003_a_late_cycle_advances_the_profile_by_one_cycle(void)
 {
     rig_start_moving(&rig);
-    const uint32_t before = rig.controller.mode.leg.profile.cycle;
+    const uint32_t before = rig.controller.mode.sealed.leg.profile.cycle;
     box_advance(&rig.box, 4000U);
     rig.elapsed_us = 5000U;
     rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(before + 1U, rig.controller.mode.leg.profile.cycle);
+    TEST_ASSERT_EQUAL_UINT32(before + 1U, rig.controller.mode.sealed.leg.profile.cycle);
 }
 
 void test_SWR_MOTION_004_the_move_ends_at_the_target_with_the_drive_off(void)
@@ -131,7 +131,7 @@ void test_SWR_MOTION_002_the_needle_is_retracted_before_the_base_moves_again(voi
     while (rig_position(&rig, NEURO_AXIS_INSERTION) > (stroke / 64)) {
         TEST_ASSERT_INT32_WITHIN(1, head, rig_position(&rig, NEURO_AXIS_HEAD));
         rig_cycle(&rig);
-        TEST_ASSERT_LESS_THAN_UINT32(100000U, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(100000U, rig.controller.sealed.cycle);
     }
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
 }

@@ -254,7 +254,7 @@ void test_SWR_MODE_005_with_the_pedal_pressed_anew_it_goes_on_to_the_same_end(vo
     lose_needle();
     const int32_t place = rig_position(&rig, NEURO_AXIS_INSERTION);
     expect_armed();
-    const int32_t end_ticks = rig.controller.mode.request.way.end_ticks;
+    const int32_t end_ticks = rig.controller.mode.request.sealed.way.end_ticks;
     TEST_ASSERT_EQUAL_INT32(place - robot_neuro.axes[NEURO_AXIS_INSERTION].maximum_ticks,
                             end_ticks);
     rig_press(&rig);
@@ -263,7 +263,7 @@ void test_SWR_MODE_005_with_the_pedal_pressed_anew_it_goes_on_to_the_same_end(vo
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
     TEST_ASSERT_LESS_THAN_INT32(place, rig_position(&rig, NEURO_AXIS_INSERTION));
     rig_press(&rig);
-    TEST_ASSERT_EQUAL_INT32(end_ticks, rig.controller.mode.request.way.end_ticks);
+    TEST_ASSERT_EQUAL_INT32(end_ticks, rig.controller.mode.request.sealed.way.end_ticks);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
 }
 

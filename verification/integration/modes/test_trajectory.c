@@ -244,12 +244,12 @@ void test_SWR_TRAJ_013_a_connection_of_navigation_sends_one_if_it_commands(void)
                          .peer = RIG_CONNECTION + 1U,
                          .as.list_begin = {.count = 2U}};
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_AUTHORITY, rig_command(&rig, command).status);
-    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.mode.list.total);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.mode.sealed.list.total);
     rig_leave(&rig);
     command.peer = RIG_CONNECTION;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
-    TEST_ASSERT_EQUAL_UINT32(2U, rig.controller.mode.list.total);
-    TEST_ASSERT_EQUAL_UINT32(TRAJECTORY_SOURCE_IGTL, rig.controller.mode.list.source);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig.controller.mode.sealed.list.total);
+    TEST_ASSERT_EQUAL_UINT32(TRAJECTORY_SOURCE_IGTL, rig.controller.mode.sealed.list.source);
 }
 
 void test_SWR_TRAJ_013_out_of_manual_nothing_is_taken(void)
@@ -305,8 +305,8 @@ static void begin_replay(const trajectory_row_t *rows)
     known = (cycle_known_t){.is_whole = true, .rows = (const uint8_t *)rows};
     replay_init(&replay);
     record.kind = (uint32_t)CYCLE_RECORD_CHECKPOINT;
-    record.cycle = rig.controller.cycle;
-    record.rows = rig.controller.mode.list.count;
+    record.cycle = rig.controller.sealed.cycle;
+    record.rows = rig.controller.mode.sealed.list.count;
     memcpy(record.body.checkpoint, &rig.controller, CONTROLLER_CHECKPOINT_BYTES);
     TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record, &known));
     record.kind = (uint32_t)CYCLE_RECORD_CYCLE;
@@ -315,7 +315,7 @@ static void begin_replay(const trajectory_row_t *rows)
 /* One more cycle; false: its replay differs. */
 static bool is_replayed_cycle(void)
 {
-    record.cycle = rig.controller.cycle;
+    record.cycle = rig.controller.sealed.cycle;
     rig_cycle(&rig);
     record.body.cycle.inputs = rig.inputs;
     record.body.cycle.outputs = rig.outputs;

@@ -158,9 +158,9 @@ void test_SWR_VEL_009_an_axis_across_a_needle_that_comes_in_is_not_driven(void)
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, run(speed_of(NEURO_AXIS_INSERTION, 5000, -1500)).kind);
     expect(speed_of(NEURO_AXIS_LATERAL, -100, 2000), STATUS_OK);
     axis_t *const needle = &rig.controller.axes[NEURO_AXIS_INSERTION];
-    encoder_set_position(&needle->encoder, needle->encoder.position_ticks + 20000);
+    encoder_set_position(&needle->sealed.encoder, needle->sealed.encoder.position_ticks + 20000);
     supervision_shift(&needle->supervision, 20000);
-    drift_audit_settle(&needle->drift);
+    drift_audit_settle(&needle->sealed.drift);
     controller_seal(&rig.controller);
     rig_cycle(&rig);
     TEST_ASSERT_TRUE((rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].permit_reasons &

@@ -189,7 +189,7 @@ void test_SWR_NEXT_029_memory_that_is_damaged_never_leads_to_a_refusal(void)
 {
     TEST_ASSERT_EQUAL(STATUS_OK, start_up());
     rig.lacks_black_box = 1U;
-    rig.controller.is_box_settled ^= 1U;
+    rig.controller.sealed.is_box_settled ^= 1U;
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
     TEST_ASSERT_NOT_EQUAL(STATUS_NO_BLACK_BOX, start_up());

@@ -35,7 +35,7 @@ static uint32_t words[CYCLE_WORDS_CHECKED];
 static void take_checkpoint(void)
 {
     record.kind = CYCLE_RECORD_CHECKPOINT;
-    record.cycle = rig.controller.cycle;
+    record.cycle = rig.controller.sealed.cycle;
     (void)memcpy(record.body.checkpoint, &rig.controller, CONTROLLER_CHECKPOINT_BYTES);
     TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record, &known));
 }
@@ -43,7 +43,7 @@ static void take_checkpoint(void)
 static void make_cycle(void)
 {
     record.kind = CYCLE_RECORD_CYCLE;
-    record.cycle = rig.controller.cycle;
+    record.cycle = rig.controller.sealed.cycle;
     rig_cycle(&rig);
     record.body.cycle.inputs = rig.inputs;
     record.body.cycle.outputs = rig.outputs;
@@ -181,16 +181,16 @@ void test_SWR_REPLAY_037_a_checkpoint_is_compared_with_the_state_that_was_comput
     replay_cycles(5U);
     take_checkpoint();
     replay_cycles(5U);
-    replay.controller.events += 3U;
+    replay.controller.sealed.events += 3U;
     record.kind = CYCLE_RECORD_CHECKPOINT;
-    record.cycle = rig.controller.cycle;
+    record.cycle = rig.controller.sealed.cycle;
     (void)memcpy(record.body.checkpoint, &rig.controller, CONTROLLER_CHECKPOINT_BYTES);
     TEST_ASSERT_FALSE(replay_take(&replay, &robot_neuro, &record, &known));
     TEST_ASSERT_TRUE(replay_difference(&replay, &record, &known, text, sizeof text));
     (void)snprintf(words_named, sizeof words_named, "in 1 of %u words: %u; word %u is ",
                    (unsigned)(CONTROLLER_CHECKPOINT_BYTES / sizeof(uint32_t)),
-                   (unsigned)(offsetof(controller_t, events) / sizeof(uint32_t)),
-                   (unsigned)(offsetof(controller_t, events) / sizeof(uint32_t)));
+                   (unsigned)(offsetof(controller_t, sealed.events) / sizeof(uint32_t)),
+                   (unsigned)(offsetof(controller_t, sealed.events) / sizeof(uint32_t)));
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(text, words_named), text);
 }
 
@@ -199,7 +199,7 @@ void test_SWR_REPLAY_037_a_checkpoint_after_a_gap_is_adopted(void)
     take_checkpoint();
     replay_cycles(5U);
     make_cycle();
-    replay.controller.events += 3U;
+    replay.controller.sealed.events += 3U;
     take_checkpoint();
     replay_cycles(5U);
     TEST_ASSERT_EQUAL_UINT64(10U, replay.replayed);
@@ -231,7 +231,7 @@ void test_SWR_REPLAY_004_a_field_that_was_as_expected_is_named_although_it_was_n
 
     begin_proofs();
     const uint32_t expected = rig.outputs.snapshot.time_us + 1000U;
-    replay.controller.time_us += 7U;
+    replay.controller.sealed.time_us += 7U;
     controller_seal(&replay.controller);
     TEST_ASSERT_TRUE(differ_within(1U));
     TEST_ASSERT_TRUE(replay_difference(&replay, &record, &known, text, sizeof(text)));
@@ -272,7 +272,7 @@ void test_SWR_REPLAY_004_a_frame_that_differs_alone_is_named_by_its_slot(void)
     expect_sentence("differs first in its frames, slot 2, of which a hash was kept.");
     make_cycle();
     keep_proof(false);
-    replay.controller.sequence += 5U;
+    replay.controller.sealed.sequence += 5U;
     controller_seal(&replay.controller);
     TEST_ASSERT_FALSE(replay_take(&replay, &robot_neuro, &record, &known));
     expect_sentence("differs first in its frames, slot 1, which went on as expected.");

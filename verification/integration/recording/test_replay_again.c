@@ -53,7 +53,7 @@ void setUp(void)
         (void)unlink(paths[i]);
     }
     rig_start_moving(&rig);
-    rig.controller.cycle = 0U;
+    rig.controller.sealed.cycle = 0U;
     controller_seal(&rig.controller);
     (void)memset(notes, 0, sizeof notes);
     TEST_ASSERT_TRUE(recorded_begin(&recorded, &rig, paths[0]));

@@ -89,8 +89,8 @@ static void assert_refused(status_t status)
     TEST_ASSERT_EQUAL_UINT32(status, restore());
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_EQUAL_UINT32(before[i].chart.reference, rig.controller.axes[i].chart.reference);
-        TEST_ASSERT_EQUAL_INT32(before[i].home_correction_ticks,
-                                rig.controller.axes[i].home_correction_ticks);
+        TEST_ASSERT_EQUAL_INT32(before[i].sealed.home_correction_ticks,
+                                rig.controller.axes[i].sealed.home_correction_ticks);
     }
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_PLACED));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_COMMAND_REFUSED));
@@ -328,12 +328,12 @@ void test_SWR_REPLAY_001_a_restoring_is_replayed(void)
     start();
     replay_init(&replay);
     record.kind = CYCLE_RECORD_CHECKPOINT;
-    record.cycle = rig.controller.cycle;
+    record.cycle = rig.controller.sealed.cycle;
     (void)memcpy(record.body.checkpoint, &rig.controller, CONTROLLER_CHECKPOINT_BYTES);
     TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record, &known));
     record.kind = CYCLE_RECORD_CYCLE;
     for (uint32_t i = 0U; i < 20U; i++) {
-        record.cycle = rig.controller.cycle;
+        record.cycle = rig.controller.sealed.cycle;
         if (i == 10U) {
             TEST_ASSERT_EQUAL_UINT32(STATUS_OK, restore());
         } else {

@@ -143,7 +143,7 @@ static void go_on(void)
         break;
     case 7:
         rig.lacks_black_box = 1U;
-        rig.controller.is_box_settled = 0U; /* As in a run that begins. */
+        rig.controller.sealed.is_box_settled = 0U; /* As in a run that begins. */
         controller_seal(&rig.controller);
         break;
     default:

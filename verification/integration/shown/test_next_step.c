@@ -361,7 +361,7 @@ void test_SWR_NEXT_003_what_was_just_granted_is_not_to_be_taken(void)
     expect(NEXT_STEP_GRANT);
     rig_box(&rig, "button press");
     while (rig.outputs.snapshot.request != (uint32_t)AUTHORITY_REQUEST_GRANTED) {
-        TEST_ASSERT_LESS_THAN_UINT32(20000U, rig.controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(20000U, rig.controller.sealed.cycle);
         rig_cycle(&rig);
     }
     expect(NEXT_STEP_WAIT);
@@ -445,10 +445,10 @@ static void start_up_at_once(void)
 static void start_after_vain_moves(uint32_t count)
 {
     rig_start_targeted(&rig);
-    rig.controller.vain_moves = count;
-    rig.controller.vain_axis = NEURO_AXIS_YAW;
-    rig.controller.vain_card = CARD_SLOT_COUNT;
-    rig.controller.vain_event = (uint32_t)EVENT_ORDER_OVERDUE;
+    rig.controller.sealed.vain_moves = count;
+    rig.controller.sealed.vain_axis = NEURO_AXIS_YAW;
+    rig.controller.sealed.vain_card = CARD_SLOT_COUNT;
+    rig.controller.sealed.vain_event = (uint32_t)EVENT_ORDER_OVERDUE;
     controller_seal(&rig.controller);
     go_targeting();
 }
@@ -481,7 +481,7 @@ void test_SWR_NEXT_036_an_axis_that_ends_each_move_is_for_service_and_named(void
     expect_named(NEXT_STEP_SERVICE, NEURO_AXIS_YAW, CARD_SLOT_COUNT, EVENT_AXIS_HOT);
     start_up_at_once();
     expect(NEXT_STEP_PLANNING);
-    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.vain_moves);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.sealed.vain_moves);
 }
 
 void test_SWR_NEXT_036_service_is_shown_in_place_of_the_move(void)
@@ -497,7 +497,7 @@ void test_SWR_AXIS_080_moves_are_counted_anew_once_it_is_said_that_it_is_mended(
     rig_box(&rig, "button press");
     rig_cycles(&rig, (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 2U);
     rig_box(&rig, "button release");
-    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.vain_moves);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.sealed.vain_moves);
     expect(NEXT_STEP_MOVE);
 }
 
@@ -508,7 +508,7 @@ void test_SWR_NEXT_036_a_move_that_is_done_begins_the_count_anew(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_MOVE));
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
-    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.vain_moves);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.sealed.vain_moves);
 }
 
 void test_SWR_NEXT_004_a_card_that_is_lost_in_each_START_UP_is_for_service_and_named(void)

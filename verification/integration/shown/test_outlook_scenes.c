@@ -78,7 +78,7 @@ static void expect(status_t before, status_t after, command_t command, const cha
     (void)snprintf(words, sizeof words, "%s of %u in %s, cycle %u of %s", name,
                    (unsigned)command.as.axis.axis,
                    workphase_name((int32_t)rig.outputs.snapshot.workphase),
-                   (unsigned)rig.controller.cycle, rig.robot.name);
+                   (unsigned)rig.controller.sealed.cycle, rig.robot.name);
     if ((before == after) && (became != STATUS_NO_AUTHORITY)) {
         TEST_ASSERT_EQUAL_STRING_MESSAGE(status_name((int32_t)became), status_name((int32_t)before),
                                          words);

@@ -34,7 +34,7 @@ bool recorded_begin(recorded_t *self, rig_t *rig, const char *path)
     (void)snprintf(header.robot, sizeof header.robot, "%s", rig->robot.name);
     (void)unlink(path);
     self->record.kind = (uint32_t)CYCLE_RECORD_CHECKPOINT;
-    self->record.cycle = rig->controller.cycle;
+    self->record.cycle = rig->controller.sealed.cycle;
     (void)memcpy(self->record.body.checkpoint, &rig->controller, CONTROLLER_CHECKPOINT_BYTES);
     return recording_writer_open(&self->writer, path, &header) &&
            recording_writer_append(&self->writer, &self->record);
@@ -49,7 +49,7 @@ bool recorded_cycles(recorded_t *self, uint32_t count)
         self->rig->elapsed_us =
             (LIMIT_CYCLE_US - (LATE_US / 2U)) + ((self->noise >> 16U) % LATE_US);
         self->record.kind = (uint32_t)CYCLE_RECORD_CYCLE;
-        self->record.cycle = self->rig->controller.cycle;
+        self->record.cycle = self->rig->controller.sealed.cycle;
         rig_cycle(self->rig);
         self->record.body.cycle.inputs = self->rig->inputs;
         self->record.body.cycle.outputs = self->rig->outputs;

@@ -79,7 +79,8 @@ static void sign(command_t *command)
 static void keep_authority(rig_t *self)
 {
     const bool is_free = authority_is_free(&self->controller.authority);
-    const bool is_due = (self->command_count == 0U) && ((self->controller.cycle % 1000U) == 0U);
+    const bool is_due =
+        (self->command_count == 0U) && ((self->controller.sealed.cycle % 1000U) == 0U);
     if (self->is_page_away || (!is_free && !is_due) ||
         (self->command_count >= CONTROLLER_COMMANDS)) {
         return;
@@ -100,7 +101,7 @@ static void exchange(rig_t *self)
             ? box_exchange(&self->box, self->outputs.frames_to_send,
                            (const uint8_t(*)[CARD_FRAME_BYTES])self->outputs.frames,
                            self->inputs.frames)
-            : aim32_box_exchange(&self->box, &self->outputs, self->controller.sequence,
+            : aim32_box_exchange(&self->box, &self->outputs, self->controller.sealed.sequence,
                                  self->inputs.frames);
     self->inputs.frames_received &= ~(self->frames_late | self->frames_failed);
     self->inputs.frames_late = self->frames_late;
@@ -293,7 +294,7 @@ void rig_start_robot_needle_homed(rig_t *self, const robot_t *robot)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_START_UP).status);
     rig_press(self);
     while (!axis_is_homed(&self->controller.axes[robot->needle_axis])) {
-        TEST_ASSERT_LESS_THAN_UINT32(20000U, self->controller.cycle);
+        TEST_ASSERT_LESS_THAN_UINT32(20000U, self->controller.sealed.cycle);
         rig_cycle(self);
     }
     rig_release(self);

@@ -87,7 +87,7 @@ static uint32_t need_of(const controller_t *self)
     need_chart_t chart;
     need_chart_init(&chart);
     if (procedure_is_armed(&self->procedure) &&
-        !mode_may_be_unhomed((mode_kind_t)self->mode.kind)) {
+        !mode_may_be_unhomed((mode_kind_t)self->mode.sealed.kind)) {
         (void)need_chart_dispatch(&chart, NEED_EVENT_ASK_MOTION);
         (void)need_chart_dispatch(&chart, NEED_EVENT_ARMED);
     }
@@ -100,7 +100,7 @@ static uint32_t reasons_of(uint32_t axis, uint32_t card)
     const uint32_t left_out = (1U << PERMIT_REASON_LIMIT_SWITCH) |
                               (1U << PERMIT_REASON_SOFT_LIMIT) |
                               (1U << PERMIT_REASON_COUPLED_LIMIT) | (1U << PERMIT_REASON_NEEDLE_IN);
-    const uint32_t shown = rig.controller.records[axis].reason_hold.shown & ~left_out;
+    const uint32_t shown = rig.controller.records[axis].sealed.reason_hold.shown & ~left_out;
     bool is_another_lost = false;
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         is_another_lost = is_another_lost || ((i != card) && !link_is_usable(rig_link(&rig, i)));

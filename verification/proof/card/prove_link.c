@@ -28,7 +28,7 @@ void prove_SWR_LINK_007_of_a_card_in_use_only_the_next_ten_reports_count(void)
     assume(slot < CARD_SLOT_COUNT);
     const bool was_usable = link_is_usable(&self);
     const bool was_lost = self.chart.state == CARD_LINK_STATE_LOST;
-    const bool had_report = self.has_report != 0U;
+    const bool had_report = self.sealed.has_report != 0U;
     const uint32_t heartbeat = self.report.heartbeat;
 
     link_step(&self, slot, bytes, &samples, elapsed_us);
@@ -47,7 +47,7 @@ void prove_SWR_LINK_007_of_a_card_in_use_only_the_next_ten_reports_count(void)
           "SWR-LINK-006: a fault loses the card in its cycle");
     PROVE(IMPLIES(was_usable && is_fresh && !link_is_right_card(&self), !link_is_usable(&self)),
           "SWR-LINK-008: another card is lost");
-    PROVE(IMPLIES(was_usable && !is_fresh && (self.age_cycles >= LIMIT_LINK_AGE_CYCLES),
+    PROVE(IMPLIES(was_usable && !is_fresh && (self.sealed.age_cycles >= LIMIT_LINK_AGE_CYCLES),
                   self.chart.state == CARD_LINK_STATE_LOST),
           "SWR-LINK-001: five cycles without a valid frame lose the card");
     PROVE(card_link_chart_is_sound(&self.chart), "SWR-CORE-004: the chart stays sound");
@@ -64,5 +64,5 @@ void prove_SWR_LINK_001_five_silent_cycles_lose_a_card(void)
         link_step(&self, slot, NULL, &samples, elapsed_us);
     }
     PROVE(self.chart.state == CARD_LINK_STATE_LOST, "SWR-LINK-001: lost after five silent cycles");
-    POSSIBLE(self.cause == (uint16_t)LINK_CAUSE_AGE, "lost by age");
+    POSSIBLE(self.sealed.cause == (uint16_t)LINK_CAUSE_AGE, "lost by age");
 }

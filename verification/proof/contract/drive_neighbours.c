@@ -63,7 +63,7 @@ bool speed_cap_step(speed_cap_t *self, const axis_config_t *config, uint32_t per
     (void)elapsed_us;
     PROVE(percent <= 100U, "contract of speed_cap_step: a share of the speed");
     while ((index < (ROBOT_AXIS_MAX - 1U)) &&
-           (self != &drive_neighbours.records[index].speed_cap)) {
+           (self != &drive_neighbours.records[index].sealed.speed_cap)) {
         index++;
     }
     *self = after;

@@ -11,7 +11,7 @@ static authority_t self;
 static bool is_sound(void)
 {
     return authority_chart_is_sound(&self.chart) &&
-           SAME(authority_is_held(&self), self.holder.peer != 0U);
+           SAME(authority_is_held(&self), self.sealed.holder.peer != 0U);
 }
 
 static void begin(void)
@@ -27,15 +27,15 @@ void prove_SWR_AUTH_001_it_is_given_only_while_it_is_free(void)
     authority_time_t now;
     begin();
     const bool was_free = authority_is_free(&self);
-    const authority_party_t before = self.holder;
+    const authority_party_t before = self.sealed.holder;
 
     const bool has_taken = authority_take(&self, &party, now);
 
     PROVE(IMPLIES(has_taken, was_free && (party.peer != 0U)),
           "SWR-AUTH-001: only what is free is given, and only to a name");
     PROVE(IMPLIES(has_taken, authority_is_of(&self, &party)), "SWR-AUTH-001: who takes it has it");
-    PROVE(IMPLIES(!has_taken,
-                  (self.holder.peer == before.peer) && (self.holder.source == before.source)),
+    PROVE(IMPLIES(!has_taken, (self.sealed.holder.peer == before.peer) &&
+                                  (self.sealed.holder.source == before.source)),
           "SWR-AUTH-001: who has it keeps it");
     PROVE(is_sound(), "SWR-AUTH-001: the next call may rely on it");
     POSSIBLE(has_taken, "taken");
@@ -54,7 +54,7 @@ void prove_SWR_AUTH_006_what_was_lost_is_nobodys_before_all_is_at_rest(void)
     PROVE(IMPLIES(was_held, authority_is_ending(&self)), "SWR-AUTH-006: and not free");
     PROVE(is_sound(), "SWR-AUTH-001: the next call may rely on it");
     const bool was_ending = authority_is_ending(&self);
-    const uint32_t since_us = self.since_us;
+    const uint32_t since_us = self.sealed.since_us;
 
     const bool has_taken = authority_step(&self, is_at_rest, elapsed_us, now);
 
@@ -74,18 +74,18 @@ void prove_SWR_AUTH_012_a_request_of_another_one_stands(void)
     uint32_t axis;
     uint32_t time_us;
     begin();
-    const authority_party_t before = self.requester;
-    const authority_party_t holder = self.holder;
+    const authority_party_t before = self.sealed.requester;
+    const authority_party_t holder = self.sealed.holder;
     const bool is_anothers =
         (before.peer != 0U) && ((before.peer != party.peer) || (before.source != party.source));
 
     const bool is_asked = authority_ask(&self, request, axis, &party, time_us);
 
     PROVE(SAME(is_asked, !is_anothers), "SWR-AUTH-012: refused while another one's stands");
-    PROVE(IMPLIES(is_anothers,
-                  (self.requester.peer == before.peer) && (self.requester.source == before.source)),
+    PROVE(IMPLIES(is_anothers, (self.sealed.requester.peer == before.peer) &&
+                                   (self.sealed.requester.source == before.source)),
           "SWR-AUTH-012: another one's stays");
-    PROVE((self.holder.peer == holder.peer) && (self.holder.source == holder.source),
+    PROVE((self.sealed.holder.peer == holder.peer) && (self.sealed.holder.source == holder.source),
           "SWR-AUTH-001: asking gives nothing");
     PROVE(is_sound(), "SWR-AUTH-001: the next call may rely on it");
     POSSIBLE(is_asked, "asked");

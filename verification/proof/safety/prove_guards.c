@@ -50,7 +50,7 @@ void prove_SWR_LOOP_002_late_cycles_stop_the_loop(void)
     assume(loop_guard_chart_is_sound(&self.chart));
     const loop_guard_state_t before = self.chart.state;
     const bool is_late = elapsed_us > LIMIT_OVERRUN_US;
-    const uint32_t overruns = self.overruns;
+    const uint32_t overruns = self.sealed.overruns;
 
     loop_guard_step(&self, elapsed_us, stage);
 
@@ -63,7 +63,7 @@ void prove_SWR_LOOP_002_late_cycles_stop_the_loop(void)
           "SWR-LOOP-002: it stays stopped until it is reset");
     PROVE(IMPLIES(is_late, (uint32_t)self.chart.state >= (uint32_t)LOOP_GUARD_STATE_LATE_ONCE),
           "SWR-LOOP-004: a late one is counted");
-    PROVE(self.overruns == (overruns + ((is_late && (overruns < UINT32_MAX)) ? 1U : 0U)),
+    PROVE(self.sealed.overruns == (overruns + ((is_late && (overruns < UINT32_MAX)) ? 1U : 0U)),
           "SWR-LOOP-001: each late cycle is one overrun");
     PROVE(loop_guard_chart_is_sound(&self.chart), "SWR-CORE-004: the chart stays sound");
     POSSIBLE(self.chart.state == LOOP_GUARD_STATE_ON_TIME, "on time");
@@ -72,8 +72,9 @@ void prove_SWR_LOOP_002_late_cycles_stop_the_loop(void)
 /* So long a press is at most before it counts: what every cycle leaves. */
 static bool is_button_sound(const confirm_button_t *self)
 {
-    return ((uint64_t)self->held_cycles * LIMIT_CYCLE_US < LIMIT_CONFIRM_HOLD_US) &&
-           (self->is_proven <= 1U) && IMPLIES(self->is_proven == 0U, self->held_cycles == 0U);
+    return ((uint64_t)self->sealed.held_cycles * LIMIT_CYCLE_US < LIMIT_CONFIRM_HOLD_US) &&
+           (self->sealed.is_proven <= 1U) &&
+           IMPLIES(self->sealed.is_proven == 0U, self->sealed.held_cycles == 0U);
 }
 
 void prove_SWR_REF_006_a_press_counts_once_and_only_after_a_release(void)
@@ -87,12 +88,14 @@ void prove_SWR_REF_006_a_press_counts_once_and_only_after_a_release(void)
     const bool counts = confirm_button_step(&self, is_pressed, is_barred);
 
     PROVE(IMPLIES(counts, is_pressed && !is_barred), "SWR-REF-006: it is pressed, and not barred");
-    PROVE(IMPLIES(counts, before.is_proven != 0U), "SWR-REF-006: it was seen released");
-    PROVE(IMPLIES(counts, (before.held_cycles + 1U) * LIMIT_CYCLE_US >= LIMIT_CONFIRM_HOLD_US),
-          "SWR-REF-006: it was held for as long as it must");
-    PROVE(IMPLIES(counts, (self.is_proven == 0U) && (self.held_cycles == 0U)),
+    PROVE(IMPLIES(counts, before.sealed.is_proven != 0U), "SWR-REF-006: it was seen released");
+    PROVE(
+        IMPLIES(counts, (before.sealed.held_cycles + 1U) * LIMIT_CYCLE_US >= LIMIT_CONFIRM_HOLD_US),
+        "SWR-REF-006: it was held for as long as it must");
+    PROVE(IMPLIES(counts, (self.sealed.is_proven == 0U) && (self.sealed.held_cycles == 0U)),
           "SWR-REF-006: it counts once");
-    PROVE(self.held_cycles <= (before.held_cycles + 1U), "SWR-REF-006: a cycle adds one");
+    PROVE(self.sealed.held_cycles <= (before.sealed.held_cycles + 1U),
+          "SWR-REF-006: a cycle adds one");
     PROVE(is_button_sound(&self), "SWR-REF-006: the next cycle may rely on it");
     POSSIBLE(counts, "a press that counts");
 }

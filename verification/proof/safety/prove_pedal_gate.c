@@ -67,7 +67,7 @@ void prove_SWR_PEDAL_003_a_renewed_gate_is_shut(void)
         pedal_gate_reset(&self);
     }
     PROVE(IMPLIES(was_fault && (self.chart.state != PEDAL_GATE_STATE_FAULT),
-                  is_reset && (self.is_released != 0U)),
+                  is_reset && (self.sealed.is_released != 0U)),
           "SWR-PEDAL-007: a fault ends by a reset with both channels open alone");
     pedal_gate_renew(&self);
     PROVE(IMPLIES(!was_released && !was_fault, (self.chart.state == PEDAL_GATE_STATE_UNPROVEN) ||

@@ -50,7 +50,8 @@ static void drift(rig_t *rig, uint32_t chance)
 {
     const uint32_t axis = chance % rig->box.robot->axis_count;
     const int32_t bound = (int32_t)rig->box.robot->axes[axis].drift_ticks;
-    rig->controller.axes[axis].drift.idle_ticks = ((chance & 0x10U) != 0U) ? bound : (bound + 1);
+    rig->controller.axes[axis].sealed.drift.idle_ticks =
+        ((chance & 0x10U) != 0U) ? bound : (bound + 1);
     controller_seal(&rig->controller);
     rig_box(rig, "scanner on");
 }

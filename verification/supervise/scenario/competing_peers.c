@@ -96,7 +96,7 @@ bool competing_peers_play(competing_peers_t *self, rig_t *rig, command_t *comman
 {
     count_down(self, rig);
     if (is_held(rig) && (rig->outputs.snapshot.holder == (uint32_t)COMMAND_SOURCE_HTTP) &&
-        (self->asleep_cycles == 0U) && ((rig->controller.cycle % RENEW_CYCLES) == 0U)) {
+        (self->asleep_cycles == 0U) && ((rig->controller.sealed.cycle % RENEW_CYCLES) == 0U)) {
         const authority_party_t holder = holder_of(rig);
         *command = (command_t){.kind = (uint32_t)COMMAND_RENEW};
         sign(&holder, command);

@@ -499,7 +499,7 @@ static bool is_moving_to_target(const rig_t *rig)
 
 static void judge_beyond(motion_oracle_t *self, const rig_t *rig)
 {
-    const profile_t *const profile = &rig->controller.mode.leg.profile;
+    const profile_t *const profile = &rig->controller.mode.sealed.leg.profile;
     for (uint32_t i = 0U; (i < rig->box.robot->axis_count) && is_moving_to_target(rig); i++) {
         const int32_t way = profile->end_ticks[i] - profile->start_ticks[i];
         const int32_t beyond = rig->outputs.snapshot.axes[i].position_ticks - profile->end_ticks[i];
@@ -543,7 +543,7 @@ static bool has_non_pwm_way(const rig_t *rig, const profile_t *profile)
 /* A leg ends when the next one begins or the move is done, not when the pedal is released. */
 static void judge_endings(motion_oracle_t *self, const rig_t *rig, bool is_done)
 {
-    const profile_t *const profile = &rig->controller.mode.leg.profile;
+    const profile_t *const profile = &rig->controller.mode.sealed.leg.profile;
     const bool is_over = is_moving_to_target(rig) && profile_is_finished(profile);
     const bool is_next = is_moving_to_target(rig) && (self->over_cycles > 0U) && !is_over;
     if (is_done) {
@@ -595,7 +595,7 @@ static void judge_events(motion_oracle_t *self, const rig_t *rig, bool is_distur
                      event->id);
         }
     }
-    judge_endings(self, rig, is_done && (rig->controller.mode.kind == (uint32_t)MODE_MOVE));
+    judge_endings(self, rig, is_done && (rig->controller.mode.sealed.kind == (uint32_t)MODE_MOVE));
 }
 
 uint32_t motion_oracle_late(const motion_oracle_t *self, ending_t ending, uint32_t percent)

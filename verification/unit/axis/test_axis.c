@@ -260,8 +260,8 @@ void test_SWR_AXIS_009_at_rest_the_set_point_is_the_position(void)
     (void)driven_cycle(-7);
     const card_drive_t drive = axis_rest(&axis, CYCLE_US);
     TEST_ASSERT_EQUAL_UINT32(0U, drive.mode | drive.direction | drive.duty);
-    TEST_ASSERT_EQUAL_INT32(-7, axis.setpoint_ticks);
-    TEST_ASSERT_EQUAL_INT32(0, axis.setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_EQUAL_INT32(-7, axis.sealed.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(0, axis.sealed.setpoint_speed_ticks_per_s_q8);
 }
 
 void test_SWR_MOTION_004_an_axis_is_at_a_target_within_its_deadband(void)

@@ -132,7 +132,7 @@ void test_SWR_AXIS_018_without_any_count_a_driven_axis_is_told(void)
 {
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, run(drive(true), 0, LONG_CYCLES));
     TEST_ASSERT_LESS_OR_EQUAL_UINT32(14U + SILENT_CYCLES, driven_cycles);
-    TEST_ASSERT_GREATER_THAN_INT32(LIMIT_SILENT_TICKS, supervision.missing_ticks);
+    TEST_ASSERT_GREATER_THAN_INT32(LIMIT_SILENT_TICKS, supervision.sealed.missing_ticks);
     use(needle);
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, run(drive(false), 0, LONG_CYCLES));
     TEST_ASSERT_LESS_OR_EQUAL_UINT32(4U + SILENT_CYCLES, driven_cycles);
@@ -145,7 +145,7 @@ void test_SWR_AXIS_018_a_blind_way_is_told_before_the_time(void)
     driven_cycles = 0U;
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, run(drive(true), 0, LONG_CYCLES));
     TEST_ASSERT_LESS_OR_EQUAL_UINT32(21U, driven_cycles);
-    TEST_ASSERT_EQUAL_INT32(19, supervision.missing_ticks);
+    TEST_ASSERT_EQUAL_INT32(19, supervision.sealed.missing_ticks);
 }
 
 void test_SWR_AXIS_018_a_pause_makes_nothing_good(void)
@@ -160,34 +160,34 @@ void test_SWR_AXIS_018_a_pause_makes_nothing_good(void)
 void test_SWR_AXIS_018_time_that_is_not_driven_does_not_count(void)
 {
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 0, 20U));
-    TEST_ASSERT_GREATER_THAN_UINT32(0U, supervision.silent_us);
-    TEST_ASSERT_LESS_THAN_UINT32(20000U, supervision.silent_us);
+    TEST_ASSERT_GREATER_THAN_UINT32(0U, supervision.sealed.silent_us);
+    TEST_ASSERT_LESS_THAN_UINT32(20000U, supervision.sealed.silent_us);
     TEST_ASSERT_EQUAL_HEX32(0U, rest(LONG_CYCLES));
 }
 
 void test_SWR_AXIS_018_a_count_in_the_direction_of_the_drive_begins_anew(void)
 {
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(false), 0, 15U));
-    TEST_ASSERT_GREATER_THAN_UINT32(0U, supervision.silent_us);
+    TEST_ASSERT_GREATER_THAN_UINT32(0U, supervision.sealed.silent_us);
     TEST_ASSERT_EQUAL_HEX32(0U, step((card_drive_t){CARD_DRIVE_OFF, 0U, 0U, 0U}, -1, CYCLE_US));
-    TEST_ASSERT_EQUAL_UINT32(0U, supervision.silent_us);
-    TEST_ASSERT_EQUAL_INT64(0, supervision.due_q16);
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.sealed.silent_us);
+    TEST_ASSERT_EQUAL_INT64(0, supervision.sealed.due_q16);
 }
 
 void test_SWR_AXIS_018_a_count_against_the_drive_is_none(void)
 {
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 0, 15U));
-    const uint32_t silent_us = supervision.silent_us;
+    const uint32_t silent_us = supervision.sealed.silent_us;
     TEST_ASSERT_EQUAL_HEX32(0U, step(drive(true), -1, CYCLE_US));
-    TEST_ASSERT_EQUAL_UINT32(silent_us + CYCLE_US, supervision.silent_us);
+    TEST_ASSERT_EQUAL_UINT32(silent_us + CYCLE_US, supervision.sealed.silent_us);
 }
 
 void test_SWR_AXIS_018_missing_counts_are_told_once(void)
 {
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, run(drive(true), 0, LONG_CYCLES));
-    TEST_ASSERT_EQUAL_INT64(0, supervision.due_q16);
-    TEST_ASSERT_EQUAL_UINT32(0U, supervision.silent_us);
-    TEST_ASSERT_EQUAL_INT64(0, supervision.account.short_e2_q16);
+    TEST_ASSERT_EQUAL_INT64(0, supervision.sealed.due_q16);
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.sealed.silent_us);
+    TEST_ASSERT_EQUAL_INT64(0, supervision.sealed.account.short_e2_q16);
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 0, 3U));
 }
 
@@ -197,9 +197,9 @@ void test_SWR_AXIS_018_a_late_cycle_drives_no_longer_than_the_card(void)
     TEST_ASSERT_EQUAL_HEX32(0U, step(drive(true), 0, 1000000U));
     const int64_t most_q16 =
         (int64_t)head->full_speed_ticks_per_s * 65536 * (int64_t)LIMIT_CARD_WATCHDOG_US / 1000000;
-    TEST_ASSERT_LESS_OR_EQUAL_INT64(most_q16, supervision.due_q16);
-    TEST_ASSERT_GREATER_THAN_INT64(most_q16 / 4, supervision.due_q16);
-    TEST_ASSERT_EQUAL_UINT32(LIMIT_CARD_WATCHDOG_US, supervision.account.window_us);
+    TEST_ASSERT_LESS_OR_EQUAL_INT64(most_q16, supervision.sealed.due_q16);
+    TEST_ASSERT_GREATER_THAN_INT64(most_q16 / 4, supervision.sealed.due_q16);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_CARD_WATCHDOG_US, supervision.sealed.account.window_us);
 }
 
 void test_SWR_AXIS_019_half_the_counts_are_a_wrong_speed(void)
@@ -208,7 +208,7 @@ void test_SWR_AXIS_019_half_the_counts_are_a_wrong_speed(void)
         use(&robot_neuro.axes[i]);
         TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, run(drive(true), 50, LONG_CYCLES));
         TEST_ASSERT_LESS_OR_EQUAL_UINT32(200U, driven_cycles);
-        TEST_ASSERT_INT32_WITHIN(10, 50, supervision.account.percent);
+        TEST_ASSERT_INT32_WITHIN(10, 50, supervision.sealed.account.percent);
         use(&robot_neuro.axes[i]);
         TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, tap(50, 20U, LONG_CYCLES));
         use(&robot_neuro.axes[i]);
@@ -241,7 +241,7 @@ void test_SWR_AXIS_019_a_sum_is_called_missing_counts_while_nothing_is_counted(v
 void test_SWR_AXIS_019_a_wrong_speed_is_told_once(void)
 {
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, run(drive(true), 50, LONG_CYCLES));
-    TEST_ASSERT_EQUAL_INT64(0, supervision.account.short_e2_q16);
+    TEST_ASSERT_EQUAL_INT64(0, supervision.sealed.account.short_e2_q16);
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 50, 10U));
 }
 
@@ -261,8 +261,8 @@ void test_SWR_AXIS_027_counts_that_come_and_go_are_told_once(void)
     use(needle);
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_UNEVEN_COUNTS, flicker(drive(true), LONG_CYCLES));
     TEST_ASSERT_LESS_OR_EQUAL_UINT32(3U * RHYTHM_CYCLES, driven_cycles);
-    TEST_ASSERT_EQUAL_UINT32(0U, supervision.pace.uneven);
-    TEST_ASSERT_EQUAL_INT64(0, supervision.account.short_e2_q16);
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.sealed.pace.uneven);
+    TEST_ASSERT_EQUAL_INT64(0, supervision.sealed.account.short_e2_q16);
     use(needle);
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_UNEVEN_COUNTS, flicker(drive(false), LONG_CYCLES));
 }
@@ -278,12 +278,12 @@ void test_SWR_AXIS_027_pauses_are_no_way(void)
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_UNEVEN_COUNTS, notes);
     use(head);
     TEST_ASSERT_EQUAL_HEX32(0U, tap(100, 6U, 400U));
-    TEST_ASSERT_EQUAL_UINT32(0U, supervision.pace.uneven);
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.sealed.pace.uneven);
 }
 
 static void expect_begun(bool has_begun)
 {
-    TEST_ASSERT_EQUAL(has_begun, supervision.pace.since_q16 == UINT32_MAX);
+    TEST_ASSERT_EQUAL(has_begun, supervision.sealed.pace.since_q16 == UINT32_MAX);
 }
 
 void test_SWR_AXIS_027_a_turn_or_a_count_that_is_not_of_the_drive_begins_anew(void)
@@ -307,20 +307,21 @@ void test_SWR_AXIS_027_a_turn_or_a_count_that_is_not_of_the_drive_begins_anew(vo
 /* Loses counts, in hundredths of ticks; the motor has shown its speed. */
 static void lose_counts(supervision_t *which)
 {
-    which->account.short_e2_q16 = 100;
-    which->due_q16 = 100;
-    which->account.calibrations[COUNT_REGIME_STEADY].least_percent = 90U;
+    which->sealed.account.short_e2_q16 = 100;
+    which->sealed.due_q16 = 100;
+    which->sealed.account.calibrations[COUNT_REGIME_STEADY].least_percent = 90U;
 }
 
 static void expect_kept(const supervision_t *which, bool is_kept)
 {
-    TEST_ASSERT_EQUAL_INT64(is_kept ? 100 : 0, which->account.short_e2_q16);
-    TEST_ASSERT_EQUAL_INT64(is_kept ? 100 : 0, which->due_q16);
+    TEST_ASSERT_EQUAL_INT64(is_kept ? 100 : 0, which->sealed.account.short_e2_q16);
+    TEST_ASSERT_EQUAL_INT64(is_kept ? 100 : 0, which->sealed.due_q16);
 }
 
 static void expect_shown(const supervision_t *which)
 {
-    TEST_ASSERT_EQUAL_UINT32(90U, which->account.calibrations[COUNT_REGIME_STEADY].least_percent);
+    TEST_ASSERT_EQUAL_UINT32(90U,
+                             which->sealed.account.calibrations[COUNT_REGIME_STEADY].least_percent);
 }
 
 static void use_axis(axis_t *axis, axis_reference_t grade)
@@ -379,7 +380,8 @@ static int32_t shown_percent(int32_t percent, int64_t least_q16, int64_t most_q1
 {
     use(&robot_neuro.axes[NEURO_AXIS_YAW]);
     const card_drive_t slow = slow_drive();
-    const count_calibration_t *const shown = &supervision.account.calibrations[COUNT_REGIME_STEADY];
+    const count_calibration_t *const shown =
+        &supervision.sealed.account.calibrations[COUNT_REGIME_STEADY];
     for (uint32_t i = 0U; (i < LONG_CYCLES) && (shown->least_percent == LIMIT_SPEED_LEAST_PERCENT);
          i++) {
         uint32_t notes = run(slow, percent, SHORT_CYCLES);
@@ -405,13 +407,13 @@ void test_SWR_AXIS_024_runs_that_end_with_a_count_or_before_one_show_the_true_mo
 void test_SWR_AXIS_024_a_pause_shows_nothing(void)
 {
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 2U * SHORT_CYCLES));
-    while (supervision.pace.ended_q16 == 0U) {
+    while (supervision.sealed.pace.ended_q16 == 0U) {
         TEST_ASSERT_EQUAL_HEX32(0U, cycle(drive(true), 100));
     }
-    const count_calibration_t shown = supervision.account.calibrations[COUNT_REGIME_STEADY];
+    const count_calibration_t shown = supervision.sealed.account.calibrations[COUNT_REGIME_STEADY];
     TEST_ASSERT_GREATER_THAN_INT32(0, shown.counted_ticks);
     TEST_ASSERT_EQUAL_HEX32(0U, rest(50U));
-    TEST_ASSERT_EQUAL_MEMORY(&shown, &supervision.account.calibrations[COUNT_REGIME_STEADY],
+    TEST_ASSERT_EQUAL_MEMORY(&shown, &supervision.sealed.account.calibrations[COUNT_REGIME_STEADY],
                              sizeof shown);
 }
 
@@ -459,8 +461,8 @@ void test_SWR_AXIS_047_reports_that_are_missed_under_one_drive_leave_nothing_out
 {
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 2U * SHORT_CYCLES));
     TEST_ASSERT_EQUAL_HEX32(0U, run_missed(100, LONG_CYCLES));
-    TEST_ASSERT_EQUAL_INT64(0, supervision.account.short_e2_q16);
-    TEST_ASSERT_EQUAL_INT64(0, supervision.account.over_e2_q16);
+    TEST_ASSERT_EQUAL_INT64(0, supervision.sealed.account.short_e2_q16);
+    TEST_ASSERT_EQUAL_INT64(0, supervision.sealed.account.over_e2_q16);
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, run_missed(50, LONG_CYCLES));
 }
 
@@ -471,11 +473,11 @@ void test_SWR_AXIS_047_what_a_changed_drive_made_unheard_is_left_out(void)
     for (uint32_t i = 0U; i < LONG_CYCLES; i++) {
         TEST_ASSERT_EQUAL_HEX32(0U, step(off, 0, 0U));
         TEST_ASSERT_EQUAL_HEX32(0U, step(drive(true), 0, 2U * CYCLE_US));
-        TEST_ASSERT_EQUAL_UINT32(LIMIT_RISING_TIME_US, supervision.account.unsure_us);
-        TEST_ASSERT_EQUAL_UINT32(0U, supervision.off_us);
+        TEST_ASSERT_EQUAL_UINT32(LIMIT_RISING_TIME_US, supervision.sealed.account.unsure_us);
+        TEST_ASSERT_EQUAL_UINT32(0U, supervision.sealed.off_us);
         TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 60, 10U));
     }
-    TEST_ASSERT_EQUAL_INT64(0, supervision.account.short_e2_q16);
+    TEST_ASSERT_EQUAL_INT64(0, supervision.sealed.account.short_e2_q16);
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, run(drive(true), 50, 6U * SHORT_CYCLES));
 }
 
@@ -487,7 +489,7 @@ void test_SWR_AXIS_047_a_reversal_unheard_is_left_out(void)
         TEST_ASSERT_EQUAL_HEX32(0U, run(drive(is_upwards), 100, 2U * SHORT_CYCLES));
         TEST_ASSERT_EQUAL_HEX32(0U, step(drive(!is_upwards), 0, 0U));
         TEST_ASSERT_EQUAL_HEX32(0U, step(drive(!is_upwards), 0, 2U * CYCLE_US));
-        TEST_ASSERT_EQUAL_UINT32(LIMIT_RISING_TIME_US, supervision.account.unsure_us);
+        TEST_ASSERT_EQUAL_UINT32(LIMIT_RISING_TIME_US, supervision.sealed.account.unsure_us);
     }
 }
 
@@ -496,9 +498,9 @@ void test_SWR_AXIS_047_a_motor_that_is_off_is_known_again(void)
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 2U * SHORT_CYCLES));
     TEST_ASSERT_EQUAL_HEX32(0U, step(drive(true), 0, 0U));
     TEST_ASSERT_EQUAL_HEX32(0U, step(off, 0, 2U * CYCLE_US));
-    TEST_ASSERT_NOT_EQUAL_UINT32(0U, supervision.account.unsure_us);
+    TEST_ASSERT_NOT_EQUAL_UINT32(0U, supervision.sealed.account.unsure_us);
     TEST_ASSERT_EQUAL_HEX32(0U, rest(1U));
-    TEST_ASSERT_EQUAL_UINT32(0U, supervision.account.unsure_us);
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.sealed.account.unsure_us);
 }
 
 /* The model runs on as if it had never been off; counts of a motor that begins anew are not uneven.
@@ -533,8 +535,8 @@ void test_SWR_AXIS_160_a_drive_of_less_than_half_a_cycle_changes_nothing_for_its
         use(head);
         TEST_ASSERT_EQUAL_HEX32(0U, run_on(changes[i], LIMIT_BRIEF_DRIVE_US - 1U, 10U));
         TEST_ASSERT_EQUAL_HEX32(0U, run_on(changes[i], 33U, 10U));
-        TEST_ASSERT_EQUAL_INT64(0, supervision.account.short_e2_q16);
-        TEST_ASSERT_EQUAL_INT64(0, supervision.account.over_e2_q16);
+        TEST_ASSERT_EQUAL_INT64(0, supervision.sealed.account.short_e2_q16);
+        TEST_ASSERT_EQUAL_INT64(0, supervision.sealed.account.over_e2_q16);
     }
 }
 
@@ -542,9 +544,9 @@ void test_SWR_AXIS_160_a_longer_one_and_the_same_one_are_judged(void)
 {
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 2U * SHORT_CYCLES));
     TEST_ASSERT_EQUAL_HEX32(0U, step(drive(true), 0, 33U));
-    TEST_ASSERT_EQUAL_UINT32(0U, supervision.account.unsure_us);
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.sealed.account.unsure_us);
     TEST_ASSERT_EQUAL_HEX32(0U, step(off, 0, LIMIT_BRIEF_DRIVE_US));
-    TEST_ASSERT_EQUAL_UINT32(0U, supervision.account.unsure_us);
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.sealed.account.unsure_us);
     use(head);
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_UNEVEN_COUNTS, run_on(off, LIMIT_BRIEF_DRIVE_US, 10U));
 }
@@ -554,9 +556,9 @@ void test_SWR_AXIS_160_a_short_report_at_rest_leaves_nothing_out(void)
 {
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 2U * SHORT_CYCLES));
     TEST_ASSERT_EQUAL_HEX32(0U, step(off, 0, 33U));
-    TEST_ASSERT_EQUAL_UINT32(LIMIT_RISING_TIME_US, supervision.account.unsure_us);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_RISING_TIME_US, supervision.sealed.account.unsure_us);
     TEST_ASSERT_EQUAL_HEX32(0U, step(off, 0, 33U));
-    TEST_ASSERT_EQUAL_UINT32(0U, supervision.account.unsure_us);
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.sealed.account.unsure_us);
 }
 
 /* Half of what is counted gets lost: it is found between such cycles as well. */
@@ -583,9 +585,9 @@ void test_SWR_AXIS_027_the_way_after_a_count_is_that_of_a_cycle_as_long_as_it_is
     edge_age_us = 2U * CYCLE_US;
     TEST_ASSERT_EQUAL_HEX32(0U, step(sent, 2, 4U * CYCLE_US));
     TEST_ASSERT_UINT32_WITHIN(4U, (uint32_t)((mean_q8 * 256 * 2) / 1000),
-                              supervision.pace.since_q16);
+                              supervision.sealed.pace.since_q16);
     edge_age_us = 9U * CYCLE_US; /* Older than the cycle: all of its way came after it. */
     TEST_ASSERT_EQUAL_HEX32(0U, step(sent, 2, 4U * CYCLE_US));
     TEST_ASSERT_EQUAL_UINT32((uint32_t)motor_model_step_q16(&motor, config, &sent, 4U * CYCLE_US),
-                             supervision.pace.since_q16);
+                             supervision.sealed.pace.since_q16);
 }

@@ -83,11 +83,11 @@ void test_SWR_AXIS_002_the_position_at_the_second_edge_is_the_home_position(void
     move_to(170);
     move_to(198);
     (void)observe_switch(true);
-    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.encoder.position_ticks);
-    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.setpoint_ticks);
-    TEST_ASSERT_EQUAL_INT32(config->home_ticks - 198, axis.home_correction_ticks);
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.sealed.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.sealed.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks - 198, axis.sealed.home_correction_ticks);
     (void)observe_way(-3);
-    TEST_ASSERT_EQUAL_INT32(config->home_ticks - 3, axis.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks - 3, axis.sealed.encoder.position_ticks);
 }
 
 /* The place so many ticks away from the switch. */
@@ -243,7 +243,7 @@ void test_SWR_AXIS_002_the_switch_of_a_homed_axis_does_not_set_its_position(void
     (void)observe_switch(false);
     move_to(config->home_ticks - 20);
     TEST_ASSERT_EQUAL_HEX32(0U, observe_switch(true));
-    TEST_ASSERT_EQUAL_INT32(config->home_ticks - 20, axis.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks - 20, axis.sealed.encoder.position_ticks);
     TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
     TEST_ASSERT_TRUE(axis_is_homed(&axis));
 }
@@ -253,8 +253,8 @@ void test_SWR_AXIS_002_an_axis_without_switch_is_at_home_where_it_stands(void)
     use(without_switch);
     move_to(-77);
     home_in_place();
-    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.encoder.position_ticks);
-    TEST_ASSERT_EQUAL_INT32(77, axis.home_correction_ticks);
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.sealed.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(77, axis.sealed.home_correction_ticks);
 }
 
 void test_SWR_AXIS_002_the_home_of_an_axis_without_switch_is_not_taken_twice(void)
@@ -263,16 +263,16 @@ void test_SWR_AXIS_002_the_home_of_an_axis_without_switch_is_not_taken_twice(voi
     home_in_place();
     move_to(5);
     TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
-    TEST_ASSERT_EQUAL_INT32(5, axis.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(5, axis.sealed.encoder.position_ticks);
 }
 
 void test_SWR_AXIS_002_homing_in_progress_is_not_begun_again(void)
 {
     begin_homing();
-    axis.homing.leg_us = 5U;
+    axis.sealed.homing.leg_us = 5U;
     (void)observe_switch(true);
     TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
-    TEST_ASSERT_EQUAL_UINT32(5U, axis.homing.leg_us);
+    TEST_ASSERT_EQUAL_UINT32(5U, axis.sealed.homing.leg_us);
     TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
 }
 
@@ -294,7 +294,7 @@ static int32_t home_speed(void)
     for (uint32_t i = 0U; i < 1000U; i++) {
         (void)axis_home(&axis, config, CYCLE_US);
     }
-    return axis.setpoint_speed_ticks_per_s_q8 / 256;
+    return axis.sealed.setpoint_speed_ticks_per_s_q8 / 256;
 }
 
 /* So many percent of the axis' home speed. */
@@ -333,25 +333,26 @@ void test_SWR_AXIS_002_the_set_point_of_homing_starts_at_the_position_with_zero_
     move_to(-150);
     begin_homing();
     (void)axis_home(&axis, config, CYCLE_US);
-    TEST_ASSERT_EQUAL_INT32(-150, axis.setpoint_ticks);
-    TEST_ASSERT_EQUAL_INT32(step_q8, axis.setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_EQUAL_INT32(-150, axis.sealed.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(step_q8, axis.sealed.setpoint_speed_ticks_per_s_q8);
     (void)axis_home(&axis, config, CYCLE_US);
-    TEST_ASSERT_EQUAL_INT32(2 * step_q8, axis.setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_EQUAL_INT32(2 * step_q8, axis.sealed.setpoint_speed_ticks_per_s_q8);
     (void)home_speed();
     move_to(10);
     (void)observe_switch(true);
     (void)axis_home(&axis, config, CYCLE_US);
-    TEST_ASSERT_INT32_WITHIN(1, 10, axis.setpoint_ticks);
-    TEST_ASSERT_EQUAL_INT32(-step_q8, axis.setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_INT32_WITHIN(1, 10, axis.sealed.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(-step_q8, axis.sealed.setpoint_speed_ticks_per_s_q8);
 }
 
 void test_SWR_AXIS_002_the_set_point_of_homing_goes_at_home_speed(void)
 {
     begin_homing();
     (void)home_speed();
-    const int32_t before = axis.setpoint_ticks;
+    const int32_t before = axis.sealed.setpoint_ticks;
     (void)home_speed();
-    TEST_ASSERT_INT32_WITHIN(4, config->home_speed_ticks_per_s, axis.setpoint_ticks - before);
+    TEST_ASSERT_INT32_WITHIN(4, config->home_speed_ticks_per_s,
+                             axis.sealed.setpoint_ticks - before);
 }
 
 void test_SWR_AXIS_002_homing_drives_towards_the_switch(void)
@@ -373,9 +374,9 @@ void test_SWR_AXIS_002_homing_taken_up_after_a_rest_starts_where_the_axis_is(voi
     (void)axis_rest(&axis, CYCLE_US);
     move_to(40);
     (void)axis_home(&axis, config, CYCLE_US);
-    TEST_ASSERT_EQUAL_INT32(40, axis.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(40, axis.sealed.setpoint_ticks);
     TEST_ASSERT_EQUAL_INT32(config->acceleration_ticks_per_s2 * 256 / 1000,
-                            axis.setpoint_speed_ticks_per_s_q8);
+                            axis.sealed.setpoint_speed_ticks_per_s_q8);
 }
 
 void test_SWR_AXIS_003_homing_below_the_time_limit_goes_on(void)

@@ -172,7 +172,7 @@ void test_SWR_REF_002_a_fresh_axis_without_switch_is_taken_where_it_stands(void)
     stand_still();
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOMED, axis_begin_homing(&axis, config));
     expect(AXIS_REFERENCE_TAKEN);
-    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.sealed.encoder.position_ticks);
 }
 
 void test_SWR_REF_002_what_was_lost_or_is_in_doubt_is_not_taken_again(void)
@@ -180,10 +180,10 @@ void test_SWR_REF_002_what_was_lost_or_is_in_doubt_is_not_taken_again(void)
     static const axis_reference_t grades[] = {AXIS_REFERENCE_LOST, AXIS_REFERENCE_UNVERIFIED};
     for (uint32_t i = 0U; i < (sizeof grades / sizeof grades[0]); i++) {
         use_with(without_switch, grades[i]);
-        const int32_t before = axis.encoder.position_ticks;
+        const int32_t before = axis.sealed.encoder.position_ticks;
         TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
         expect(grades[i]);
-        TEST_ASSERT_EQUAL_INT32(before, axis.encoder.position_ticks);
+        TEST_ASSERT_EQUAL_INT32(before, axis.sealed.encoder.position_ticks);
     }
 }
 
@@ -217,10 +217,10 @@ void test_SWR_STORE_020_an_axis_is_placed_whatever_it_was_and_is_unverified(void
                                               AXIS_REFERENCE_TAKEN,    AXIS_REFERENCE_VERIFIED};
     for (uint32_t i = 0U; i < (sizeof grades / sizeof grades[0]); i++) {
         use_with((grades[i] == AXIS_REFERENCE_TAKEN) ? without_switch : with_switch, grades[i]);
-        axis.elsewhere_ticks = 7;
+        axis.sealed.elsewhere_ticks = 7;
         axis_place(&axis, config, SOMEWHERE - 3);
         expect(AXIS_REFERENCE_UNVERIFIED);
-        TEST_ASSERT_EQUAL_INT32(SOMEWHERE - 3, axis.encoder.position_ticks);
+        TEST_ASSERT_EQUAL_INT32(SOMEWHERE - 3, axis.sealed.encoder.position_ticks);
         TEST_ASSERT_FALSE(axis_is_contradicted(&axis));
     }
 }
@@ -295,10 +295,10 @@ void test_SWR_REF_003_a_remembered_position_is_unverified(void)
     (void)rest_cycle(50);
     axis_restore(&axis, config, SOMEWHERE);
     expect(AXIS_REFERENCE_UNVERIFIED);
-    TEST_ASSERT_EQUAL_INT32(SOMEWHERE, axis.encoder.position_ticks);
-    TEST_ASSERT_EQUAL_INT32(SOMEWHERE, axis.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(SOMEWHERE, axis.sealed.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(SOMEWHERE, axis.sealed.setpoint_ticks);
     (void)rest_cycle(5);
-    TEST_ASSERT_EQUAL_INT32(SOMEWHERE + 5, axis.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(SOMEWHERE + 5, axis.sealed.encoder.position_ticks);
     rest_cycles(2000U);
 }
 
@@ -308,11 +308,11 @@ void test_SWR_REF_003_memory_counts_only_before_anything_else_is_known(void)
                                               AXIS_REFERENCE_TAKEN, AXIS_REFERENCE_VERIFIED};
     for (uint32_t i = 0U; i < (sizeof grades / sizeof grades[0]); i++) {
         use_with(with_switch, grades[i]);
-        const int32_t before = axis.encoder.position_ticks;
+        const int32_t before = axis.sealed.encoder.position_ticks;
         axis_restore(&axis, config, SOMEWHERE + 1);
         axis_forget(&axis);
         expect(grades[i]);
-        TEST_ASSERT_EQUAL_INT32(before, axis.encoder.position_ticks);
+        TEST_ASSERT_EQUAL_INT32(before, axis.sealed.encoder.position_ticks);
     }
 }
 
@@ -373,7 +373,7 @@ void test_SWR_REF_005_the_operator_verifies_what_is_unverified(void)
         use_with(configs[i], AXIS_REFERENCE_UNVERIFIED);
         TEST_ASSERT_TRUE(axis_confirm(&axis, config));
         expect(AXIS_REFERENCE_VERIFIED);
-        TEST_ASSERT_EQUAL_INT32(SOMEWHERE, axis.encoder.position_ticks);
+        TEST_ASSERT_EQUAL_INT32(SOMEWHERE, axis.sealed.encoder.position_ticks);
         TEST_ASSERT_FALSE(axis_confirm(&axis, config));
         expect(AXIS_REFERENCE_VERIFIED);
     }
@@ -405,9 +405,9 @@ void test_SWR_REF_005_once_confirmed_homing_has_its_whole_way(void)
     use(without_switch);
     (void)axis_begin_homing(&axis, with_switch);
     axis_lose_reference(&axis);
-    TEST_ASSERT_EQUAL_UINT32(1U, axis.homing.has_nearest);
+    TEST_ASSERT_EQUAL_UINT32(1U, axis.sealed.homing.has_nearest);
     TEST_ASSERT_TRUE(axis_confirm(&axis, config));
-    TEST_ASSERT_EQUAL_UINT32(0U, axis.homing.has_nearest);
+    TEST_ASSERT_EQUAL_UINT32(0U, axis.sealed.homing.has_nearest);
 }
 
 void test_SWR_REF_005_only_an_axis_without_switch_that_was_known_waits_for_the_operator(void)
@@ -448,7 +448,7 @@ void test_SWR_AXIS_055_it_stands_as_parked_until_more_is_known_of_it(void)
     axis_forget(&axis);
     TEST_ASSERT_FALSE(axis_is_as_parked(&axis));
     use_with(with_switch, AXIS_REFERENCE_LOST);
-    axis.place = 0U;
+    axis.sealed.place = 0U;
     axis_forget(&axis);
     TEST_ASSERT_TRUE(axis_is_as_parked(&axis));
     axis_distrust(&axis);
@@ -465,13 +465,13 @@ void test_SWR_AXIS_040_it_says_what_a_confirmation_would_verify(void)
     TEST_ASSERT_FALSE(axis_is_confirmable(&axis, config));
     use_with(with_switch, AXIS_REFERENCE_VERIFIED);
     TEST_ASSERT_FALSE(axis_is_confirmable(&axis, config));
-    axis.elsewhere_ticks = 1;
+    axis.sealed.elsewhere_ticks = 1;
     TEST_ASSERT_FALSE(axis_is_confirmable(&axis, config));
     use_with(with_switch, AXIS_REFERENCE_UNVERIFIED);
     TEST_ASSERT_TRUE(axis_is_confirmable(&axis, config));
     use_with(with_switch, AXIS_REFERENCE_LOST);
     TEST_ASSERT_FALSE(axis_is_confirmable(&axis, config));
-    axis.elsewhere_ticks = 1;
+    axis.sealed.elsewhere_ticks = 1;
     TEST_ASSERT_TRUE(axis_is_confirmable(&axis, config));
     use_with(without_switch, AXIS_REFERENCE_LOST);
     TEST_ASSERT_TRUE(axis_is_confirmable(&axis, config));

@@ -184,7 +184,7 @@ void test_SWR_AXIS_015_an_axis_that_goes_against_its_drive_is_a_fault_at_the_lim
     (void)push(1U);
     TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle(1 - WRONG_WAY));
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_WAY, driven_cycle(-1));
-    TEST_ASSERT_EQUAL_INT32(WRONG_WAY, axis.supervision.backwards_ticks);
+    TEST_ASSERT_EQUAL_INT32(WRONG_WAY, axis.supervision.sealed.backwards_ticks);
     TEST_ASSERT_TRUE(axis_is_faulty(&axis));
     use(inverted);
     setpoint_ticks = BELOW;
@@ -224,7 +224,7 @@ void test_SWR_AXIS_016_an_axis_that_moves_while_off_is_a_fault_in_the_cycle_beyo
         TEST_ASSERT_EQUAL_HEX32(0U, off_cycles(20U));
         TEST_ASSERT_EQUAL_HEX32(0U, off_cycle(limits[i]));
         TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_MOVED_OFF, off_cycle(1));
-        TEST_ASSERT_EQUAL_INT32(limits[i] + 1, axis.supervision.off_ticks);
+        TEST_ASSERT_EQUAL_INT32(limits[i] + 1, axis.supervision.sealed.off_ticks);
         TEST_ASSERT_TRUE(axis_is_faulty(&axis));
         TEST_ASSERT_EQUAL_HEX32(0U, off_cycle(5));
     }
@@ -290,8 +290,10 @@ static void expect_guard(bool is_driven, int32_t below, int32_t above)
     int32_t highest = 0;
     (void)supervise(false, 0U);
     axis_guard(&axis, config, is_driven, &lowest, &highest);
-    TEST_ASSERT_EQUAL_UINT32((uint32_t)axis.encoder.reading - (uint32_t)below, (uint32_t)lowest);
-    TEST_ASSERT_EQUAL_UINT32((uint32_t)axis.encoder.reading + (uint32_t)above, (uint32_t)highest);
+    TEST_ASSERT_EQUAL_UINT32((uint32_t)axis.sealed.encoder.reading - (uint32_t)below,
+                             (uint32_t)lowest);
+    TEST_ASSERT_EQUAL_UINT32((uint32_t)axis.sealed.encoder.reading + (uint32_t)above,
+                             (uint32_t)highest);
 }
 
 void test_SWR_AXIS_017_the_guard_holds_position_and_set_point(void)
@@ -322,7 +324,7 @@ void test_SWR_AXIS_017_the_guard_of_an_inverted_encoder_is_that_of_its_readings(
 void test_SWR_AXIS_017_the_guard_stays_right_across_the_wrap_of_the_reading(void)
 {
     use(with_lower_switch);
-    axis.encoder.reading = INT32_MAX;
+    axis.sealed.encoder.reading = INT32_MAX;
     expect_guard(false, 2 * 333, 2 * 333);
 }
 

@@ -71,8 +71,8 @@ static int32_t away(int32_t ticks)
 static uint32_t move_to(int32_t position_ticks)
 {
     uint32_t notes = 0U;
-    while (axis.encoder.position_ticks != position_ticks) {
-        const int32_t way = position_ticks - axis.encoder.position_ticks;
+    while (axis.sealed.encoder.position_ticks != position_ticks) {
+        const int32_t way = position_ticks - axis.sealed.encoder.position_ticks;
         const int32_t most = config->jump_ticks;
         notes |= observe_way((way > most) ? most : ((way < -most) ? -most : way));
     }
@@ -103,7 +103,7 @@ static uint32_t home_at(int32_t ticks)
     TEST_ASSERT_EQUAL(AXIS_REFERENCE_LATCH, axis.chart.reference);
     TEST_ASSERT_EQUAL_HEX32(0U, move_to(away(ticks)));
     const uint32_t notes = observe_switch(true);
-    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.sealed.encoder.position_ticks);
     TEST_ASSERT_EQUAL_HEX32(0U, observe_switch(false));
     return notes;
 }
@@ -121,7 +121,7 @@ static void expect_contradicted(uint32_t notes, int32_t ticks)
     TEST_ASSERT_EQUAL(AXIS_REFERENCE_LOST, axis.chart.reference);
     TEST_ASSERT_TRUE(axis_is_faulty(&axis));
     TEST_ASSERT_TRUE(axis_is_contradicted(&axis));
-    TEST_ASSERT_EQUAL_INT32(away(ticks) - config->home_ticks, axis.contradiction_ticks);
+    TEST_ASSERT_EQUAL_INT32(away(ticks) - config->home_ticks, axis.sealed.contradiction_ticks);
 }
 
 /* An axis that is homed and stands at home. */
@@ -158,7 +158,8 @@ void test_SWR_AXIS_025_a_switch_that_is_active_where_it_must_have_released_is_a_
         TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_SWITCH_ELSEWHERE, move_to(away(farthest + 1)));
         TEST_ASSERT_EQUAL(AXIS_REFERENCE_LOST, axis.chart.reference);
         TEST_ASSERT_TRUE(axis_is_faulty(&axis));
-        TEST_ASSERT_EQUAL_INT32(away(farthest + 1) - config->home_ticks, axis.contradiction_ticks);
+        TEST_ASSERT_EQUAL_INT32(away(farthest + 1) - config->home_ticks,
+                                axis.sealed.contradiction_ticks);
         TEST_ASSERT_FALSE(axis_is_contradicted(&axis));
         TEST_ASSERT_EQUAL_HEX32(0U, observe_way(0));
     }
@@ -172,7 +173,8 @@ void test_SWR_AXIS_025_a_switch_that_is_free_where_it_must_be_active_is_a_fault(
         TEST_ASSERT_TRUE(axis_is_homed(&axis));
         TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_SWITCH_ELSEWHERE, move_to(away(-margin - 1)));
         TEST_ASSERT_EQUAL(AXIS_REFERENCE_LOST, axis.chart.reference);
-        TEST_ASSERT_EQUAL_INT32(away(-margin - 1) - config->home_ticks, axis.contradiction_ticks);
+        TEST_ASSERT_EQUAL_INT32(away(-margin - 1) - config->home_ticks,
+                                axis.sealed.contradiction_ticks);
     }
 }
 

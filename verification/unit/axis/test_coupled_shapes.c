@@ -116,7 +116,7 @@ static int32_t way_ticks(uint32_t axis, int32_t sign)
 {
     const bool is_driven =
         (way_of(axis, &sent[axis]) == sign) || (way_of(axis, &requests[axis]) == sign);
-    const int64_t measured = (int64_t)axes[axis].encoder.speed_ticks_per_s_q8 * sign;
+    const int64_t measured = (int64_t)axes[axis].sealed.encoder.speed_ticks_per_s_q8 * sign;
     const int64_t full = is_driven ? (FULL_SPEED * INT64_C(256)) : 0;
     const int64_t speed = (measured > full) ? measured : full;
     return 1 + (int32_t)(((speed * (int64_t)LIMIT_COUPLED_STOP_US) + 255999999) / 256000000);
@@ -143,7 +143,7 @@ static truth_t find_truth(uint32_t limit)
     truth_t truth = {INT64_MAX, INT64_MIN, {0}};
     int32_t here[AXES];
     for (uint32_t i = 0U; i < AXES; i++) {
-        here[i] = axes[i].encoder.position_ticks;
+        here[i] = axes[i].sealed.encoder.position_ticks;
     }
     const int64_t now = value_at(limit, here);
     for (uint32_t place = 0U; place < 625U; place++) {
@@ -176,8 +176,8 @@ static void draw_scene(bool may_be_fast)
 {
     for (uint32_t i = 0U; i < AXES; i++) {
         const int32_t most = may_be_fast ? 30000 : FULL_SPEED;
-        axes[i].encoder.position_ticks = (int32_t)draw(40000U) - 20000;
-        axes[i].encoder.speed_ticks_per_s_q8 =
+        axes[i].sealed.encoder.position_ticks = (int32_t)draw(40000U) - 20000;
+        axes[i].sealed.encoder.speed_ticks_per_s_q8 =
             (draw(2U) == 0U) ? 0 : (((int32_t)draw((uint32_t)most * 2U) - most) * 256);
         sent[i] = (draw(2U) == 0U) ? (card_drive_t){0U, 0U, 0U, 0U} : drive(i, draw(2U) == 0U);
         requests[i] = (draw(3U) == 0U) ? (card_drive_t){0U, 0U, 0U, 0U} : drive(i, draw(2U) == 0U);
@@ -249,12 +249,12 @@ void test_SWR_COUPLE_005_a_curved_limit_of_four_axes_is_kept(void)
 void test_SWR_COUPLE_005_a_limit_that_turns_around_blocks_what_takes_it_further_out_only(void)
 {
     set_limit(SADDLE, 0xFU, -FAR_NM, 5000000);
-    axes[0].encoder.position_ticks = 17000;
+    axes[0].sealed.encoder.position_ticks = 17000;
     requests[0] = drive(0U, true);
     TEST_ASSERT_EQUAL_HEX32(0x1U, coupled_guard_blocks(&robot, &view));
     requests[0] = drive(0U, false);
     TEST_ASSERT_EQUAL_HEX32(0U, coupled_guard_blocks(&robot, &view));
-    axes[0].encoder.position_ticks = -17000;
+    axes[0].sealed.encoder.position_ticks = -17000;
     TEST_ASSERT_EQUAL_HEX32(0x1U, coupled_guard_blocks(&robot, &view));
     requests[0] = drive(0U, true);
     TEST_ASSERT_EQUAL_HEX32(0U, coupled_guard_blocks(&robot, &view));
@@ -263,8 +263,8 @@ void test_SWR_COUPLE_005_a_limit_that_turns_around_blocks_what_takes_it_further_
 /* q1 * q2: each alone adds 84 nm to the 200, both together 203. */
 void test_SWR_COUPLE_005_what_axes_do_together_counts(void)
 {
-    axes[1].encoder.position_ticks = 100;
-    axes[2].encoder.position_ticks = 100;
+    axes[1].sealed.encoder.position_ticks = 100;
+    axes[2].sealed.encoder.position_ticks = 100;
     requests[1] = drive(1U, true);
     requests[2] = drive(2U, true);
     TEST_ASSERT_EQUAL_INT32(142, 100 + DRIVEN_TICKS);
@@ -286,13 +286,13 @@ void test_SWR_COUPLE_005_one_look_is_enough_where_no_axis_can_leave(void)
     TEST_ASSERT_EQUAL_UINT32(0U, looks);
     /* Faster than the margin allows for, up or down. */
     requests[3] = drive(3U, true);
-    axes[3].encoder.speed_ticks_per_s_q8 = FULL_SPEED * 256;
+    axes[3].sealed.encoder.speed_ticks_per_s_q8 = FULL_SPEED * 256;
     TEST_ASSERT_EQUAL_HEX32(0U, coupled_guard_blocks(&robot, &view));
     TEST_ASSERT_EQUAL_UINT32(2U, looks);
-    axes[3].encoder.speed_ticks_per_s_q8 = (FULL_SPEED * 256) + 1;
+    axes[3].sealed.encoder.speed_ticks_per_s_q8 = (FULL_SPEED * 256) + 1;
     TEST_ASSERT_EQUAL_HEX32(0U, coupled_guard_blocks(&robot, &view));
     TEST_ASSERT_EQUAL_UINT32(2U + 20U, looks);
-    axes[3].encoder.speed_ticks_per_s_q8 = -(FULL_SPEED * 256) - 1;
+    axes[3].sealed.encoder.speed_ticks_per_s_q8 = -(FULL_SPEED * 256) - 1;
     TEST_ASSERT_EQUAL_HEX32(0U, coupled_guard_blocks(&robot, &view));
     TEST_ASSERT_EQUAL_UINT32(2U + 40U, looks);
 }
@@ -321,7 +321,7 @@ void test_SWR_COUPLE_003_the_last_axis_of_four_does_not_go_to_a_switch_beyond_th
     requests[0] = drive(0U, true);
     TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, 0U));
     TEST_ASSERT_EQUAL_HEX32(0U, coupled_guard_blocks(&robot, &view));
-    axes[2].encoder.position_ticks = -1;
+    axes[2].sealed.encoder.position_ticks = -1;
     TEST_ASSERT_TRUE(coupled_guard_bars_homing(&robot, axes, 0U));
     TEST_ASSERT_EQUAL_HEX32(0x1U, coupled_guard_blocks(&robot, &view));
     /* With a second one that is not, it is not known. */
@@ -363,10 +363,10 @@ void test_SWR_COUPLE_002_an_angle_has_a_margin_of_its_own(void)
 void test_SWR_COUPLE_004_no_position_is_too_far_to_be_judged(void)
 {
     set_limit(PAIR, 0x3U, -1000000, 1000000);
-    axes[0].encoder.position_ticks = INT32_MAX;
-    axes[1].encoder.position_ticks = INT32_MIN;
-    axes[0].encoder.speed_ticks_per_s_q8 = INT32_MAX;
-    axes[1].encoder.speed_ticks_per_s_q8 = INT32_MIN;
+    axes[0].sealed.encoder.position_ticks = INT32_MAX;
+    axes[1].sealed.encoder.position_ticks = INT32_MIN;
+    axes[0].sealed.encoder.speed_ticks_per_s_q8 = INT32_MAX;
+    axes[1].sealed.encoder.speed_ticks_per_s_q8 = INT32_MIN;
     requests[0] = drive(0U, true);
     requests[1] = drive(1U, true);
     robot.coupled_limits[SADDLE].axes = 0U;
@@ -374,8 +374,8 @@ void test_SWR_COUPLE_004_no_position_is_too_far_to_be_judged(void)
     /* Farther than a joint value goes nothing changes any more. */
     TEST_ASSERT_EQUAL_HEX32(0U, coupled_guard_blocks(&robot, &view));
     requests[1] = drive(1U, false);
-    axes[0].encoder.position_ticks = 2000000;
-    axes[1].encoder.position_ticks = -2000000;
+    axes[0].sealed.encoder.position_ticks = 2000000;
+    axes[1].sealed.encoder.position_ticks = -2000000;
     TEST_ASSERT_EQUAL_HEX32(0x3U, coupled_guard_blocks(&robot, &view));
     TEST_ASSERT_EQUAL_UINT8(40U + PAIR, coupled_guard_judge(&robot, axes, 0U, INT32_MIN).status);
 }

@@ -38,7 +38,7 @@ void tearDown(void)
 
 static void put(uint32_t axis, int32_t ticks)
 {
-    axes[axis].encoder.position_ticks = ticks;
+    axes[axis].sealed.encoder.position_ticks = ticks;
 }
 
 /* The head homes from 100 on, the feet stand at 3000. */
@@ -47,7 +47,7 @@ static void tie(void)
     put(NEURO_AXIS_HEAD, 100);
     put(NEURO_AXIS_FEET, 3000);
     axes[NEURO_AXIS_HEAD].chart.reference = AXIS_REFERENCE_APPROACH;
-    axes[NEURO_AXIS_HEAD].homing.start_ticks = 100;
+    axes[NEURO_AXIS_HEAD].sealed.homing.start_ticks = 100;
     follower_tie(&robot, axes, NEURO_AXIS_HEAD);
 }
 
@@ -93,21 +93,21 @@ void test_SWR_AXIS_031_only_those_that_follow_are_tied_where_they_stand(void)
 {
     put(NEURO_AXIS_PITCH, 77);
     tie();
-    TEST_ASSERT_EQUAL_INT32(3000, axes[NEURO_AXIS_FEET].homing.start_ticks);
-    TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_PITCH].homing.start_ticks);
-    TEST_ASSERT_EQUAL_INT32(100, axes[NEURO_AXIS_HEAD].homing.start_ticks);
+    TEST_ASSERT_EQUAL_INT32(3000, axes[NEURO_AXIS_FEET].sealed.homing.start_ticks);
+    TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_PITCH].sealed.homing.start_ticks);
+    TEST_ASSERT_EQUAL_INT32(100, axes[NEURO_AXIS_HEAD].sealed.homing.start_ticks);
 }
 
 void test_SWR_AXIS_028_the_set_point_keeps_the_distance_and_has_the_leaders_speed(void)
 {
     tie();
-    axes[NEURO_AXIS_HEAD].setpoint_ticks = 60;
-    axes[NEURO_AXIS_HEAD].setpoint_speed_ticks_per_s_q8 = -196 * 256;
+    axes[NEURO_AXIS_HEAD].sealed.setpoint_ticks = 60;
+    axes[NEURO_AXIS_HEAD].sealed.setpoint_speed_ticks_per_s_q8 = -196 * 256;
     put(NEURO_AXIS_FEET, 2990);
     const card_drive_t request = follower_step(&axes[NEURO_AXIS_FEET], &robot.axes[NEURO_AXIS_FEET],
                                                &axes[NEURO_AXIS_HEAD], 1U, LIMIT_CYCLE_US);
-    TEST_ASSERT_EQUAL_INT32(2960, axes[NEURO_AXIS_FEET].setpoint_ticks);
-    TEST_ASSERT_EQUAL_INT32(-196 * 256, axes[NEURO_AXIS_FEET].setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_EQUAL_INT32(2960, axes[NEURO_AXIS_FEET].sealed.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(-196 * 256, axes[NEURO_AXIS_FEET].sealed.setpoint_speed_ticks_per_s_q8);
     TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, request.mode);
     TEST_ASSERT_FALSE(motor_model_is_upwards(&robot.axes[NEURO_AXIS_FEET], &request));
 }
@@ -127,14 +127,14 @@ void test_SWR_AXIS_029_apart_is_what_it_is_above_its_place(void)
 void test_SWR_AXIS_051_one_that_goes_at_the_double_is_where_twice_the_way_has_it(void)
 {
     tie();
-    axes[NEURO_AXIS_HEAD].setpoint_ticks = 60;
-    axes[NEURO_AXIS_HEAD].setpoint_speed_ticks_per_s_q8 = -98 * 256;
+    axes[NEURO_AXIS_HEAD].sealed.setpoint_ticks = 60;
+    axes[NEURO_AXIS_HEAD].sealed.setpoint_speed_ticks_per_s_q8 = -98 * 256;
     put(NEURO_AXIS_HEAD, 60);
     put(NEURO_AXIS_FEET, 2925);
     (void)follower_step(&axes[NEURO_AXIS_FEET], &robot.axes[NEURO_AXIS_FEET],
                         &axes[NEURO_AXIS_HEAD], 2U, LIMIT_CYCLE_US);
-    TEST_ASSERT_EQUAL_INT32(2920, axes[NEURO_AXIS_FEET].setpoint_ticks);
-    TEST_ASSERT_EQUAL_INT32(-196 * 256, axes[NEURO_AXIS_FEET].setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_EQUAL_INT32(2920, axes[NEURO_AXIS_FEET].sealed.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(-196 * 256, axes[NEURO_AXIS_FEET].sealed.setpoint_speed_ticks_per_s_q8);
     TEST_ASSERT_EQUAL_INT32(
         5, follower_apart_ticks(&axes[NEURO_AXIS_FEET], &axes[NEURO_AXIS_HEAD], 2U));
 }
@@ -166,7 +166,7 @@ void test_SWR_AXIS_029_a_turning_follower_has_a_way_of_its_own(void)
 void test_SWR_AXIS_029_a_follower_is_stuck_at_its_switch_and_at_its_soft_limit(void)
 {
     card_drive_t request = {CARD_DRIVE_NON_PWM, 1U, 0U, 0U};
-    axes[NEURO_AXIS_PITCH].limit_switches = CARD_LIMIT_UPPER;
+    axes[NEURO_AXIS_PITCH].sealed.limit_switches = CARD_LIMIT_UPPER;
     TEST_ASSERT_TRUE(is_stuck(NEURO_AXIS_PITCH, NEURO_AXIS_YAW, &request));
     request.direction = 0U;
     TEST_ASSERT_FALSE(is_stuck(NEURO_AXIS_PITCH, NEURO_AXIS_YAW, &request));

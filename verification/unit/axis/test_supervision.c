@@ -68,6 +68,6 @@ void test_SWR_AXIS_016_ten_minutes_of_scanning_are_no_motion(void)
 {
     for (uint32_t seed = 1U; seed <= SCENES(3U); seed++) {
         TEST_ASSERT_EQUAL_HEX32(0U, scan(&robot_neuro.axes[NEURO_AXIS_LATERAL], seed));
-        TEST_ASSERT_NOT_EQUAL_INT32(0, axis.encoder.position_ticks);
+        TEST_ASSERT_NOT_EQUAL_INT32(0, axis.sealed.encoder.position_ticks);
     }
 }

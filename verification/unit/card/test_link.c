@@ -91,11 +91,11 @@ static void lose_by_silence(void)
 static void expect_discarded(card_frame_result_t result)
 {
     const card_report_t before = card.report;
-    const uint32_t errors = card.frame_errors;
+    const uint32_t errors = card.sealed.frame_errors;
 
     link_step(&card, SLOT, bytes, &samples, elapsed_us);
     TEST_ASSERT_EQUAL_UINT32(result, card.last_error);
-    TEST_ASSERT_EQUAL_UINT32(errors + 1U, card.frame_errors);
+    TEST_ASSERT_EQUAL_UINT32(errors + 1U, card.sealed.frame_errors);
     TEST_ASSERT_EQUAL_UINT32(0U, card.is_fresh);
     TEST_ASSERT_EQUAL_MEMORY(&before, &card.report, sizeof before);
     TEST_ASSERT_FALSE(link_is_healthy_now(&card));
@@ -158,7 +158,7 @@ void test_SWR_LINK_001_a_card_is_not_usable_before_its_first_frame(void)
     TEST_ASSERT_FALSE(link_is_usable(&card));
     repeat(silent_cycle, 2U * LIMIT_LINK_AGE_CYCLES);
     TEST_ASSERT_FALSE(link_is_usable(&card));
-    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_NONE, card.cause);
+    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_NONE, card.sealed.cause);
     good_cycle();
     TEST_ASSERT_TRUE(link_is_usable(&card));
 }
@@ -168,14 +168,14 @@ void test_SWR_LINK_001_a_card_silent_for_one_cycle_less_than_the_limit_is_usable
     repeat(silent_cycle, LIMIT_LINK_AGE_CYCLES - 1U);
     TEST_ASSERT_TRUE(link_is_usable(&card));
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LATE, card.chart.state);
-    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_NONE, card.cause);
+    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_NONE, card.sealed.cause);
 }
 
 void test_SWR_LINK_001_a_card_silent_up_to_the_limit_is_lost_in_that_cycle(void)
 {
     repeat(silent_cycle, LIMIT_LINK_AGE_CYCLES);
     TEST_ASSERT_FALSE(link_is_usable(&card));
-    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_AGE, card.cause);
+    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_AGE, card.sealed.cause);
 }
 
 void test_SWR_LINK_001_a_good_frame_begins_the_count_anew(void)
@@ -185,7 +185,7 @@ void test_SWR_LINK_001_a_good_frame_begins_the_count_anew(void)
         good_cycle();
         TEST_ASSERT_TRUE(link_is_usable(&card));
         TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LIVE, card.chart.state);
-        TEST_ASSERT_EQUAL_UINT32(0U, card.age_cycles);
+        TEST_ASSERT_EQUAL_UINT32(0U, card.sealed.age_cycles);
     }
 }
 
@@ -203,11 +203,11 @@ void test_SWR_LINK_001_discarded_frames_count_as_silence(void)
 
 void test_SWR_LINK_001_the_age_saturates(void)
 {
-    card.age_cycles = UINT32_MAX - 1U;
+    card.sealed.age_cycles = UINT32_MAX - 1U;
     silent_cycle();
-    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.age_cycles);
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.sealed.age_cycles);
     silent_cycle();
-    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.age_cycles);
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.sealed.age_cycles);
 }
 
 void test_SWR_LINK_002_a_good_frame_brings_its_data(void)
@@ -217,7 +217,7 @@ void test_SWR_LINK_002_a_good_frame_brings_its_data(void)
     TEST_ASSERT_EQUAL_INT32(-815, card.report.encoder_count);
     TEST_ASSERT_EQUAL_UINT32(1U, card.is_fresh);
     TEST_ASSERT_EQUAL_UINT32(CARD_FRAME_OK, card.last_error);
-    TEST_ASSERT_EQUAL_UINT32(0U, card.frame_errors);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.sealed.frame_errors);
     TEST_ASSERT_TRUE(link_is_healthy_now(&card));
 }
 
@@ -228,7 +228,7 @@ void test_SWR_LINK_002_the_first_frame_is_no_repetition_whatever_its_heartbeat(v
     good_cycle();
     TEST_ASSERT_EQUAL_UINT32(0U, card.report.heartbeat);
     TEST_ASSERT_EQUAL_UINT32(1U, card.is_fresh);
-    TEST_ASSERT_EQUAL_UINT32(0U, card.frame_errors);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.sealed.frame_errors);
 }
 
 void test_SWR_LINK_002_a_wrong_start_word_is_discarded(void)
@@ -274,18 +274,18 @@ void test_SWR_LINK_002_a_damaged_first_frame_is_discarded(void)
 void test_SWR_LINK_002_a_missing_frame_is_not_counted_as_a_bad_one(void)
 {
     silent_cycle();
-    TEST_ASSERT_EQUAL_UINT32(0U, card.frame_errors);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.sealed.frame_errors);
     TEST_ASSERT_EQUAL_UINT32(0U, card.is_fresh);
     TEST_ASSERT_EQUAL_INT32(4711, card.report.encoder_count);
 }
 
 void test_SWR_LINK_002_the_count_of_bad_frames_saturates(void)
 {
-    card.frame_errors = UINT32_MAX - 1U;
+    card.sealed.frame_errors = UINT32_MAX - 1U;
     receive();
-    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.frame_errors);
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.sealed.frame_errors);
     receive();
-    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.frame_errors);
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.sealed.frame_errors);
 }
 
 void test_SWR_LINK_040_what_is_damaged_and_what_is_out_of_order_are_counted_apart(void)
@@ -297,7 +297,7 @@ void test_SWR_LINK_040_what_is_damaged_and_what_is_out_of_order_are_counted_apar
     good_cycle();
     expect_discarded(CARD_FRAME_REPEATED);
     TEST_ASSERT_EQUAL_UINT32(1U, card.frames_out_of_order);
-    TEST_ASSERT_EQUAL_UINT32(2U, card.frame_errors);
+    TEST_ASSERT_EQUAL_UINT32(2U, card.sealed.frame_errors);
     TEST_ASSERT_EQUAL_UINT32(0U, card.frames_missed);
     card.frames_out_of_order = UINT32_MAX;
     receive();
@@ -308,7 +308,7 @@ void test_SWR_LINK_040_cycles_without_a_frame_are_counted_while_the_card_is_used
 {
     repeat(silent_cycle, 2U);
     TEST_ASSERT_EQUAL_UINT32(2U, card.frames_missed);
-    TEST_ASSERT_EQUAL_UINT32(0U, card.frame_errors);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.sealed.frame_errors);
     good_cycle();
     lose_by_silence();
     repeat(silent_cycle, 10U);
@@ -391,7 +391,7 @@ void test_SWR_LINK_003_the_cause_of_a_loss_is_the_first_one(void)
     lose_by_silence();
     report.status = CARD_STATUS_HOT;
     good_cycle();
-    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_AGE, card.cause);
+    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_AGE, card.sealed.cause);
 }
 
 void test_SWR_LINK_004_an_unchanged_heartbeat_below_the_limit_is_tolerated(void)
@@ -404,7 +404,7 @@ void test_SWR_LINK_004_an_unchanged_heartbeat_up_to_the_limit_is_a_lost_card(voi
 {
     repeat(receive, LIMIT_LINK_AGE_CYCLES);
     TEST_ASSERT_FALSE(link_is_usable(&card));
-    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_AGE, card.cause);
+    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_AGE, card.sealed.cause);
 }
 
 void test_SWR_LINK_005_the_read_back_speaks_of_the_command_before_the_last_one(void)
@@ -414,7 +414,7 @@ void test_SWR_LINK_005_the_read_back_speaks_of_the_command_before_the_last_one(v
                                : (card_drive_t){CARD_DRIVE_PWM, i % 2U, i, 0U};
         good_cycle();
         TEST_ASSERT_EQUAL_UINT32(1U, card.is_fresh);
-        TEST_ASSERT_EQUAL_UINT32(0U, card.echo_mismatches);
+        TEST_ASSERT_EQUAL_UINT32(0U, card.sealed.echo_mismatches);
         TEST_ASSERT_TRUE(link_is_usable(&card));
     }
 }
@@ -429,7 +429,7 @@ void test_SWR_LINK_005_each_wrong_field_up_to_the_limit_is_a_lost_card(void)
         }
         wrong_echo_cycle(which);
         TEST_ASSERT_FALSE(link_is_usable(&card));
-        TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_ECHO, card.cause);
+        TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_ECHO, card.sealed.cause);
     }
 }
 
@@ -454,7 +454,7 @@ void test_SWR_DRIVE_004_another_frequency_or_amplitude_up_to_the_limit_is_a_lost
         }
         wave_cycle(which, 1U - which);
         TEST_ASSERT_FALSE(link_is_usable(&card));
-        TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_ECHO, card.cause);
+        TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_ECHO, card.sealed.cause);
     }
 }
 
@@ -467,7 +467,7 @@ void test_SWR_LINK_005_a_right_read_back_begins_the_count_anew(void)
         }
         good_cycle();
         TEST_ASSERT_TRUE(link_is_usable(&card));
-        TEST_ASSERT_EQUAL_UINT32(0U, card.echo_mismatches);
+        TEST_ASSERT_EQUAL_UINT32(0U, card.sealed.echo_mismatches);
     }
 }
 
@@ -491,7 +491,7 @@ void test_SWR_LINK_006_each_reported_fault_is_a_lost_card_in_that_cycle(void)
         good_cycle();
         TEST_ASSERT_FALSE(link_is_usable(&card));
         TEST_ASSERT_FALSE(link_is_healthy_now(&card));
-        TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_FAULT, card.cause);
+        TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_FAULT, card.sealed.cause);
         report.status = 0U;
     }
 }
@@ -502,7 +502,7 @@ void test_SWR_LINK_006_a_fault_after_a_missed_cycle_is_a_lost_card(void)
     report.status = CARD_STATUS_WATCHDOG;
     good_cycle();
     TEST_ASSERT_FALSE(link_is_usable(&card));
-    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_FAULT, card.cause);
+    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_FAULT, card.sealed.cause);
 }
 
 void test_SWR_LINK_006_the_fault_of_an_old_report_does_not_count_again(void)
@@ -566,7 +566,7 @@ void test_SWR_LINK_007_the_heartbeat_wraps(void)
     report.heartbeat = UINT32_MAX - 1U;
     repeat(good_cycle, 4U);
     TEST_ASSERT_EQUAL_UINT32(2U, report.heartbeat);
-    TEST_ASSERT_EQUAL_UINT32(0U, card.frame_errors);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.sealed.frame_errors);
 }
 
 void test_SWR_LINK_007_a_lost_card_may_have_begun_to_count_anew(void)
@@ -584,7 +584,7 @@ static void expect_wrong_card(void)
 {
     TEST_ASSERT_FALSE(link_is_usable(&card));
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, card.chart.state);
-    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_WRONG_CARD, card.cause);
+    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_WRONG_CARD, card.sealed.cause);
     TEST_ASSERT_FALSE(link_is_healthy_now(&card));
     link_reset(&card);
     TEST_ASSERT_FALSE(link_is_usable(&card));
@@ -693,7 +693,7 @@ void test_SWR_LINK_013_what_a_card_applies_is_what_it_says(void)
     report.status = CARD_STATUS_WATCHDOG;
     report.heartbeat++;
     receive();
-    TEST_ASSERT_EQUAL_PTR(&card.sent_before, link_applied(&card));
+    TEST_ASSERT_EQUAL_PTR(&card.sealed.sent_before, link_applied(&card));
     link_step(&card, SLOT, NULL, &samples, elapsed_us);
-    TEST_ASSERT_EQUAL_PTR(&card.sent_before, link_applied(&card));
+    TEST_ASSERT_EQUAL_PTR(&card.sealed.sent_before, link_applied(&card));
 }

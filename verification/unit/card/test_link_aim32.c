@@ -72,7 +72,7 @@ void test_SWR_NI_004_a_valid_frame_makes_the_card_usable(void)
     link_init(&card, CARD_TYPE_PWM, FIRMWARE);
     miss(2U * LIMIT_LINK_AGE_CYCLES);
     TEST_ASSERT_FALSE(link_is_usable(&card));
-    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_NONE, card.cause);
+    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_NONE, card.sealed.cause);
     hear(10U);
     TEST_ASSERT_TRUE(link_is_usable(&card));
     TEST_ASSERT_TRUE(link_is_healthy_now(&card));
@@ -87,7 +87,7 @@ void test_SWR_NI_004_without_valid_frames_it_is_lost_at_the_age_limit(void)
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LATE, card.chart.state);
     miss(1U);
     TEST_ASSERT_FALSE(link_is_usable(&card));
-    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_AGE, card.cause);
+    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_AGE, card.sealed.cause);
     hear(10U);
     TEST_ASSERT_FALSE(link_is_usable(&card));
     link_reset(&card);
@@ -98,7 +98,7 @@ void test_SWR_LINK_040_a_cycle_without_a_frame_is_counted(void)
 {
     miss(2U);
     TEST_ASSERT_EQUAL_UINT32(2U, card.frames_missed);
-    TEST_ASSERT_EQUAL_UINT32(0U, card.frame_errors);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.sealed.frame_errors);
 }
 
 void test_SWR_NI_004_a_refused_frame_is_counted_and_is_none(void)
@@ -107,18 +107,18 @@ void test_SWR_NI_004_a_refused_frame_is_counted_and_is_none(void)
     bytes[4] ^= 1U;
     step(bytes);
     TEST_ASSERT_EQUAL_UINT32(CARD_FRAME_BAD_CRC, card.last_error);
-    TEST_ASSERT_EQUAL_UINT32(1U, card.frame_errors);
-    TEST_ASSERT_EQUAL_UINT32(1U, card.age_cycles);
+    TEST_ASSERT_EQUAL_UINT32(1U, card.sealed.frame_errors);
+    TEST_ASSERT_EQUAL_UINT32(1U, card.sealed.age_cycles);
     TEST_ASSERT_EQUAL_INT32(10, card.report.encoder_count);
     TEST_ASSERT_FALSE(link_is_healthy_now(&card));
-    card.frame_errors = UINT32_MAX;
-    card.age_cycles = UINT32_MAX;
+    card.sealed.frame_errors = UINT32_MAX;
+    card.sealed.age_cycles = UINT32_MAX;
     step(bytes);
-    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.frame_errors);
-    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.age_cycles);
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.sealed.frame_errors);
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, card.sealed.age_cycles);
     hear(12U);
     TEST_ASSERT_EQUAL_UINT32(CARD_FRAME_OK, card.last_error);
-    TEST_ASSERT_EQUAL_UINT32(0U, card.age_cycles);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.sealed.age_cycles);
 }
 
 void test_SWR_NI_004_a_card_that_says_the_same_again_and_does_not_echo_stays_live(void)

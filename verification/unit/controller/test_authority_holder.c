@@ -73,14 +73,14 @@ void test_SWR_AUTH_006_who_was_granted_it_waits_for_that_too(void)
     (void)authority_take(&authority, &page, now);
     TEST_ASSERT_TRUE(
         authority_ask(&authority, AUTHORITY_REQUEST_TAKE, 0U, &other_page, now.time_us));
-    authority.request = (uint32_t)AUTHORITY_REQUEST_GRANTED;
+    authority.sealed.request = (uint32_t)AUTHORITY_REQUEST_GRANTED;
     (void)authority_lose(&authority, now.time_us);
     TEST_ASSERT_FALSE(step(false, 1U));
     TEST_ASSERT_FALSE(authority_is_of(&authority, &other_page));
     TEST_ASSERT_EQUAL_UINT32(0U, authority_request_left_us(&authority, now.time_us));
     TEST_ASSERT_TRUE(step(true, 1U));
     TEST_ASSERT_TRUE(authority_is_of(&authority, &other_page));
-    TEST_ASSERT_EQUAL_UINT32(0U, authority.requester.peer);
+    TEST_ASSERT_EQUAL_UINT32(0U, authority.sealed.requester.peer);
 }
 
 void test_SWR_AUTH_007_a_page_renews_and_a_connection_need_not(void)
@@ -126,6 +126,6 @@ void test_SWR_CORE_004_of_a_damaged_one_nobody_has_it_and_nobody_asks(void)
     TEST_ASSERT_TRUE(authority_check(&authority));
     TEST_ASSERT_TRUE(authority_is_free(&authority));
     TEST_ASSERT_FALSE(authority_is_of(&authority, &page));
-    TEST_ASSERT_EQUAL_UINT32(0U, authority.holder.peer);
-    TEST_ASSERT_EQUAL_UINT32(0U, authority.requester.peer);
+    TEST_ASSERT_EQUAL_UINT32(0U, authority.sealed.holder.peer);
+    TEST_ASSERT_EQUAL_UINT32(0U, authority.sealed.requester.peer);
 }

@@ -30,7 +30,7 @@ void tearDown(void)
 static void fail_after(uint32_t index, int32_t counts)
 {
     homing_account_begin(&account, &robot_neuro, axes);
-    axes[index].encoder.reading += counts;
+    axes[index].sealed.encoder.reading += counts;
     homing_account_charge(&account, &robot_neuro, axes, ROBOT_AXIS_MAX);
 }
 
@@ -66,7 +66,7 @@ void test_SWR_NEXT_024_an_axis_that_homes_in_the_try_begins_anew(void)
 {
     fail_after(HEAD, 100);
     homing_account_begin(&account, &robot_neuro, axes);
-    axes[HEAD].encoder.reading += 100;
+    axes[HEAD].sealed.encoder.reading += 100;
     home(HEAD);
     homing_account_charge(&account, &robot_neuro, axes, ROBOT_AXIS_MAX);
     TEST_ASSERT_EQUAL_INT32(0, account.ways_ticks[HEAD]);
@@ -79,7 +79,7 @@ void test_SWR_NEXT_024_the_axis_that_fails_is_charged_with_what_it_may_have_move
     homing_account_begin(&account, &robot_neuro, axes);
     homing_account_charge(&account, &robot_neuro, axes, HEAD);
     TEST_ASSERT_EQUAL_INT32(unseen, account.ways_ticks[HEAD]);
-    axes[HEAD].encoder.reading += unseen + 1;
+    axes[HEAD].sealed.encoder.reading += unseen + 1;
     homing_account_charge(&account, &robot_neuro, axes, HEAD);
     TEST_ASSERT_EQUAL_INT32(unseen + unseen + 1, account.ways_ticks[HEAD]);
     TEST_ASSERT_EQUAL_INT32(0, account.ways_ticks[PITCH]);

@@ -144,7 +144,7 @@ void test_SWR_TRAJ_017_a_checkpoint_comes_whole_or_not_at_all(void)
     }
     TEST_ASSERT_TRUE(exchange_take_cycle(reader, &record));
     TEST_ASSERT_EQUAL_UINT32(CYCLE_RECORD_CHECKPOINT, record.kind);
-    TEST_ASSERT_EQUAL_UINT32(controller.cycle, record.cycle);
+    TEST_ASSERT_EQUAL_UINT32(controller.sealed.cycle, record.cycle);
     TEST_ASSERT_EQUAL_MEMORY(&controller, record.body.checkpoint, CONTROLLER_CHECKPOINT_BYTES);
     TEST_ASSERT_FALSE(exchange_take_cycle(reader, &record));
 }

@@ -189,11 +189,11 @@ static void note_rows(void)
 /* A cycle in which the list has got so many rows, of a list that was begun in it or before. */
 static void come(uint32_t count, bool is_begun)
 {
-    for (uint32_t i = controller.mode.list.count; i < count; i++) {
+    for (uint32_t i = controller.mode.sealed.list.count; i < count; i++) {
         controller.rows[i].time_ms++;
         controller.rows[i].crc = i;
     }
-    controller.mode.list.count = count;
+    controller.mode.sealed.list.count = count;
     outputs.answer_count = 2U;
     outputs.answers[0] = (answer_t){.command = COMMAND_LIST_ROW, .kind = ANSWER_ACCEPTED};
     outputs.answers[1] = (answer_t){.command = is_begun ? COMMAND_LIST_BEGIN : COMMAND_LIST_ROW,
@@ -242,7 +242,7 @@ void test_SWR_TRAJ_016_of_a_list_that_is_replaced_there_are_none_any_more(void)
     note_rows();
     come(5U, false);
     TEST_ASSERT_TRUE(exchange_read_rows(reader, &checkpoint, rows)); /* It has only grown. */
-    controller.mode.list.count = 0U;
+    controller.mode.sealed.list.count = 0U;
     come(4U, true);
     TEST_ASSERT_FALSE(exchange_read_rows(reader, &checkpoint, rows));
     note_rows();
@@ -255,7 +255,7 @@ void test_SWR_TRAJ_016_a_list_that_is_lost_or_damaged_has_none(void)
 {
     come(3U, true);
     note_rows();
-    controller.mode.list.count = UINT32_MAX;
+    controller.mode.sealed.list.count = UINT32_MAX;
     outputs.answer_count = 0U;
     exchange_publish_rows(control, &controller, &outputs);
     TEST_ASSERT_FALSE(exchange_read_rows(reader, &checkpoint, rows));
@@ -264,17 +264,17 @@ void test_SWR_TRAJ_016_a_list_that_is_lost_or_damaged_has_none(void)
     TEST_ASSERT_TRUE(exchange_read_rows(reader, &checkpoint, rows));
     checkpoint.rows = LIMIT_TRAJECTORY_ROWS + 1U;
     TEST_ASSERT_FALSE(exchange_read_rows(reader, &checkpoint, rows));
-    controller.mode.list.count = 0U;
+    controller.mode.sealed.list.count = 0U;
 }
 
 void test_SWR_MODE_004_where_a_trajectory_begins_is_read_while_there_is_one(void)
 {
     trajectory_row_t start;
-    controller.mode.list.count = 0U;
+    controller.mode.sealed.list.count = 0U;
     come(2U, true);
     TEST_ASSERT_TRUE(exchange_read_start(reader, &start));
     TEST_ASSERT_EQUAL_MEMORY(&controller.rows[0], &start, sizeof start);
-    controller.mode.list.count = 0U;
+    controller.mode.sealed.list.count = 0U;
     outputs.answer_count = 0U;
     exchange_publish_rows(control, &controller, &outputs);
     TEST_ASSERT_FALSE(exchange_read_start(reader, &start));

@@ -36,9 +36,9 @@ void tearDown(void)
 
 static void watch(int32_t head_before)
 {
-    const int32_t needle_ticks = axes[NEURO_AXIS_INSERTION].encoder.position_ticks;
+    const int32_t needle_ticks = axes[NEURO_AXIS_INSERTION].sealed.encoder.position_ticks;
     const bool is_in = needle_ticks > needle_out_ticks(&robot);
-    const bool has_moved = axes[NEURO_AXIS_HEAD].encoder.position_ticks != head_before;
+    const bool has_moved = axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks != head_before;
     deepest_ticks = (needle_ticks > deepest_ticks) ? needle_ticks : deepest_ticks;
     is_base_moved_with_needle_in = is_base_moved_with_needle_in || (is_in && has_moved);
 }
@@ -47,7 +47,7 @@ static void run(const move_mode_t *move)
 {
     uint32_t cycles = 0U;
     do {
-        const int32_t head_before = axes[NEURO_AXIS_HEAD].encoder.position_ticks;
+        const int32_t head_before = axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks;
         TEST_ASSERT_LESS_THAN_UINT32(LONG_CYCLES, cycles);
         cycles++;
         mode_clear(&result);
@@ -62,7 +62,7 @@ static void expect_aligned(int32_t needle_ticks)
 {
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         const int32_t place = (i == (uint32_t)NEURO_AXIS_INSERTION) ? needle_ticks : target[i];
-        TEST_ASSERT_EQUAL_INT32(place, axes[i].encoder.position_ticks);
+        TEST_ASSERT_EQUAL_INT32(place, axes[i].sealed.encoder.position_ticks);
     }
 }
 

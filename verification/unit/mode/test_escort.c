@@ -52,7 +52,7 @@ void setUp(void)
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         axis_init(&axes[i]);
         grade(i, AXIS_REFERENCE_VERIFIED);
-        axes[i].encoder.position_ticks = robot.poses[POSE_HOME].ticks[i];
+        axes[i].sealed.encoder.position_ticks = robot.poses[POSE_HOME].ticks[i];
     }
     escort_end(&escort);
 }
@@ -72,7 +72,7 @@ static int64_t coupled(uint32_t limit, uint32_t leader)
     joints_t joints = {.value = {0}};
     for (uint32_t i = 0U; i < CARRIAGES; i++) {
         const int32_t hidden = (i == leader) ? hidden_ticks : 0;
-        joints.value[i] = joints_of(&robot.axes[i], axes[i].encoder.position_ticks + hidden);
+        joints.value[i] = joints_of(&robot.axes[i], axes[i].sealed.encoder.position_ticks + hidden);
     }
     return kinematics_coupled(&robot, limit, &joints);
 }
@@ -96,7 +96,7 @@ static void put_by_chance(uint32_t leader)
     do {
         for (uint32_t i = 0U; i < CARRIAGES; i++) {
             const axis_config_t *const config = &robot.axes[i];
-            axes[i].encoder.position_ticks =
+            axes[i].sealed.encoder.position_ticks =
                 config->minimum_ticks + chance(config->maximum_ticks - config->minimum_ticks);
         }
     } while (!is_inside(leader, 1));
@@ -106,10 +106,10 @@ static void put_by_chance(uint32_t leader)
 static void begin(uint32_t leader, int32_t hidden, axis_reference_t leg)
 {
     hidden_ticks = hidden;
-    axes[leader].encoder.position_ticks -= hidden;
+    axes[leader].sealed.encoder.position_ticks -= hidden;
     grade(leader, AXIS_REFERENCE_LOST);
     TEST_ASSERT_TRUE(escort_is_for(&robot, axes, leader));
-    homing_begin(&axes[leader].homing, axes[leader].encoder.position_ticks);
+    homing_begin(&axes[leader].sealed.homing, axes[leader].sealed.encoder.position_ticks);
     grade(leader, leg);
     escort_begin(&escort, &robot, axes, leader);
 }
@@ -124,12 +124,13 @@ static escort_verdict_t step(uint32_t leader)
     if (verdict != ESCORT_GOES) {
         return verdict;
     }
-    axis->encoder.position_ticks += is_upper ? ticks : -ticks;
-    const int32_t gone = axis->encoder.position_ticks - axis->homing.start_ticks;
+    axis->sealed.encoder.position_ticks += is_upper ? ticks : -ticks;
+    const int32_t gone = axis->sealed.encoder.position_ticks - axis->sealed.homing.start_ticks;
     for (uint32_t i = 0U; i < CARRIAGES; i++) {
         const int32_t pace = (int32_t)escort_pace(&escort, i);
         if (pace > 0) {
-            axes[i].encoder.position_ticks = axes[i].homing.start_ticks + (pace * gone);
+            axes[i].sealed.encoder.position_ticks =
+                axes[i].sealed.homing.start_ticks + (pace * gone);
         }
     }
     return verdict;
@@ -137,14 +138,14 @@ static escort_verdict_t step(uint32_t leader)
 
 static bool is_at_switch(uint32_t leader)
 {
-    const int32_t place = axes[leader].encoder.position_ticks + hidden_ticks;
+    const int32_t place = axes[leader].sealed.encoder.position_ticks + hidden_ticks;
     return homing_way_from_switch(&robot.axes[leader], place) <= 0;
 }
 
 static void expect_within(uint32_t axis)
 {
-    TEST_ASSERT_TRUE(axes[axis].encoder.position_ticks >= robot.axes[axis].minimum_ticks);
-    TEST_ASSERT_TRUE(axes[axis].encoder.position_ticks <= robot.axes[axis].maximum_ticks);
+    TEST_ASSERT_TRUE(axes[axis].sealed.encoder.position_ticks >= robot.axes[axis].minimum_ticks);
+    TEST_ASSERT_TRUE(axes[axis].sealed.encoder.position_ticks <= robot.axes[axis].maximum_ticks);
 }
 
 static void expect_home(uint32_t leader)
@@ -219,16 +220,16 @@ void test_SWR_AXIS_051_without_a_switch_a_block_or_a_shared_limit_there_is_no_es
 /* With the right carriages at -110 and -130 mm no limit is left when front_left goes alone. */
 void test_SWR_AXIS_051_an_axis_whose_switch_keeps_every_limit_goes_alone(void)
 {
-    axes[FRONT_RIGHT].encoder.position_ticks = -110 * 2500;
-    axes[REAR_RIGHT].encoder.position_ticks = -130 * 2500;
+    axes[FRONT_RIGHT].sealed.encoder.position_ticks = -110 * 2500;
+    axes[REAR_RIGHT].sealed.encoder.position_ticks = -130 * 2500;
     begin(FRONT_LEFT, 0, AXIS_REFERENCE_APPROACH);
-    axes[FRONT_LEFT].homing.leg_us = 5000U;
+    axes[FRONT_LEFT].sealed.homing.leg_us = 5000U;
     TEST_ASSERT_EQUAL(ESCORT_RESTS, step(FRONT_LEFT));
     TEST_ASSERT_EQUAL(ESCORT_GOES, step(FRONT_LEFT));
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         TEST_ASSERT_EQUAL_UINT32(0U, escort_pace(&escort, i));
     }
-    TEST_ASSERT_EQUAL_UINT32(0U, axes[FRONT_LEFT].homing.leg_us);
+    TEST_ASSERT_EQUAL_UINT32(0U, axes[FRONT_LEFT].sealed.homing.leg_us);
 }
 
 void test_SWR_AXIS_051_from_its_switch_all_leave_together(void)
@@ -236,7 +237,8 @@ void test_SWR_AXIS_051_from_its_switch_all_leave_together(void)
     begin(FRONT_LEFT, 0, AXIS_REFERENCE_LEAVE);
     for (uint32_t i = 0U; i < CARRIAGES; i++) {
         TEST_ASSERT_EQUAL_UINT32((i == FRONT_LEFT) ? 0U : 1U, escort_pace(&escort, i));
-        TEST_ASSERT_EQUAL_INT32(axes[i].encoder.position_ticks, axes[i].homing.start_ticks);
+        TEST_ASSERT_EQUAL_INT32(axes[i].sealed.encoder.position_ticks,
+                                axes[i].sealed.homing.start_ticks);
     }
     TEST_ASSERT_FALSE(escort_is_slow(&escort));
     TEST_ASSERT_EQUAL(ESCORT_GOES, escort_step(&escort, &robot, axes));
@@ -250,7 +252,7 @@ void test_SWR_AXIS_051_what_has_no_room_any_more_rests_and_another_escort_is_fou
     uint32_t changes = 0U;
     uint32_t steps = 0U;
     for (uint32_t i = 0U; i < CARRIAGES; i++) {
-        axes[i].encoder.position_ticks = ticks[i];
+        axes[i].sealed.encoder.position_ticks = ticks[i];
     }
     begin(FRONT_LEFT, 0, AXIS_REFERENCE_APPROACH);
     while (!is_at_switch(FRONT_LEFT)) {
@@ -270,7 +272,7 @@ void test_SWR_AXIS_051_what_changes_at_one_place_must_be_inside_at_the_other(voi
 {
     static const int32_t ticks[] = {166 * 2500, -87 * 2500, 162 * 2500, -78 * 2500};
     for (uint32_t i = 0U; i < CARRIAGES; i++) {
-        axes[i].encoder.position_ticks = ticks[i];
+        axes[i].sealed.encoder.position_ticks = ticks[i];
     }
     begin(FRONT_RIGHT, 0, AXIS_REFERENCE_APPROACH);
     escort.paces = ((uint32_t)2U << (2U * FRONT_LEFT)) | ((uint32_t)1U << (2U * REAR_LEFT));
@@ -305,8 +307,8 @@ static uint32_t rests_until_none(uint32_t leader)
 void test_SWR_AXIS_052_each_escort_is_tried_once_before_there_is_none(void)
 {
     for (uint32_t i = 0U; i < CARRIAGES; i++) {
-        robot.axes[i].minimum_ticks = axes[i].encoder.position_ticks - 10;
-        robot.axes[i].maximum_ticks = axes[i].encoder.position_ticks + 10;
+        robot.axes[i].minimum_ticks = axes[i].sealed.encoder.position_ticks - 10;
+        robot.axes[i].maximum_ticks = axes[i].sealed.encoder.position_ticks + 10;
     }
     robot.coupled_limits[2].minimum = -1;
     robot.coupled_limits[2].maximum = 1;
@@ -321,7 +323,7 @@ void test_SWR_AXIS_052_each_escort_is_tried_once_before_there_is_none(void)
  * mm, and 160 mm; in the middle, at 100 mm. The shorter way is taken of that. */
 void test_SWR_AXIS_052_the_way_by_hand_leads_to_the_middle_of_where_it_can_be(void)
 {
-    axes[FRONT_RIGHT].encoder.position_ticks = -148 * 2500;
+    axes[FRONT_RIGHT].sealed.encoder.position_ticks = -148 * 2500;
     begin(FRONT_LEFT, 0, AXIS_REFERENCE_APPROACH);
     TEST_ASSERT_INT32_WITHIN(300, (100 - 152) * 2500,
                              escort_way_by_hand_ticks(&escort, &robot, axes));
@@ -329,14 +331,14 @@ void test_SWR_AXIS_052_the_way_by_hand_leads_to_the_middle_of_where_it_can_be(vo
 
 void test_SWR_AXIS_052_with_no_place_left_the_way_by_hand_leads_to_the_nearest_to_its_switch(void)
 {
-    axes[FRONT_RIGHT].encoder.position_ticks = -148 * 2500;
+    axes[FRONT_RIGHT].sealed.encoder.position_ticks = -148 * 2500;
     begin(FRONT_LEFT, 0, AXIS_REFERENCE_APPROACH);
-    axes[FRONT_LEFT].homing.start_ticks = -1000000;
+    axes[FRONT_LEFT].sealed.homing.start_ticks = -1000000;
     TEST_ASSERT_INT32_WITHIN(300, 472225 - (152 * 2500),
                              escort_way_by_hand_ticks(&escort, &robot, axes));
     grade(FRONT_LEFT, AXIS_REFERENCE_VERIFIED);
     begin(FRONT_RIGHT, 0, AXIS_REFERENCE_APPROACH);
-    axes[FRONT_RIGHT].homing.start_ticks = 1000000;
+    axes[FRONT_RIGHT].sealed.homing.start_ticks = 1000000;
     TEST_ASSERT_INT32_WITHIN(300, -472225 + (148 * 2500),
                              escort_way_by_hand_ticks(&escort, &robot, axes));
 }

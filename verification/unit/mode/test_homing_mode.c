@@ -96,7 +96,7 @@ void test_SWR_JOG_016_a_needle_that_is_in_leaves_alone_before_the_base_homes(voi
     while (needle_must_leave(&robot, axes)) {
         step();
         TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
-        TEST_ASSERT_TRUE(axes[NEURO_AXIS_INSERTION].setpoint_ticks <= 20000);
+        TEST_ASSERT_TRUE(axes[NEURO_AXIS_INSERTION].sealed.setpoint_ticks <= 20000);
         TEST_ASSERT_FALSE(axis_is_homing(&axes[NEURO_AXIS_LATERAL]));
         TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_LATERAL));
         TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_PITCH));
@@ -151,15 +151,15 @@ void test_SWR_AXIS_028_a_follower_goes_the_way_of_its_leader_and_the_others_rest
     for (uint32_t i = 0U; i < 1000U; i++) {
         step();
         TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
-        TEST_ASSERT_EQUAL_INT32(3040, axes[NEURO_AXIS_FEET].setpoint_ticks -
-                                          axes[NEURO_AXIS_HEAD].setpoint_ticks);
-        TEST_ASSERT_EQUAL_INT32(axes[NEURO_AXIS_HEAD].setpoint_speed_ticks_per_s_q8,
-                                axes[NEURO_AXIS_FEET].setpoint_speed_ticks_per_s_q8);
+        TEST_ASSERT_EQUAL_INT32(3040, axes[NEURO_AXIS_FEET].sealed.setpoint_ticks -
+                                          axes[NEURO_AXIS_HEAD].sealed.setpoint_ticks);
+        TEST_ASSERT_EQUAL_INT32(axes[NEURO_AXIS_HEAD].sealed.setpoint_speed_ticks_per_s_q8,
+                                axes[NEURO_AXIS_FEET].sealed.setpoint_speed_ticks_per_s_q8);
         TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_LATERAL));
         TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_YAW));
         world_follow();
     }
-    TEST_ASSERT_TRUE(axes[NEURO_AXIS_FEET].setpoint_ticks > 3100);
+    TEST_ASSERT_TRUE(axes[NEURO_AXIS_FEET].sealed.setpoint_ticks > 3100);
     TEST_ASSERT_EQUAL_UINT32(0U, result.note_count);
 }
 
@@ -181,11 +181,11 @@ void test_SWR_AXIS_031_the_distance_outlasts_a_pause_but_not_a_new_homing(void)
     mode_rest(&frame, &result);
     world_put(NEURO_AXIS_HEAD, -38);
     step();
-    TEST_ASSERT_EQUAL_INT32(3002, axes[NEURO_AXIS_FEET].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(3002, axes[NEURO_AXIS_FEET].sealed.setpoint_ticks);
     axis_stop_homing(&axes[NEURO_AXIS_HEAD]);
     mode_rest(&frame, &result);
     step();
-    TEST_ASSERT_EQUAL_INT32(3000, axes[NEURO_AXIS_FEET].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(3000, axes[NEURO_AXIS_FEET].sealed.setpoint_ticks);
 }
 
 void test_SWR_AXIS_029_a_follower_that_cannot_follow_fails_it_by_name(void)
@@ -236,8 +236,8 @@ void test_SWR_AXIS_051_the_last_of_a_block_homes_with_its_escort(void)
     }
     for (uint32_t i = 0U; i < 1000U; i++) {
         TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
-        TEST_ASSERT_EQUAL_INT32(-4960, axes[NEURO_AXIS_FEET].setpoint_ticks -
-                                           axes[NEURO_AXIS_HEAD].setpoint_ticks);
+        TEST_ASSERT_EQUAL_INT32(-4960, axes[NEURO_AXIS_FEET].sealed.setpoint_ticks -
+                                           axes[NEURO_AXIS_HEAD].sealed.setpoint_ticks);
         TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_YAW));
         world_follow();
         step();
@@ -266,14 +266,14 @@ void test_SWR_AXIS_051_an_escort_at_the_double_makes_its_leader_half_as_fast(voi
     start_with_escort();
     while ((result.progress == MODE_RUNNING) && (full == 0)) {
         step();
-        full = axes[NEURO_AXIS_HEAD].setpoint_speed_ticks_per_s_q8;
+        full = axes[NEURO_AXIS_HEAD].sealed.setpoint_speed_ticks_per_s_q8;
         world_follow();
     }
     escort.paces *= 2U;
-    homing_rest(&axes[NEURO_AXIS_HEAD].homing);
+    homing_rest(&axes[NEURO_AXIS_HEAD].sealed.homing);
     step();
-    TEST_ASSERT_EQUAL_INT32(full / 2, axes[NEURO_AXIS_HEAD].setpoint_speed_ticks_per_s_q8);
-    TEST_ASSERT_INT32_WITHIN(1, full, axes[NEURO_AXIS_FEET].setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_EQUAL_INT32(full / 2, axes[NEURO_AXIS_HEAD].sealed.setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_INT32_WITHIN(1, full, axes[NEURO_AXIS_FEET].sealed.setpoint_speed_ticks_per_s_q8);
 }
 
 void test_SWR_AXIS_052_without_any_escort_it_fails_with_the_way_by_hand(void)
@@ -303,8 +303,8 @@ static void start_with_two_unplaced(void)
     start_with_followers();
     robot.axes[NEURO_AXIS_LATERAL].leaders[ROBOT_HOME_STAGES - 1U] = 1U + NEURO_AXIS_HEAD;
     world_lose(NEURO_AXIS_LATERAL);
-    axes[NEURO_AXIS_HEAD].place = AXIS_PLACE_COUNTED | AXIS_PLACE_BROKEN;
-    axes[NEURO_AXIS_LATERAL].place = AXIS_PLACE_BROKEN;
+    axes[NEURO_AXIS_HEAD].sealed.place = AXIS_PLACE_COUNTED | AXIS_PLACE_BROKEN;
+    axes[NEURO_AXIS_LATERAL].sealed.place = AXIS_PLACE_BROKEN;
 }
 
 void test_SWR_AXIS_055_a_linkage_with_two_that_nobody_can_place_is_not_driven(void)
@@ -325,11 +325,11 @@ void test_SWR_AXIS_055_a_linkage_with_two_that_nobody_can_place_is_not_driven(vo
 void test_SWR_AXIS_055_one_that_stands_as_it_was_parked_has_the_block_driven(void)
 {
     start_with_two_unplaced();
-    axes[NEURO_AXIS_LATERAL].place = 0U;
+    axes[NEURO_AXIS_LATERAL].sealed.place = 0U;
     TEST_ASSERT_EQUAL_UINT32(robot.axis_count, homing_mode_unplaced(&robot, axes));
-    axes[NEURO_AXIS_LATERAL].place = AXIS_PLACE_COUNTED;
+    axes[NEURO_AXIS_LATERAL].sealed.place = AXIS_PLACE_COUNTED;
     TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_HEAD, homing_mode_unplaced(&robot, axes));
-    axes[NEURO_AXIS_HEAD].place = AXIS_PLACE_COUNTED;
+    axes[NEURO_AXIS_HEAD].sealed.place = AXIS_PLACE_COUNTED;
     TEST_ASSERT_EQUAL_UINT32(robot.axis_count, homing_mode_unplaced(&robot, axes));
 }
 
@@ -389,7 +389,7 @@ void test_SWR_ROBOT_024_all_axes_go_to_the_pose_with_the_needle_out(void)
     world_put(NEURO_AXIS_INSERTION, 20000);
     do {
         const bool is_out =
-            axes[NEURO_AXIS_INSERTION].encoder.position_ticks <= needle_out_ticks(&robot);
+            axes[NEURO_AXIS_INSERTION].sealed.encoder.position_ticks <= needle_out_ticks(&robot);
         step();
         TEST_ASSERT_TRUE(is_out || world_rests(NEURO_AXIS_FEET));
         TEST_ASSERT_LESS_THAN_UINT32(20000U, cycles);

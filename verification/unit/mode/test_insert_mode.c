@@ -59,7 +59,7 @@ void test_SWR_ALIGN_005_the_needle_goes_to_its_depth_and_the_base_stays(void)
     steps(LONG_CYCLES);
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
-        TEST_ASSERT_EQUAL_INT32(move.target_ticks[i], axes[i].encoder.position_ticks);
+        TEST_ASSERT_EQUAL_INT32(move.target_ticks[i], axes[i].sealed.encoder.position_ticks);
     }
 }
 
@@ -90,13 +90,13 @@ void test_SWR_ALIGN_005_it_does_not_begin_beside_the_line(void)
 void test_SWR_ALIGN_005_it_does_not_go_on_beside_the_line_nor_draw_the_needle_out(void)
 {
     steps(200U);
-    const int32_t depth = axes[NEURO_AXIS_INSERTION].encoder.position_ticks;
+    const int32_t depth = axes[NEURO_AXIS_INSERTION].sealed.encoder.position_ticks;
     TEST_ASSERT_GREATER_THAN_INT32(1000, depth);
     leg_stop(&leg);
     world_put(NEURO_AXIS_YAW, move.target_ticks[NEURO_AXIS_YAW] - 3);
     steps(10U);
     expect_given_up();
-    TEST_ASSERT_EQUAL_INT32(depth, axes[NEURO_AXIS_INSERTION].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(depth, axes[NEURO_AXIS_INSERTION].sealed.encoder.position_ticks);
 }
 
 void test_SWR_ALIGN_005_it_goes_on_after_a_pause_while_the_base_is_aligned(void)

@@ -106,7 +106,7 @@ void test_SWR_JOG_004_a_jog_drives_its_axis_alone_and_is_done_there(void)
         world_follow();
     }
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
-    TEST_ASSERT_EQUAL_INT32(45, axes[NEURO_AXIS_PITCH].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(45, axes[NEURO_AXIS_PITCH].sealed.encoder.position_ticks);
 }
 
 void test_SWR_AXIS_006_a_jog_keeps_to_the_cap_of_its_axis(void)
@@ -116,7 +116,8 @@ void test_SWR_AXIS_006_a_jog_keeps_to_the_cap_of_its_axis(void)
     frame.speed_cap_percent[NEURO_AXIS_HEAD] = 25U;
     while (result.progress == MODE_RUNNING) {
         jog_mode_step(&jog, &leg, &frame, &result);
-        TEST_ASSERT_INT32_WITHIN(most_q8, 0, axes[NEURO_AXIS_HEAD].setpoint_speed_ticks_per_s_q8);
+        TEST_ASSERT_INT32_WITHIN(most_q8, 0,
+                                 axes[NEURO_AXIS_HEAD].sealed.setpoint_speed_ticks_per_s_q8);
         world_follow();
     }
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);

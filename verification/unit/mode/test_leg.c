@@ -48,7 +48,7 @@ void test_SWR_DEMO_001_every_axis_arrives_and_then_rests(void)
 {
     (void)run(LEG_EVERY_AXIS);
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
-        TEST_ASSERT_EQUAL_INT32(ends[i], axes[i].encoder.position_ticks);
+        TEST_ASSERT_EQUAL_INT32(ends[i], axes[i].sealed.encoder.position_ticks);
         TEST_ASSERT_TRUE(world_rests(i));
     }
     TEST_ASSERT_EQUAL_UINT32(0U, leg.is_running);
@@ -65,9 +65,11 @@ void test_SWR_JOG_004_an_axis_that_is_not_of_the_leg_is_left_alone(void)
         TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_LATERAL));
         world_follow();
     }
-    TEST_ASSERT_EQUAL_INT32(ends[NEURO_AXIS_HEAD], axes[NEURO_AXIS_HEAD].encoder.position_ticks);
-    TEST_ASSERT_EQUAL_INT32(ends[NEURO_AXIS_YAW], axes[NEURO_AXIS_YAW].encoder.position_ticks);
-    TEST_ASSERT_EQUAL_INT32(-77, axes[NEURO_AXIS_FEET].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(ends[NEURO_AXIS_HEAD],
+                            axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(ends[NEURO_AXIS_YAW],
+                            axes[NEURO_AXIS_YAW].sealed.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(-77, axes[NEURO_AXIS_FEET].sealed.encoder.position_ticks);
 }
 
 void test_SWR_MOTION_006_it_has_arrived_after_fifty_cycles_at_its_end(void)
@@ -100,7 +102,7 @@ void test_SWR_PERMIT_005_the_slowest_cap_of_its_axes_is_not_exceeded(void)
         for (uint32_t i = 0U; i < robot.axis_count; i++) {
             const int64_t most_q8 =
                 (int64_t)robot.axes[i].speed_ticks_per_s * 256 * LIMIT_UNHOMED_SPEED_PERCENT / 100;
-            TEST_ASSERT_TRUE(axes[i].setpoint_speed_ticks_per_s_q8 <= most_q8);
+            TEST_ASSERT_TRUE(axes[i].sealed.setpoint_speed_ticks_per_s_q8 <= most_q8);
         }
         world_follow();
     }
@@ -149,9 +151,9 @@ void test_SWR_PEDAL_005_a_leg_that_was_stopped_begins_anew_from_where_the_axes_a
     TEST_ASSERT_EQUAL_UINT32(0U, leg.is_running);
     leg_begin(&leg, &frame, LEG_EVERY_AXIS, ends);
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
-        TEST_ASSERT_EQUAL_INT32(axes[i].encoder.position_ticks, leg.profile.start_ticks[i]);
+        TEST_ASSERT_EQUAL_INT32(axes[i].sealed.encoder.position_ticks, leg.profile.start_ticks[i]);
     }
     (void)leg_step(&leg, &frame, &result);
     TEST_ASSERT_INT32_WITHIN(robot.axes[NEURO_AXIS_HEAD].acceleration_ticks_per_s2 * 256 / 1000, 0,
-                             axes[NEURO_AXIS_HEAD].setpoint_speed_ticks_per_s_q8);
+                             axes[NEURO_AXIS_HEAD].sealed.setpoint_speed_ticks_per_s_q8);
 }

@@ -34,14 +34,14 @@
 #include <string.h>
 
 static mode_state_t mode;
-static const mode_request_t request = {.axes = LEG_AXIS(NEURO_AXIS_YAW),
-                                       .way = {.axis = NEURO_AXIS_YAW, .end_ticks = 200},
-                                       .move = {{-400, 150, -200, 0, 500, 30, -60}}};
+static const mode_request_t request = {.sealed.axes = LEG_AXIS(NEURO_AXIS_YAW),
+                                       .sealed.way = {.axis = NEURO_AXIS_YAW, .end_ticks = 200},
+                                       .sealed.move = {{-400, 150, -200, 0, 500, 30, -60}}};
 
 void setUp(void)
 {
     world_start();
-    mode = (mode_state_t){.kind = MODE_NONE};
+    mode = (mode_state_t){.sealed.kind = MODE_NONE};
 }
 
 void tearDown(void)
@@ -126,7 +126,7 @@ void test_SWR_MODE_001_each_mode_is_armed_by_its_command(void)
 static mode_request_t ask(mode_kind_t kind, const command_t *command)
 {
     const mode_asked_t asked = {
-        .command = command, .robot = &robot, .axes = axes, .list = &mode.list, .rows = NULL};
+        .command = command, .robot = &robot, .axes = axes, .list = &mode.sealed.list, .rows = NULL};
     return mode_ask(kind, &asked);
 }
 
@@ -140,18 +140,18 @@ void test_SWR_MODE_001_a_mode_makes_its_request_of_what_its_command_says(void)
     velocity.as.velocity.time_ms = 300U;
     velocity.as.velocity.speeds_ticks_per_s[2] = -9;
     mode_request_t made = ask(MODE_JOG, &jog);
-    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_HEAD), made.axes);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_HEAD, made.way.axis);
-    TEST_ASSERT_EQUAL_INT32(-70, made.way.end_ticks);
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_HEAD), made.sealed.axes);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_HEAD, made.sealed.way.axis);
+    TEST_ASSERT_EQUAL_INT32(-70, made.sealed.way.end_ticks);
     made = ask(MODE_SWEEP, &sweep);
-    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_PITCH), made.axes);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_PITCH, made.way.axis);
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_PITCH), made.sealed.axes);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_PITCH, made.sealed.way.axis);
     TEST_ASSERT_EQUAL_UINT32(1U, made.own.sweep.is_free);
     made = ask(MODE_HOME_AXIS, &home);
-    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_YAW), made.axes);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, made.way.axis);
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_YAW), made.sealed.axes);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, made.sealed.way.axis);
     made = ask(MODE_VELOCITY, &velocity);
-    TEST_ASSERT_EQUAL_HEX32(5U, made.axes);
+    TEST_ASSERT_EQUAL_HEX32(5U, made.sealed.axes);
     TEST_ASSERT_EQUAL_UINT32(300U, made.own.velocity.time_ms);
     TEST_ASSERT_EQUAL_INT32(-9, made.own.velocity.speeds_ticks_per_s[2]);
 }
@@ -161,13 +161,13 @@ void test_SWR_MODE_007_a_way_is_from_where_the_axis_stands_and_none_of_an_axis_t
 {
     command_t command = {.kind = COMMAND_JOG_BY, .as.jog_by = {NEURO_AXIS_HEAD, -70}};
     world_put(NEURO_AXIS_HEAD, 100);
-    TEST_ASSERT_EQUAL_INT32(30, ask(MODE_JOG, &command).way.end_ticks);
+    TEST_ASSERT_EQUAL_INT32(30, ask(MODE_JOG, &command).sealed.way.end_ticks);
     command.as.jog_by.by_ticks = INT32_MAX;
-    TEST_ASSERT_EQUAL_INT32(INT32_MAX, ask(MODE_JOG, &command).way.end_ticks);
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, ask(MODE_JOG, &command).sealed.way.end_ticks);
     command.as.jog_by.axis = robot.axis_count;
-    TEST_ASSERT_EQUAL_INT32(0, ask(MODE_JOG, &command).way.end_ticks);
+    TEST_ASSERT_EQUAL_INT32(0, ask(MODE_JOG, &command).sealed.way.end_ticks);
     command.as.jog_by.axis = ROBOT_AXIS_MAX;
-    TEST_ASSERT_EQUAL_HEX32(0U, ask(MODE_JOG, &command).axes);
+    TEST_ASSERT_EQUAL_HEX32(0U, ask(MODE_JOG, &command).sealed.axes);
 }
 
 void test_SWR_MODE_002_a_mode_needs_all_axes_the_commanded_ones_or_that_of_the_needle(void)
@@ -186,9 +186,9 @@ void test_SWR_MODE_002_a_mode_needs_all_axes_the_commanded_ones_or_that_of_the_n
 
 void test_SWR_MEMORY_006_a_mode_that_there_is_not_is_none(void)
 {
-    mode.kind = MODE_KIND_COUNT;
+    mode.sealed.kind = MODE_KIND_COUNT;
     TEST_ASSERT_EQUAL(MODE_NONE, mode_in(&mode, WORKPHASE_MANUAL));
-    mode.kind = UINT32_MAX;
+    mode.sealed.kind = UINT32_MAX;
     TEST_ASSERT_EQUAL(MODE_NONE, mode_in(&mode, WORKPHASE_MANUAL));
 }
 
@@ -240,7 +240,7 @@ void test_SWR_JOG_001_a_move_takes_the_needle_out_itself(void)
 /* So nothing drives it deeper from an unknown place, whatever the mode says. */
 void test_SWR_JOG_003_a_needle_that_is_drawn_out_heeds_itself(void)
 {
-    const mode_request_t needle = {.axes = mode_axes(MODE_RETRACT, 0U, &robot)};
+    const mode_request_t needle = {.sealed.axes = mode_axes(MODE_RETRACT, 0U, &robot)};
     mode_begin(&mode, MODE_RETRACT, &needle);
     TEST_ASSERT_TRUE(heeds(MODE_RETRACT, NEURO_AXIS_INSERTION, true));
     TEST_ASSERT_FALSE(heeds(MODE_RETRACT, NEURO_AXIS_LATERAL, true));
@@ -248,7 +248,7 @@ void test_SWR_JOG_003_a_needle_that_is_drawn_out_heeds_itself(void)
 
 void test_SWR_JOG_002_a_motion_of_one_axis_is_judged_before_it_is_armed_and_nothing_else_is(void)
 {
-    const mode_request_t no_axis = {.way = {.axis = 9U, .end_ticks = 0}};
+    const mode_request_t no_axis = {.sealed.way = {.axis = 9U, .end_ticks = 0}};
     TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND, mode_judge(MODE_JOG, &no_axis, &robot, axes).status);
     TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND,
                       mode_judge(MODE_HOME_AXIS, &no_axis, &robot, axes).status);
@@ -275,7 +275,7 @@ void test_SWR_ALIGN_001_an_alignment_and_then_an_insertion_run_to_their_ends(voi
     TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_INSERT, &request, &robot, axes).status);
     run();
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
-    TEST_ASSERT_EQUAL_INT32(-60, axes[NEURO_AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(-60, axes[NEURO_AXIS_YAW].sealed.encoder.position_ticks);
 }
 
 void test_SWR_POSE_001_a_pose_runs_to_its_end_and_heeds_the_needle(void)
@@ -284,8 +284,8 @@ void test_SWR_POSE_001_a_pose_runs_to_its_end_and_heeds_the_needle(void)
     begin(MODE_POSE, WORKPHASE_MANUAL);
     run();
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
-    TEST_ASSERT_EQUAL_INT32(-60, axes[NEURO_AXIS_YAW].encoder.position_ticks);
-    TEST_ASSERT_EQUAL_INT32(7, axes[NEURO_AXIS_INSERTION].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(-60, axes[NEURO_AXIS_YAW].sealed.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(7, axes[NEURO_AXIS_INSERTION].sealed.encoder.position_ticks);
     TEST_ASSERT_TRUE(heeds(MODE_POSE, NEURO_AXIS_LATERAL, true));
     TEST_ASSERT_FALSE(heeds(MODE_POSE, NEURO_AXIS_ROTATION, true));
 }
@@ -309,19 +309,19 @@ void test_SWR_PEDAL_005_without_the_pedal_every_mode_rests_and_goes_on_from_ther
 {
     begin(MODE_MOVE, WORKPHASE_MOVE_TO_TARGET);
     steps(300U);
-    TEST_ASSERT_EQUAL_UINT32(1U, mode.leg.is_running);
+    TEST_ASSERT_EQUAL_UINT32(1U, mode.sealed.leg.is_running);
     frame.is_moving = false;
     steps(1U);
     expect_rest();
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
     frame.is_moving = true;
-    const int32_t there = axes[NEURO_AXIS_HEAD].encoder.position_ticks;
+    const int32_t there = axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks;
     TEST_ASSERT_INT32_WITHIN(390, -200, there);
     steps(1U);
-    TEST_ASSERT_EQUAL_INT32(there, mode.leg.profile.start_ticks[NEURO_AXIS_HEAD]);
+    TEST_ASSERT_EQUAL_INT32(there, mode.sealed.leg.profile.start_ticks[NEURO_AXIS_HEAD]);
     run();
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
-    TEST_ASSERT_EQUAL_INT32(-400, axes[NEURO_AXIS_HEAD].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(-400, axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks);
     expect_rest();
 }
 
@@ -330,8 +330,8 @@ void test_SWR_JOG_004_a_jog_runs_to_its_end(void)
     begin(MODE_JOG, WORKPHASE_MANUAL);
     run();
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
-    TEST_ASSERT_EQUAL_INT32(200, axes[NEURO_AXIS_YAW].encoder.position_ticks);
-    TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_HEAD].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(200, axes[NEURO_AXIS_YAW].sealed.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks);
 }
 
 void test_SWR_MOTION_023_a_needle_that_is_out_is_retracted_already_even_without_the_pedal(void)
@@ -346,7 +346,7 @@ void test_SWR_MOTION_023_a_needle_that_is_out_is_retracted_already_even_without_
     run();
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
     expect_rest();
-    TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.is_running);
+    TEST_ASSERT_EQUAL_UINT32(0U, mode.sealed.leg.is_running);
     frame.is_moving = false;
     begin(MODE_RETRACT, WORKPHASE_MOVE_TO_TARGET);
     steps(1U);
@@ -377,7 +377,7 @@ void test_SWR_AXIS_006_homing_is_done_once_every_axis_is_homed_even_without_the_
 void test_SWR_MEMORY_002_an_armed_motion_that_is_not_known_any_more_fails_at_rest(void)
 {
     begin(MODE_MOVE, WORKPHASE_MOVE_TO_TARGET);
-    mode.kind ^= 4U;
+    mode.sealed.kind ^= 4U;
     mode_step(&mode, &frame, &result);
     TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
     TEST_ASSERT_EQUAL(STATUS_FAULT_PRESENT, result.status);
@@ -392,12 +392,12 @@ void test_SWR_PHASE_005_what_was_given_up_homes_no_axis_and_runs_no_leg(void)
     begin(MODE_HOMING, WORKPHASE_START_UP);
     steps(1U);
     TEST_ASSERT_TRUE(axis_is_homing(&axes[NEURO_AXIS_LATERAL]));
-    mode.leg.is_running = 1U;
-    mode.leg.settled_cycles = 3U;
+    mode.sealed.leg.is_running = 1U;
+    mode.sealed.leg.settled_cycles = 3U;
     mode_stop(&mode, axes, robot.axis_count);
     TEST_ASSERT_FALSE(axis_is_homing(&axes[NEURO_AXIS_LATERAL]));
-    TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.is_running);
-    TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.settled_cycles);
+    TEST_ASSERT_EQUAL_UINT32(0U, mode.sealed.leg.is_running);
+    TEST_ASSERT_EQUAL_UINT32(0U, mode.sealed.leg.settled_cycles);
 }
 
 void test_SWR_PHASE_005_a_mode_that_is_begun_does_not_go_on_with_the_leg_of_another(void)
@@ -405,9 +405,9 @@ void test_SWR_PHASE_005_a_mode_that_is_begun_does_not_go_on_with_the_leg_of_anot
     begin(MODE_MOVE, WORKPHASE_MOVE_TO_TARGET);
     steps(100U);
     begin(MODE_JOG, WORKPHASE_MANUAL);
-    TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.is_running);
+    TEST_ASSERT_EQUAL_UINT32(0U, mode.sealed.leg.is_running);
     steps(1U);
-    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_YAW), mode.leg.axes);
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(NEURO_AXIS_YAW), mode.sealed.leg.axes);
 }
 
 void test_SWR_EVENT_001_a_mode_notes_in_order_and_one_note_too_many_is_dropped(void)
@@ -425,22 +425,24 @@ void test_SWR_TRAJ_011_without_the_pedal_the_time_of_a_trajectory_stands(void)
 {
     static trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
     const trajectory_row_t row = {.time_ms = 20U};
-    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_begin(&mode.list, 2U));
-    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_add(&mode.list, rows, &robot, 0U, &row).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_begin(&mode.sealed.list, 2U));
+    TEST_ASSERT_EQUAL(STATUS_OK,
+                      trajectory_list_add(&mode.sealed.list, rows, &robot, 0U, &row).status);
     const trajectory_row_t last = {.time_ms = 2020U};
-    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_add(&mode.list, rows, &robot, 1U, &last).status);
-    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_end(&mode.list, mode.list.crc));
-    const mode_request_t run_it = {.span = {.start_ms = 20U}};
+    TEST_ASSERT_EQUAL(STATUS_OK,
+                      trajectory_list_add(&mode.sealed.list, rows, &robot, 1U, &last).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_end(&mode.sealed.list, mode.sealed.list.crc));
+    const mode_request_t run_it = {.sealed.span = {.start_ms = 20U}};
     frame.rows = rows;
     frame.workphase = WORKPHASE_MANUAL;
     mode_begin(&mode, MODE_TRAJECTORY, &run_it);
     steps(1000U);
-    const uint32_t time_us = mode.trajectory.time_us;
+    const uint32_t time_us = mode.sealed.trajectory.time_us;
     TEST_ASSERT_GREATER_THAN_UINT32(20000U, time_us);
     frame.is_moving = false;
     steps(100U);
     expect_rest();
-    TEST_ASSERT_EQUAL_UINT32(time_us, mode.trajectory.time_us);
+    TEST_ASSERT_EQUAL_UINT32(time_us, mode.sealed.trajectory.time_us);
     frame.is_moving = true;
     run();
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
@@ -451,16 +453,17 @@ static void begin_program(program_list_t *list)
 {
     const program_step_t there = {
         .depth_ticks = robot.axes[NEURO_AXIS_INSERTION].target_minimum_ticks, .dwell_ms = 400U};
-    mode_request_t asked = {.axes = LEG_EVERY_AXIS};
-    (void)memcpy(asked.move.target_ticks, robot.poses[POSE_HOME].ticks,
-                 sizeof asked.move.target_ticks);
-    asked.move.target_ticks[NEURO_AXIS_INSERTION] = there.depth_ticks;
+    mode_request_t asked = {.sealed.axes = LEG_EVERY_AXIS};
+    (void)memcpy(asked.sealed.move.target_ticks, robot.poses[POSE_HOME].ticks,
+                 sizeof asked.sealed.move.target_ticks);
+    asked.sealed.move.target_ticks[NEURO_AXIS_INSERTION] = there.depth_ticks;
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
-        world_put(i, asked.move.target_ticks[i]);
+        world_put(i, asked.sealed.move.target_ticks[i]);
     }
-    TEST_ASSERT_EQUAL(STATUS_OK, program_list_begin(list, 1U, 0U, asked.move.target_ticks));
-    TEST_ASSERT_EQUAL(STATUS_OK,
-                      program_list_add(list, &robot, asked.move.target_ticks, 0U, &there).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, program_list_begin(list, 1U, 0U, asked.sealed.move.target_ticks));
+    TEST_ASSERT_EQUAL(
+        STATUS_OK,
+        program_list_add(list, &robot, asked.sealed.move.target_ticks, 0U, &there).status);
     TEST_ASSERT_EQUAL(STATUS_OK, program_list_end(list, list->crc));
     frame.program = list;
     frame.workphase = WORKPHASE_MOVE_TO_TARGET;
@@ -470,10 +473,11 @@ static void begin_program(program_list_t *list)
 
 static void step_until_dwelling(void)
 {
-    for (uint32_t i = 0U; (i < 10000U) && (mode.program.stage != PROGRAM_STAGE_DWELLS); i++) {
+    for (uint32_t i = 0U; (i < 10000U) && (mode.sealed.program.stage != PROGRAM_STAGE_DWELLS);
+         i++) {
         steps(1U);
     }
-    TEST_ASSERT_EQUAL_UINT32(PROGRAM_STAGE_DWELLS, mode.program.stage);
+    TEST_ASSERT_EQUAL_UINT32(PROGRAM_STAGE_DWELLS, mode.sealed.program.stage);
 }
 
 void test_SWR_PROG_006_without_the_pedal_the_dwell_of_a_program_stands(void)
@@ -482,11 +486,11 @@ void test_SWR_PROG_006_without_the_pedal_the_dwell_of_a_program_stands(void)
     begin_program(&list);
     step_until_dwelling();
     steps(100U);
-    const uint32_t dwelt_us = mode.program.dwelt_us;
+    const uint32_t dwelt_us = mode.sealed.program.dwelt_us;
     frame.is_moving = false;
     steps(100U);
     expect_rest();
-    TEST_ASSERT_EQUAL_UINT32(dwelt_us, mode.program.dwelt_us);
+    TEST_ASSERT_EQUAL_UINT32(dwelt_us, mode.sealed.program.dwelt_us);
     frame.is_moving = true;
     run();
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
@@ -524,7 +528,7 @@ void test_SWR_PROG_011_share_and_time_left_are_those_of_the_dwell(void)
     mode_share_t share = mode_share(&mode, MODE_PROGRAM, axes, robot.axis_count);
     TEST_ASSERT_EQUAL_UINT32(250U, share.done_per_mille);
     TEST_ASSERT_EQUAL_UINT32(300U, share.left_ms);
-    mode.program.dwell_ms = 100U;
+    mode.sealed.program.dwell_ms = 100U;
     share = mode_share(&mode, MODE_PROGRAM, axes, robot.axis_count);
     TEST_ASSERT_EQUAL_UINT32(1000U, share.done_per_mille);
     TEST_ASSERT_EQUAL_UINT32(0U, share.left_ms);

@@ -47,14 +47,14 @@ static void expect_base_at(const int32_t ticks[ROBOT_AXIS_MAX])
 {
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         if (i != (uint32_t)NEURO_AXIS_INSERTION) {
-            TEST_ASSERT_EQUAL_INT32(ticks[i], axes[i].encoder.position_ticks);
+            TEST_ASSERT_EQUAL_INT32(ticks[i], axes[i].sealed.encoder.position_ticks);
         }
     }
 }
 
 static void expect_needle_at(int32_t ticks)
 {
-    TEST_ASSERT_EQUAL_INT32(ticks, axes[NEURO_AXIS_INSERTION].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(ticks, axes[NEURO_AXIS_INSERTION].sealed.encoder.position_ticks);
 }
 
 void test_SWR_MOTION_002_retract_align_insert(void)

@@ -63,7 +63,7 @@ void test_SWR_POSE_001_every_axis_but_the_needle_goes_to_the_pose_in_step(void)
             const int32_t place = (i == (uint32_t)NEURO_AXIS_INSERTION)
                                       ? OUT_TICKS
                                       : robot_neuro.poses[pose].ticks[i];
-            TEST_ASSERT_EQUAL_INT32(place, axes[i].encoder.position_ticks);
+            TEST_ASSERT_EQUAL_INT32(place, axes[i].sealed.encoder.position_ticks);
         }
     }
 }

@@ -138,8 +138,8 @@ void test_SWR_PROG_008_while_the_gate_says_stop_it_is_not_run(void)
 void test_SWR_PROG_006_each_step_is_gone_to_and_dwelt_in(void)
 {
     step_until_there(0U);
-    TEST_ASSERT_EQUAL_INT32(DEPTH - 5000, axes[NEURO_AXIS_INSERTION].setpoint_ticks);
-    TEST_ASSERT_EQUAL_INT32(200, axes[NEURO_AXIS_ROTATION].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(DEPTH - 5000, axes[NEURO_AXIS_INSERTION].sealed.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(200, axes[NEURO_AXIS_ROTATION].sealed.setpoint_ticks);
     steps(DWELL_MS - 1U);
     TEST_ASSERT_EQUAL_UINT32(0U, mode.step);
     TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_INSERTION));
@@ -148,8 +148,8 @@ void test_SWR_PROG_006_each_step_is_gone_to_and_dwelt_in(void)
     expect_step_note(1U, 0);
     TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
     step_until_there(1U);
-    TEST_ASSERT_EQUAL_INT32(DEPTH, axes[NEURO_AXIS_INSERTION].setpoint_ticks);
-    TEST_ASSERT_EQUAL_INT32(-100, axes[NEURO_AXIS_ROTATION].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(DEPTH, axes[NEURO_AXIS_INSERTION].sealed.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(-100, axes[NEURO_AXIS_ROTATION].sealed.setpoint_ticks);
     steps(DWELL_MS - 1U);
     step();
     expect_step_note(2U, 0);
@@ -168,7 +168,7 @@ void test_SWR_PROG_005_all_other_axes_rest(void)
         TEST_ASSERT_TRUE(world_rests(NEURO_AXIS_YAW));
     }
     TEST_ASSERT_EQUAL_INT32(target.target_ticks[NEURO_AXIS_LATERAL] + 2,
-                            axes[NEURO_AXIS_LATERAL].setpoint_ticks);
+                            axes[NEURO_AXIS_LATERAL].sealed.setpoint_ticks);
 }
 
 void test_SWR_PROG_006_beside_the_step_no_time_counts(void)
@@ -186,7 +186,7 @@ void test_SWR_PROG_006_beside_the_step_no_time_counts(void)
     for (uint32_t i = 0U; (i < LONG_CYCLES) && (mode.stage != PROGRAM_STAGE_DWELLS); i++) {
         step();
     }
-    TEST_ASSERT_EQUAL_INT32(DEPTH - 5000, axes[NEURO_AXIS_INSERTION].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(DEPTH - 5000, axes[NEURO_AXIS_INSERTION].sealed.setpoint_ticks);
     world_put(NEURO_AXIS_ROTATION, 200 - robot.axes[NEURO_AXIS_ROTATION].deadband_ticks - 3);
     steps(1U);
     TEST_ASSERT_EQUAL_UINT32(PROGRAM_STAGE_GOES, mode.stage);
@@ -288,7 +288,7 @@ void test_SWR_PROG_005_a_robot_that_turns_no_needle_goes_to_depths(void)
     world_put(NEURO_AXIS_ROTATION, target.target_ticks[NEURO_AXIS_ROTATION]);
     expect_judged(STATUS_OK);
     step_until_there(0U);
-    TEST_ASSERT_EQUAL_INT32(DEPTH - 5000, axes[NEURO_AXIS_INSERTION].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(DEPTH - 5000, axes[NEURO_AXIS_INSERTION].sealed.setpoint_ticks);
     TEST_ASSERT_EQUAL_INT32(target.target_ticks[NEURO_AXIS_ROTATION],
-                            axes[NEURO_AXIS_ROTATION].encoder.position_ticks);
+                            axes[NEURO_AXIS_ROTATION].sealed.encoder.position_ticks);
 }

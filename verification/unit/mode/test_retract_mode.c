@@ -45,7 +45,7 @@ void tearDown(void)
 
 static int32_t needle_ticks(void)
 {
-    return axes[NEURO_AXIS_INSERTION].encoder.position_ticks;
+    return axes[NEURO_AXIS_INSERTION].sealed.encoder.position_ticks;
 }
 
 static bool is_driven_inwards(void)
@@ -81,7 +81,7 @@ void test_SWR_MOTION_023_the_needle_goes_outwards_and_nothing_else_moves(void)
                              needle_retracted_ticks(&robot), needle_ticks());
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         TEST_ASSERT_EQUAL_INT32((i == (uint32_t)NEURO_AXIS_INSERTION) ? needle_ticks() : base[i],
-                                axes[i].encoder.position_ticks);
+                                axes[i].sealed.encoder.position_ticks);
     }
     TEST_ASSERT_EQUAL_UINT32(0U, result.note_count);
 }
@@ -98,7 +98,8 @@ void test_SWR_MOTION_023_the_other_axes_rest(void)
     step();
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         if (i != (uint32_t)NEURO_AXIS_INSERTION) {
-            TEST_ASSERT_EQUAL_INT32(axes[i].encoder.position_ticks, axes[i].setpoint_ticks);
+            TEST_ASSERT_EQUAL_INT32(axes[i].sealed.encoder.position_ticks,
+                                    axes[i].sealed.setpoint_ticks);
             TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, result.requests[i].mode);
         }
     }
@@ -168,7 +169,7 @@ void test_SWR_MODE_005_without_a_reference_it_ends_at_its_switch_which_says_noth
     void)
 {
     world_put(NEURO_AXIS_INSERTION, DEEP_TICKS);
-    axes[NEURO_AXIS_INSERTION].limit_switches = 1U;
+    axes[NEURO_AXIS_INSERTION].sealed.limit_switches = 1U;
     TEST_ASSERT_FALSE(retract_mode_is_done(end_ticks, &frame));
     world_lose(NEURO_AXIS_INSERTION);
     TEST_ASSERT_TRUE(retract_mode_is_done(DEEP_TICKS - stroke_ticks(), &frame));
@@ -187,7 +188,7 @@ void test_SWR_MODE_005_without_a_reference_it_goes_outwards_only_and_no_faster_t
         TEST_ASSERT_LESS_OR_EQUAL_INT32(before, needle_ticks());
         TEST_ASSERT_LESS_OR_EQUAL_INT32(
             256 * robot.axes[NEURO_AXIS_INSERTION].home_speed_ticks_per_s + 256,
-            -axes[NEURO_AXIS_INSERTION].setpoint_speed_ticks_per_s_q8);
+            -axes[NEURO_AXIS_INSERTION].sealed.setpoint_speed_ticks_per_s_q8);
         before = needle_ticks();
     }
 }

@@ -91,7 +91,7 @@ static void steps(uint32_t count)
 
 static int32_t yaw(void)
 {
-    return axes[NEURO_AXIS_YAW].setpoint_ticks;
+    return axes[NEURO_AXIS_YAW].sealed.setpoint_ticks;
 }
 
 static void expect_judged(status_t status, uint32_t axis)
@@ -162,7 +162,7 @@ void test_SWR_TRAJ_008_it_begins_with_a_way_from_where_the_axes_stand(void)
     TEST_ASSERT_INT32_WITHIN(1, 200, yaw());
     step_until_on_way();
     TEST_ASSERT_EQUAL_INT32(0, yaw());
-    TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_ROTATION].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_ROTATION].sealed.setpoint_ticks);
     TEST_ASSERT_EQUAL_UINT32(500000U, mode.time_us);
 }
 
@@ -171,7 +171,8 @@ void test_SWR_TRAJ_009_each_row_is_met_in_its_cycle(void)
     step_until_on_way();
     steps(1000U);
     TEST_ASSERT_EQUAL_INT32(-PEAK, yaw());
-    TEST_ASSERT_INT32_WITHIN(1, -400 * 256, axes[NEURO_AXIS_YAW].setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_INT32_WITHIN(1, -400 * 256,
+                             axes[NEURO_AXIS_YAW].sealed.setpoint_speed_ticks_per_s_q8);
     TEST_ASSERT_EQUAL_UINT32(1U, mode.row);
     steps(999U);
     TEST_ASSERT_INT32_WITHIN(1, -2 * PEAK, yaw());
@@ -255,7 +256,7 @@ void test_SWR_TRAJ_011_time_gains_its_pace_after_a_pause(void)
     const uint32_t time_us = mode.time_us;
     step();
     TEST_ASSERT_EQUAL_UINT32(LIMIT_CYCLE_US / cycles, mode.time_us - time_us);
-    TEST_ASSERT_INT32_WITHIN(256, 0, axes[NEURO_AXIS_YAW].setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_INT32_WITHIN(256, 0, axes[NEURO_AXIS_YAW].sealed.setpoint_speed_ticks_per_s_q8);
     steps(cycles - 1U);
     TEST_ASSERT_UINT32_WITHIN(2U * LIMIT_CYCLE_US, LIMIT_TRAJECTORY_RAMP_US / 2U,
                               mode.time_us - time_us);

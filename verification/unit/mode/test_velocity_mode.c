@@ -64,7 +64,7 @@ static void ask(uint32_t axis, int32_t speed_ticks_per_s, int32_t bound)
 static void put(uint32_t axis, int32_t ticks)
 {
     world_put(axis, ticks);
-    axes[axis].setpoint_ticks = ticks;
+    axes[axis].sealed.setpoint_ticks = ticks;
 }
 
 static void expect(status_t status, uint32_t axis)
@@ -84,7 +84,7 @@ static void expect_ramps(void)
 {
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         const axis_config_t *const config = &robot.axes[i];
-        const int32_t now_q8 = axes[i].setpoint_speed_ticks_per_s_q8;
+        const int32_t now_q8 = axes[i].sealed.setpoint_speed_ticks_per_s_q8;
         const int32_t step_q8 = (config->acceleration_ticks_per_s2 * 256) / 1000;
         const int32_t most_q8 =
             (config->speed_ticks_per_s * 256 / 100) * (int32_t)frame.speed_cap_percent[i];
@@ -223,11 +223,11 @@ void test_SWR_VEL_005_six_hundred_ticks_at_the_speed_of_the_thesis(void)
     }
     TEST_ASSERT_EQUAL_INT32(-833 * 256, fastest_q8);
     TEST_ASSERT_EQUAL_INT32(VELOCITY_END_WAY, result.notes[0].value);
-    TEST_ASSERT_EQUAL_INT32(-600, axes[NEURO_AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(-600, axes[NEURO_AXIS_YAW].sealed.encoder.position_ticks);
     /* 600 / 833 + 833 / 1929 s, and the last hundredths of a tick. */
     TEST_ASSERT_UINT32_WITHIN(20U, 1160U, cycles);
     finish(STATUS_OK, 0U);
-    TEST_ASSERT_EQUAL_INT32(-600, axes[NEURO_AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(-600, axes[NEURO_AXIS_YAW].sealed.encoder.position_ticks);
 }
 
 void test_SWR_VEL_005_each_way_is_met_to_the_tick(void)
@@ -240,7 +240,7 @@ void test_SWR_VEL_005_each_way_is_met_to_the_tick(void)
         const int32_t sign = ((i & 1U) != 0U) ? 1 : -1;
         ask(NEURO_AXIS_ROTATION, sign * speed, -way);
         TEST_ASSERT_EQUAL(VELOCITY_END_WAY, run_down(NEURO_AXIS_ROTATION));
-        TEST_ASSERT_EQUAL_INT32(sign * way, axes[NEURO_AXIS_ROTATION].setpoint_ticks);
+        TEST_ASSERT_EQUAL_INT32(sign * way, axes[NEURO_AXIS_ROTATION].sealed.setpoint_ticks);
     }
 }
 
@@ -248,7 +248,7 @@ void test_SWR_VEL_005_a_slow_way_ends_with_the_longest_time(void)
 {
     ask(NEURO_AXIS_YAW, -1, -600);
     TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(NEURO_AXIS_YAW));
-    TEST_ASSERT_EQUAL_INT32(-60, axes[NEURO_AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(-60, axes[NEURO_AXIS_YAW].sealed.encoder.position_ticks);
     finish(STATUS_OK, 0U);
 }
 
@@ -263,8 +263,8 @@ void test_SWR_VEL_004_every_set_point_is_at_rest_when_the_time_is_over(void)
             step();
             TEST_ASSERT_TRUE(((int32_t)cycles == times_ms[i]) || is_ramping());
         }
-        TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_YAW].setpoint_speed_ticks_per_s_q8);
-        TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_PITCH].setpoint_speed_ticks_per_s_q8);
+        TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_YAW].sealed.setpoint_speed_ticks_per_s_q8);
+        TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_PITCH].sealed.setpoint_speed_ticks_per_s_q8);
         TEST_ASSERT_EQUAL_UINT32(1U, leg.is_running);
         finish(STATUS_OK, 0U);
     }
@@ -309,7 +309,7 @@ void test_SWR_VEL_003_an_axis_that_is_not_homed_keeps_to_its_home_speed(void)
 
 static velocity_end_t end_at(uint32_t axis, int32_t soft_ticks, int32_t zone_ticks)
 {
-    return (axes[axis].setpoint_ticks == soft_ticks) && (soft_ticks == zone_ticks)
+    return (axes[axis].sealed.setpoint_ticks == soft_ticks) && (soft_ticks == zone_ticks)
                ? VELOCITY_END_SOFT_LIMIT
                : VELOCITY_END_SWITCH_ZONE;
 }
@@ -333,7 +333,7 @@ static void run_to_limit(uint32_t axis, bool is_up)
     put(axis, start);
     ask(axis, is_up ? speed : -speed, (int32_t)LIMIT_VELOCITY_TIME_MS);
     const velocity_end_t end = run_down(axis);
-    TEST_ASSERT_EQUAL_INT32(target, axes[axis].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(target, axes[axis].sealed.setpoint_ticks);
     TEST_ASSERT_EQUAL(end_at(axis, soft, target), end);
     finish((end == VELOCITY_END_SOFT_LIMIT) ? STATUS_AXIS_LIMIT : STATUS_SWITCH_ZONE, axis);
 }
@@ -357,7 +357,7 @@ void test_SWR_VEL_006_what_stands_in_the_zone_of_its_switch_does_not_go_on(void)
     put(NEURO_AXIS_YAW, 8);
     ask(NEURO_AXIS_YAW, 100, 1000);
     TEST_ASSERT_EQUAL(VELOCITY_END_SWITCH_ZONE, run_down(NEURO_AXIS_YAW));
-    TEST_ASSERT_EQUAL_INT32(8, axes[NEURO_AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(8, axes[NEURO_AXIS_YAW].sealed.encoder.position_ticks);
     finish(STATUS_SWITCH_ZONE, NEURO_AXIS_YAW);
 }
 
@@ -365,9 +365,9 @@ static int64_t separation_nm(void)
 {
     joints_t joints = {.value = {0}};
     joints.value[NEURO_AXIS_HEAD] =
-        joints_of(&robot.axes[NEURO_AXIS_HEAD], axes[NEURO_AXIS_HEAD].setpoint_ticks);
+        joints_of(&robot.axes[NEURO_AXIS_HEAD], axes[NEURO_AXIS_HEAD].sealed.setpoint_ticks);
     joints.value[NEURO_AXIS_FEET] =
-        joints_of(&robot.axes[NEURO_AXIS_FEET], axes[NEURO_AXIS_FEET].setpoint_ticks);
+        joints_of(&robot.axes[NEURO_AXIS_FEET], axes[NEURO_AXIS_FEET].sealed.setpoint_ticks);
     return kinematics_coupled(&robot, 0U, &joints);
 }
 
@@ -443,7 +443,7 @@ void test_SWR_VEL_008_before_homing_a_short_way_at_home_speed(void)
     put(NEURO_AXIS_YAW, 5);
     ask(NEURO_AXIS_YAW, 833, 5000);
     TEST_ASSERT_EQUAL(VELOCITY_END_SHORT_WAY, run_down(NEURO_AXIS_YAW));
-    TEST_ASSERT_EQUAL_INT32(5 + way, axes[NEURO_AXIS_YAW].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(5 + way, axes[NEURO_AXIS_YAW].sealed.setpoint_ticks);
     finish(STATUS_JOG_TOO_FAR, NEURO_AXIS_YAW);
 }
 
@@ -455,7 +455,7 @@ void test_SWR_VEL_008_what_shares_a_limit_with_one_that_is_not_homed_as_well(voi
     put(NEURO_AXIS_FEET, 100);
     ask(NEURO_AXIS_FEET, -196, 5000);
     TEST_ASSERT_EQUAL(VELOCITY_END_SHORT_WAY, run_down(NEURO_AXIS_FEET));
-    TEST_ASSERT_EQUAL_INT32(100 - way, axes[NEURO_AXIS_FEET].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(100 - way, axes[NEURO_AXIS_FEET].sealed.setpoint_ticks);
 }
 
 void test_SWR_VEL_008_its_switch_ends_it_where_it_stands(void)
@@ -465,11 +465,11 @@ void test_SWR_VEL_008_its_switch_ends_it_where_it_stands(void)
     for (uint32_t i = 0U; i < 60U; i++) {
         step();
     }
-    const int32_t met = axes[NEURO_AXIS_YAW].encoder.position_ticks;
-    axes[NEURO_AXIS_YAW].limit_switches = CARD_LIMIT_UPPER;
+    const int32_t met = axes[NEURO_AXIS_YAW].sealed.encoder.position_ticks;
+    axes[NEURO_AXIS_YAW].sealed.limit_switches = CARD_LIMIT_UPPER;
     do {
         step();
-        put(NEURO_AXIS_YAW, axes[NEURO_AXIS_YAW].setpoint_ticks);
+        put(NEURO_AXIS_YAW, axes[NEURO_AXIS_YAW].sealed.setpoint_ticks);
         world_put(NEURO_AXIS_YAW, met);
     } while (is_ramping());
     TEST_ASSERT_EQUAL_INT32(VELOCITY_END_SWITCH_ZONE, result.notes[0].value);
@@ -478,7 +478,7 @@ void test_SWR_VEL_008_its_switch_ends_it_where_it_stands(void)
     /* Away from it. */
     setUp();
     world_lose(NEURO_AXIS_YAW);
-    axes[NEURO_AXIS_YAW].limit_switches = CARD_LIMIT_UPPER;
+    axes[NEURO_AXIS_YAW].sealed.limit_switches = CARD_LIMIT_UPPER;
     ask(NEURO_AXIS_YAW, -200, 100);
     TEST_ASSERT_EQUAL(VELOCITY_END_TIME, run_down(NEURO_AXIS_YAW));
 }
@@ -490,10 +490,10 @@ void test_SWR_VEL_010_a_pause_leaves_what_is_left_of_the_way(void)
         step();
     }
     rest_one_cycle();
-    world_put(NEURO_AXIS_YAW, axes[NEURO_AXIS_YAW].encoder.position_ticks - 2);
+    world_put(NEURO_AXIS_YAW, axes[NEURO_AXIS_YAW].sealed.encoder.position_ticks - 2);
     rest_one_cycle();
     TEST_ASSERT_EQUAL(VELOCITY_END_WAY, run_down(NEURO_AXIS_YAW));
-    TEST_ASSERT_EQUAL_INT32(-600, axes[NEURO_AXIS_YAW].setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(-600, axes[NEURO_AXIS_YAW].sealed.setpoint_ticks);
 }
 
 void test_SWR_VEL_010_a_pause_leaves_what_is_left_of_the_time(void)
@@ -522,7 +522,7 @@ void test_SWR_VEL_010_what_has_ended_does_not_start_again(void)
     while (result.progress == MODE_RUNNING) {
         step();
         TEST_ASSERT_EQUAL_UINT32(0U, result.note_count);
-        TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_FEET].encoder.position_ticks);
+        TEST_ASSERT_EQUAL_INT32(0, axes[NEURO_AXIS_FEET].sealed.encoder.position_ticks);
     }
     TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, result.status);
 }

@@ -90,7 +90,7 @@ static controller_t controller;
 
 static void push_checkpoint(uint32_t cycle)
 {
-    controller.cycle = cycle;
+    controller.sealed.cycle = cycle;
     TEST_ASSERT_TRUE(exchange_push_checkpoint(exchange, &controller));
 }
 
@@ -487,7 +487,7 @@ static void hold_rows(uint32_t count, uint32_t first)
 
     outputs.answer_count = 1U;
     outputs.answers[0] = (answer_t){.command = COMMAND_LIST_BEGIN, .kind = ANSWER_ACCEPTED};
-    controller.mode.list.count = count;
+    controller.mode.sealed.list.count = count;
     for (uint32_t i = 0U; i < count; i++) {
         controller.rows[i].time_ms = first + i;
     }

@@ -109,7 +109,7 @@ void test_SWR_COUPLE_001_that_the_other_axis_comes_back_counts_for_nothing(void)
     requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, true);
     requests[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, true);
     sent[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, true);
-    axes[NEURO_AXIS_FEET].encoder.speed_ticks_per_s_q8 = 900 * 256;
+    axes[NEURO_AXIS_FEET].sealed.encoder.speed_ticks_per_s_q8 = 900 * 256;
     expect_way(NEURO_AXIS_HEAD, true, DRIVEN_TICKS, RESTING_TICKS);
 }
 
@@ -117,14 +117,14 @@ void test_SWR_COUPLE_001_that_the_other_axis_comes_back_counts_for_nothing(void)
 void test_SWR_COUPLE_001_an_axis_that_is_faster_than_its_motor_is_believed(void)
 {
     requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, false);
-    axes[NEURO_AXIS_HEAD].encoder.speed_ticks_per_s_q8 = -3000 * 256;
-    axes[NEURO_AXIS_FEET].encoder.speed_ticks_per_s_q8 = 3000 * 256;
+    axes[NEURO_AXIS_HEAD].sealed.encoder.speed_ticks_per_s_q8 = -3000 * 256;
+    axes[NEURO_AXIS_FEET].sealed.encoder.speed_ticks_per_s_q8 = 3000 * 256;
     expect_way(NEURO_AXIS_HEAD, false, 15, 15);
 }
 
 void test_SWR_COUPLE_001_outside_of_the_range_the_way_back_is_free(void)
 {
-    axes[NEURO_AXIS_HEAD].encoder.position_ticks = -8000;
+    axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks = -8000;
     requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, true);
     requests[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, false);
     TEST_ASSERT_FALSE(is_blocked(NEURO_AXIS_HEAD));
@@ -146,7 +146,7 @@ static void expect_end(uint32_t axis, int32_t ticks, coupled_side_t side)
 
 void test_SWR_COUPLE_001_a_limit_is_in_force_for_its_own_axes_once_both_are_homed(void)
 {
-    axes[NEURO_AXIS_HEAD].encoder.position_ticks = -8000;
+    axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks = -8000;
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const bool is_of_limit =
             (i == (uint32_t)NEURO_AXIS_HEAD) || (i == (uint32_t)NEURO_AXIS_FEET);
@@ -167,7 +167,7 @@ void test_SWR_COUPLE_001_a_limit_is_in_force_for_its_own_axes_once_both_are_home
 static void put_feet_out(int32_t beyond_ticks)
 {
     axes[NEURO_AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
-    axes[NEURO_AXIS_FEET].encoder.position_ticks = -100 - beyond_ticks;
+    axes[NEURO_AXIS_FEET].sealed.encoder.position_ticks = -100 - beyond_ticks;
     robot.coupled_limits[0].maximum = home_nm() + nm(100);
 }
 
@@ -204,13 +204,13 @@ void test_SWR_COUPLE_003_the_second_axis_of_a_limit_is_barred_as_the_first(void)
     robot.axes[NEURO_AXIS_FEET].limit_switch = (uint8_t)LIMIT_SWITCH_LOWER;
     robot.axes[NEURO_AXIS_FEET].home_ticks = -50;
     axes[NEURO_AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
-    axes[NEURO_AXIS_FEET].encoder.position_ticks = -9999;
-    axes[NEURO_AXIS_HEAD].encoder.position_ticks = 50;
+    axes[NEURO_AXIS_FEET].sealed.encoder.position_ticks = -9999;
+    axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks = 50;
     robot.coupled_limits[0].maximum = home_nm() + nm(100);
     requests[NEURO_AXIS_FEET] = drive(NEURO_AXIS_FEET, false);
     TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, NEURO_AXIS_FEET));
     TEST_ASSERT_FALSE(is_blocked(NEURO_AXIS_FEET));
-    axes[NEURO_AXIS_HEAD].encoder.position_ticks = 51;
+    axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks = 51;
     TEST_ASSERT_TRUE(coupled_guard_bars_homing(&robot, axes, NEURO_AXIS_FEET));
     TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, NEURO_AXIS_HEAD));
     TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_FEET));
@@ -234,7 +234,7 @@ void test_SWR_COUPLE_003_an_axis_without_a_switch_or_without_a_limit_is_not_barr
 {
     axes[NEURO_AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
     axes[NEURO_AXIS_LATERAL].chart.reference = AXIS_REFERENCE_LOST;
-    axes[NEURO_AXIS_HEAD].encoder.position_ticks = -9999;
+    axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks = -9999;
     expect_barred(false);
 }
 
@@ -271,13 +271,13 @@ void test_SWR_COUPLE_003_one_of_an_escort_goes_where_its_counts_allow(void)
     robot.axes[NEURO_AXIS_HEAD].leaders[0] = 1U + NEURO_AXIS_YAW;
     robot.axes[NEURO_AXIS_LATERAL].leaders[0] = 1U + NEURO_AXIS_YAW;
     requests[NEURO_AXIS_HEAD] = drive(NEURO_AXIS_HEAD, true);
-    axes[NEURO_AXIS_HEAD].place = AXIS_PLACE_COUNTED;
+    axes[NEURO_AXIS_HEAD].sealed.place = AXIS_PLACE_COUNTED;
     TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_HEAD));
     axes[NEURO_AXIS_LATERAL].chart.reference = AXIS_REFERENCE_APPROACH;
     TEST_ASSERT_FALSE(is_blocked(NEURO_AXIS_HEAD));
-    axes[NEURO_AXIS_HEAD].place |= AXIS_PLACE_BROKEN;
+    axes[NEURO_AXIS_HEAD].sealed.place |= AXIS_PLACE_BROKEN;
     TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_HEAD));
-    axes[NEURO_AXIS_HEAD].place = AXIS_PLACE_COUNTED;
+    axes[NEURO_AXIS_HEAD].sealed.place = AXIS_PLACE_COUNTED;
     axes[NEURO_AXIS_HEAD].chart.reference = AXIS_REFERENCE_APPROACH;
     TEST_ASSERT_TRUE(is_blocked(NEURO_AXIS_HEAD));
     axes[NEURO_AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
@@ -291,8 +291,8 @@ static bool is_missed(uint32_t axis, int32_t head_ticks)
 {
     robot.coupled_limits[0].minimum = home_nm() - nm(100);
     robot.coupled_limits[0].maximum = home_nm() + nm(100);
-    axes[NEURO_AXIS_HEAD].encoder.position_ticks = head_ticks;
-    axes[NEURO_AXIS_FEET].encoder.position_ticks = 0;
+    axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks = head_ticks;
+    axes[NEURO_AXIS_FEET].sealed.encoder.position_ticks = 0;
     return coupled_guard_is_missed(&robot, axes, axis);
 }
 
@@ -331,12 +331,12 @@ void test_SWR_JOG_002_an_axis_is_known_when_it_and_its_partners_are_homed(void)
 
 void test_SWR_COUPLE_002_an_end_is_judged_with_the_other_axis_where_it_stands(void)
 {
-    axes[NEURO_AXIS_HEAD].encoder.position_ticks = -5000;
+    axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks = -5000;
     expect_end(NEURO_AXIS_FEET, 0, COUPLED_LIMIT_INSIDE);
     expect_end(NEURO_AXIS_FEET, 500, COUPLED_LIMIT_BELOW);
     expect_end(NEURO_AXIS_FEET, -5300, COUPLED_LIMIT_ABOVE);
     expect_end(NEURO_AXIS_LATERAL, -90000, COUPLED_LIMIT_INSIDE);
-    axes[NEURO_AXIS_FEET].encoder.position_ticks = 500;
+    axes[NEURO_AXIS_FEET].sealed.encoder.position_ticks = 500;
     expect_end(NEURO_AXIS_HEAD, -5000, COUPLED_LIMIT_BELOW);
     expect_end(NEURO_AXIS_HEAD, -4000, COUPLED_LIMIT_INSIDE);
     expect_end(NEURO_AXIS_HEAD, 800, COUPLED_LIMIT_ABOVE);
@@ -356,8 +356,8 @@ static status_t judged_homing(uint32_t axis)
 /* The head's home is 0, that of the feet as well. */
 void test_SWR_AXIS_036_whoever_homes_alone_ends_within_the_limit_or_is_refused(void)
 {
-    axes[NEURO_AXIS_HEAD].encoder.position_ticks = -3000;
-    axes[NEURO_AXIS_FEET].encoder.position_ticks = -100;
+    axes[NEURO_AXIS_HEAD].sealed.encoder.position_ticks = -3000;
+    axes[NEURO_AXIS_FEET].sealed.encoder.position_ticks = -100;
     robot.coupled_limits[0].minimum = home_nm() + nm(100);
     robot.coupled_limits[0].maximum = home_nm() + nm(100);
     TEST_ASSERT_EQUAL(STATUS_OK, judged_homing(NEURO_AXIS_HEAD));

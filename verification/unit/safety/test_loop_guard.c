@@ -38,35 +38,35 @@ void tearDown(void)
 
 void test_SWR_LOOP_001_an_interval_at_the_limit_is_punctual(void)
 {
-    TEST_ASSERT_EQUAL_UINT32(0U, guard.overruns);
+    TEST_ASSERT_EQUAL_UINT32(0U, guard.sealed.overruns);
     loop_guard_step(&guard, PUNCTUAL_US, STAGE);
-    TEST_ASSERT_EQUAL_UINT32(0U, guard.overruns);
+    TEST_ASSERT_EQUAL_UINT32(0U, guard.sealed.overruns);
     TEST_ASSERT_EQUAL_UINT32(LOOP_GUARD_STATE_ON_TIME, guard.chart.state);
 }
 
 void test_SWR_LOOP_001_an_interval_above_the_limit_is_counted(void)
 {
     loop_guard_step(&guard, LATE_US, STAGE);
-    TEST_ASSERT_EQUAL_UINT32(1U, guard.overruns);
+    TEST_ASSERT_EQUAL_UINT32(1U, guard.sealed.overruns);
     loop_guard_step(&guard, PUNCTUAL_US, STAGE);
-    TEST_ASSERT_EQUAL_UINT32(1U, guard.overruns);
+    TEST_ASSERT_EQUAL_UINT32(1U, guard.sealed.overruns);
     loop_guard_step(&guard, UINT32_MAX, STAGE);
-    TEST_ASSERT_EQUAL_UINT32(2U, guard.overruns);
+    TEST_ASSERT_EQUAL_UINT32(2U, guard.sealed.overruns);
 }
 
 void test_SWR_LOOP_001_overruns_are_counted_while_stopped(void)
 {
     late(LIMIT_OVERRUNS_IN_A_ROW + 4U);
-    TEST_ASSERT_EQUAL_UINT32(LIMIT_OVERRUNS_IN_A_ROW + 4U, guard.overruns);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_OVERRUNS_IN_A_ROW + 4U, guard.sealed.overruns);
 }
 
 void test_SWR_LOOP_001_the_count_saturates(void)
 {
-    guard.overruns = UINT32_MAX - 1U;
+    guard.sealed.overruns = UINT32_MAX - 1U;
     late(1U);
-    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, guard.overruns);
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, guard.sealed.overruns);
     late(1U);
-    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, guard.overruns);
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, guard.sealed.overruns);
 }
 
 void test_SWR_LOOP_002_one_overrun_less_than_the_limit_does_not_stop(void)
@@ -116,7 +116,7 @@ void test_SWR_LOOP_004_one_late_cycle_of_two_is_counted_only(void)
         punctual(1U);
         TEST_ASSERT_FALSE(is_stopped());
     }
-    TEST_ASSERT_EQUAL_UINT32(1000U, guard.overruns);
+    TEST_ASSERT_EQUAL_UINT32(1000U, guard.sealed.overruns);
 }
 
 void test_SWR_LOOP_002_punctual_cycles_do_not_end_the_stop(void)
@@ -146,15 +146,15 @@ void test_SWR_LOOP_009_an_interval_in_which_cards_may_switch_off_stops_at_once(v
     loop_guard_step(&guard, PUNCTUAL_US, STAGE);
     loop_guard_step(&guard, LIMIT_LOOP_SILENT_US + 1U, STAGE);
     TEST_ASSERT_TRUE(is_stopped());
-    TEST_ASSERT_EQUAL_UINT32(2U, guard.overruns);
+    TEST_ASSERT_EQUAL_UINT32(2U, guard.sealed.overruns);
 }
 
 static void expect_lateness(uint32_t count, uint32_t span_us, uint32_t longest_us, uint32_t stage)
 {
-    TEST_ASSERT_EQUAL_UINT32(count, guard.lateness.count);
-    TEST_ASSERT_EQUAL_UINT32(span_us, guard.lateness.span_us);
-    TEST_ASSERT_EQUAL_UINT32(longest_us, guard.lateness.longest_us);
-    TEST_ASSERT_EQUAL_UINT32(stage, guard.lateness.longest_stage);
+    TEST_ASSERT_EQUAL_UINT32(count, guard.sealed.lateness.count);
+    TEST_ASSERT_EQUAL_UINT32(span_us, guard.sealed.lateness.span_us);
+    TEST_ASSERT_EQUAL_UINT32(longest_us, guard.sealed.lateness.longest_us);
+    TEST_ASSERT_EQUAL_UINT32(stage, guard.sealed.lateness.longest_stage);
 }
 
 void test_SWR_LOOP_011_what_was_late_is_kept_until_it_is_late_anew(void)
@@ -184,7 +184,7 @@ void test_SWR_LOOP_011_what_has_stopped_the_loop_stands(void)
 void test_SWR_LOOP_011_its_span_saturates(void)
 {
     loop_guard_step(&guard, LATE_US, STAGE);
-    guard.lateness.span_us = UINT32_MAX - 1U;
+    guard.sealed.lateness.span_us = UINT32_MAX - 1U;
     loop_guard_step(&guard, LATE_US, STAGE);
     expect_lateness(2U, UINT32_MAX, LATE_US, STAGE);
 }

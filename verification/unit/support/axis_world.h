@@ -48,8 +48,8 @@ static inline uint32_t observe_switch(bool is_active)
 
 static inline void move_to(int32_t position_ticks)
 {
-    while (axis.encoder.position_ticks != position_ticks) {
-        const int32_t way = position_ticks - axis.encoder.position_ticks;
+    while (axis.sealed.encoder.position_ticks != position_ticks) {
+        const int32_t way = position_ticks - axis.sealed.encoder.position_ticks;
         const int32_t most = config->jump_ticks;
         TEST_ASSERT_EQUAL_HEX32(0U,
                                 observe_way((way > most) ? most : ((way < -most) ? -most : way)));

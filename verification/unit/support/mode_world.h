@@ -40,7 +40,7 @@ static inline void world_start(void)
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         axis_init(&axes[i]);
         axis_enable(&axes[i], false);
-        axes[i].encoder.is_at_rest = 1U;
+        axes[i].sealed.encoder.is_at_rest = 1U;
         world_grade(i, AXIS_REFERENCE_VERIFIED);
         frame.speed_cap_percent[i] = 100U;
     }
@@ -49,7 +49,7 @@ static inline void world_start(void)
 
 static inline void world_put(uint32_t axis, int32_t ticks)
 {
-    axes[axis].encoder.position_ticks = ticks;
+    axes[axis].sealed.encoder.position_ticks = ticks;
 }
 
 static inline void world_lose(uint32_t axis)
@@ -63,7 +63,7 @@ static inline void world_follow_but(uint32_t held)
 {
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         if (i != held) {
-            world_put(i, axes[i].setpoint_ticks);
+            world_put(i, axes[i].sealed.setpoint_ticks);
         }
     }
 }
@@ -77,8 +77,8 @@ static inline void world_follow(void)
 static inline bool world_rests(uint32_t axis)
 {
     return (result.requests[axis].mode == (uint32_t)CARD_DRIVE_OFF) &&
-           (axes[axis].setpoint_ticks == axes[axis].encoder.position_ticks) &&
-           (axes[axis].setpoint_speed_ticks_per_s_q8 == 0);
+           (axes[axis].sealed.setpoint_ticks == axes[axis].sealed.encoder.position_ticks) &&
+           (axes[axis].sealed.setpoint_speed_ticks_per_s_q8 == 0);
 }
 
 #endif

@@ -27,7 +27,7 @@ void tremble_mode_step(tremble_mode_t *self, leg_t *leg, const mode_frame_t *fra
     if (leg->is_running == 0U) {
         int32_t ends[ROBOT_AXIS_MAX] = {0};
         if (self->legs == 0U) {
-            self->start_ticks = frame->axes[0].encoder.position_ticks;
+            self->start_ticks = frame->axes[0].sealed.encoder.position_ticks;
         }
         self->legs++;
         ends[0] = self->start_ticks;

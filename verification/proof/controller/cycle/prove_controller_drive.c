@@ -27,7 +27,7 @@ static bool is_machine_ready(uint32_t guards)
            (controller.pedal.chart.state == PEDAL_GATE_STATE_PRESSED) &&
            (inputs.scanner_active == 0U) && (unread == 0U) &&
            (controller.procedure.arming.state != ARMING_STATE_NONE) &&
-           (controller.table_damage == 0U) &&
+           (controller.sealed.table_damage == 0U) &&
            ((inputs.dialect == (uint32_t)CARD_DIALECT_OWN) || (inputs.is_dialect_accepted != 0U)) &&
            guards_have(guards, GUARD_LINKED);
 }
@@ -37,12 +37,12 @@ static bool is_axis_ready(uint32_t index, const card_drive_t *request)
     const axis_t *const axis = &controller.axes[index];
     const axis_config_t *const config = &robot.axes[index];
     const bool is_up = motor_model_is_upwards(config, request);
-    const bool is_beyond = is_up ? (axis->encoder.position_ticks >= config->maximum_ticks)
-                                 : (axis->encoder.position_ticks <= config->minimum_ticks);
+    const bool is_beyond = is_up ? (axis->sealed.encoder.position_ticks >= config->maximum_ticks)
+                                 : (axis->sealed.encoder.position_ticks <= config->minimum_ticks);
     const bool is_upper = config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
     return (axis->chart.power == AXIS_POWER_ENABLED) &&
            (axis_is_homed(axis) || drive_neighbours.may_be_unhomed) &&
-           !((axis->limit_switches != 0U) && (is_up == is_upper)) &&
+           !((axis->sealed.limit_switches != 0U) && (is_up == is_upper)) &&
            !(axis_is_homed(axis) && is_beyond) &&
            ((drive_neighbours.at_coupled_limit & (1U << index)) == 0U) &&
            !(((drive_neighbours.heeding_needle & (1U << index)) != 0U) &&
@@ -69,7 +69,7 @@ static bool are_charts_sound(void)
 /* The cards of the axes stand in a row, from the last slot down; what the others hold is any. */
 static void place_cards(uint32_t axis_count)
 {
-    controller.axis_count = axis_count;
+    controller.sealed.axis_count = axis_count;
     controller.cards.named_slots |= controller.cards.sensor_slots & CARD_EVERY_SLOT;
     for (uint32_t i = 0U; i < axis_count; i++) {
         const uint32_t slot = (CARD_SLOT_COUNT - 1U) - i;
@@ -78,7 +78,7 @@ static void place_cards(uint32_t axis_count)
         controller.cards.sensor_slots &= ~((uint32_t)1U << slot);
     }
     controller.cards.sensor_slots &= CARD_EVERY_SLOT;
-    controller.unexpected_cards &= CARD_EVERY_SLOT;
+    controller.sealed.unexpected_cards &= CARD_EVERY_SLOT;
 }
 
 static void prove_axis(uint32_t index, uint32_t guards, const card_drive_t *request)

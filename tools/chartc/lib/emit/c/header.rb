@@ -23,8 +23,8 @@ module Chart
       def emit
         guard = @names.header_guard
         text([banner(@document, 'Interface'), about, "#ifndef #{guard}", "#define #{guard}", '', '#include "base/chart.h"',
-              '', '#include <stdbool.h>', '#include <stdint.h>', '', region_enums, event_enum, actions, inputs,
-              chart_struct, functions, "#endif /* #{guard} */"])
+              '', '#include <stdbool.h>', stddef, '#include <stdint.h>', '', region_enums, event_enum, actions, inputs,
+              chart_struct, deciding_bytes, functions, "#endif /* #{guard} */"])
       end
 
       private
@@ -94,6 +94,22 @@ module Chart
          @document.timers.map { |timer| timer_fields(timer) },
          '    uint64_t now_us; /* sum of the time handed to advance */',
          '    chart_trace_t trace; /* the transitions taken last, by number */', "} #{@names.chart_type};", '']
+      end
+
+      # State that is held once has no copy to be compared with, and needs another guard.
+      def held_once?
+        [@regions.memories, @document.data, @document.timers].any?(&:any?)
+      end
+
+      def stddef
+        held_once? ? ['#include <stddef.h>'] : []
+      end
+
+      def deciding_bytes
+        return [] unless held_once?
+
+        [comment('The bytes of the chart that decide about its steps: all before its clock.'),
+         "#define #{@names.bytes} offsetof(#{@names.chart_type}, now_us)", '']
       end
 
       def region_fields(region)

@@ -104,6 +104,10 @@ module Chart
         public_name(:chart_type, 'chart_t')
       end
 
+      def bytes
+        public_macro(:bytes, 'chart_bytes')
+      end
+
       def event_type
         public_name(:event_type, 'event_t')
       end
@@ -224,7 +228,7 @@ module Chart
 
       def claim_public
         @file = Scope.new(FILE)
-        [chart_type, event_type, inputs_type]
+        [chart_type, bytes, event_type, inputs_type]
         %w[init dispatch advance is_sound check].each { |name| chart_function(name) }
         @regions.each { |region| [region_type(region), values(region).each { |leaf| value(region, leaf) }] }
         @document.events.each { |name| event(name) }
