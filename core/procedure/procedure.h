@@ -53,6 +53,7 @@ uint32_t procedure_step(procedure_t *self, uint32_t elapsed_us);
  * STATUS_FAULT_PRESENT, STATUS_NOT_REGISTERED, STATUS_NO_TARGET, STATUS_NOT_HOMED as refused by the
  * chart
  *
+ * @satisfies SWR-PERMIT-270
  * @satisfies SWR-PHASE-001
  * @satisfies SWR-PHASE-002
  * @satisfies SWR-PHASE-005

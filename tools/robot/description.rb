@@ -24,11 +24,13 @@ module Robot
     SWITCH_SLACK = { true => Rational('0.01'), false => Rational('0.001047') }.freeze
     SWITCH_SLACK_TICKS = 2
     POSITION = (-1_000_000..1_000_000)
-    SPEED = (1..1_000_000)
+    SPEED = (1..Limit.of('axis_speed_most_ticks_per_s'))
+    # @satisfies SWR-PROFILE-271
+    ACCELERATION = (Limit.of('acceleration_least_ticks_per_s2')..Limit.of('acceleration_most_ticks_per_s2'))
     WHOLE = {
       'slot' => (0..9), 'home_stage' => Followers::STAGES, 'minimum_ticks' => POSITION, 'maximum_ticks' => POSITION,
       'home_ticks' => POSITION, 'start_ticks' => POSITION, 'deadband_ticks' => (0..1000), 'speed_ticks_per_s' => SPEED,
-      'acceleration_ticks_per_s2' => (1..Limit.of('acceleration_most_ticks_per_s2')), 'home_speed_ticks_per_s' => SPEED,
+      'acceleration_ticks_per_s2' => ACCELERATION, 'home_speed_ticks_per_s' => SPEED,
       'full_speed_ticks_per_s' => SPEED, 'following_error_ticks' => (1..1_000_000), 'jump_ticks' => (1..1_000_000),
       'following_time_ms' => (0..1000), 'drift_ticks' => (0..10_000)
     }.freeze

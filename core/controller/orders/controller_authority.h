@@ -12,6 +12,7 @@
  * it.
  *
  * @satisfies SWR-AUTH-005
+ * @satisfies SWR-AUTH-270
  * @satisfies SWR-AUTH-010
  */
 void controller_observe_authority(controller_t *self, const cycle_t *cycle);

@@ -21,6 +21,7 @@ int64_t velocity_ramp_way(int64_t speed_q8, int64_t step_q8);
  * `most_q8` unless that is slower, whose way is not longer than `room`. One step slower if none is.
  *
  * @satisfies SWR-VEL-003
+ * @satisfies SWR-PROFILE-270
  */
 int64_t velocity_ramp_next(int64_t now_q8, int64_t most_q8, int64_t step_q8, int64_t room);
 

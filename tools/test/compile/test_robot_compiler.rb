@@ -165,10 +165,21 @@ class TestRobotCompiler < Minitest::Test
                    'axes[3].maximum_duty: is 8388608; expected 1 to 8388607', at: 'maximum_duty: 8388608')
   end
 
+  def test_SWR_PROFILE_271_an_acceleration_that_changes_no_speed_in_a_cycle_is_refused
+    least = Robot::Limit.of('acceleration_least_ticks_per_s2')
+    cycles_per_s = 1_000_000 / Robot::Limit.of('cycle_us')
+    assert_equal [0, 1], [least - 1, least].map { |one| one * 256 / cycles_per_s }
+    text = TEXT.sub(/acceleration_ticks_per_s2: \d+/, "acceleration_ticks_per_s2: #{least - 1}")
+    assert_refused(text, "axes[0].acceleration_ticks_per_s2: is #{least - 1}; expected #{least} to " \
+                         "#{Robot::Limit.of('acceleration_most_ticks_per_s2')}",
+                   at: "acceleration_ticks_per_s2: #{least - 1}")
+  end
+
   def test_SWR_TRAJ_025_an_acceleration_whose_ways_do_not_fit_is_refused
     most = Robot::Limit.of('acceleration_most_ticks_per_s2')
     text = TEXT.sub(/acceleration_ticks_per_s2: \d+/, "acceleration_ticks_per_s2: #{most + 1}")
-    assert_refused(text, "axes[0].acceleration_ticks_per_s2: is #{most + 1}; expected 1 to #{most}",
+    least = Robot::Limit.of('acceleration_least_ticks_per_s2')
+    assert_refused(text, "axes[0].acceleration_ticks_per_s2: is #{most + 1}; expected #{least} to #{most}",
                    at: "acceleration_ticks_per_s2: #{most + 1}")
   end
 

@@ -9,7 +9,7 @@
 /* What each cycle leaves: below what is told, a row of even ways may follow. */
 #define MOST_UNEVEN (LIMIT_UNEVEN_MOST + LIMIT_UNEVEN_WEIGHT)
 
-void prove_SWR_AXIS_027_uneven_counts_are_told_when_their_sum_is_reached(void)
+void prove_SWR_AXIS_027_uneven_counts_are_reported_when_their_sum_is_reached(void)
 {
     edge_spacing_t self;
     edge_spacing_view_t view;

@@ -41,7 +41,7 @@ void prove_SWR_AUTH_001_it_is_given_only_while_it_is_free(void)
     POSSIBLE(has_taken, "taken");
 }
 
-void prove_SWR_AUTH_006_what_was_lost_is_nobodys_before_all_is_at_rest(void)
+void prove_SWR_AUTH_006_authority_is_not_free_before_all_axes_rest(void)
 {
     authority_time_t now;
     uint32_t elapsed_us;

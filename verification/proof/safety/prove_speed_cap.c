@@ -8,7 +8,9 @@
 #include "safety/reason_hold.h"
 #include "safety/speed_cap.h"
 
-#define WIDEST (INT64_C(1000000) * (100 + LIMIT_SPEED_CAP_TOLERANCE_PERCENT) * LIMIT_SPEED_CAP_US)
+#define WIDEST                                                                                     \
+    ((int64_t)LIMIT_AXIS_SPEED_MOST_TICKS_PER_S * (100 + LIMIT_SPEED_CAP_TOLERANCE_PERCENT) *      \
+     LIMIT_SPEED_CAP_US)
 
 static axis_config_t config;
 
@@ -16,7 +18,8 @@ static void begin(const speed_cap_t *self)
 {
     axis_config_t any;
     config = any;
-    assume((config.speed_ticks_per_s >= 1) && (config.speed_ticks_per_s <= 1000000));
+    assume((config.speed_ticks_per_s >= 1) &&
+           (config.speed_ticks_per_s <= (int32_t)LIMIT_AXIS_SPEED_MOST_TICKS_PER_S));
     assume((self->left >= 0) && (self->left <= WIDEST));
 }
 

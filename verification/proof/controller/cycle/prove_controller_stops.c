@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The parts of a cycle that precede controller_drive() and may arm, disarm or stop, each from any
+ * sound state. A sentence that every part keeps holds when controller_drive() begins, which lets no
+ * drive leave then (prove_controller_drive.c). */
+#include "prove.h"
+
+#include "controller/controller_facts.h"
+#include "controller/cycle/controller_move.h"
+#include "controller/orders/controller_authority.h"
+#include "controller/orders/controller_workphase.h"
+#include "procedure/command_kinds.h"
+
+static controller_t controller;
+static robot_t robot;
+static controller_inputs_t inputs;
+static controller_outputs_t outputs;
+static command_t command;
+static const cycle_t cycle = {.robot = &robot, .inputs = &inputs, .outputs = &outputs};
+
+#define AXES 2U
+
+static void begin(void)
+{
+    controller_t any_controller;
+    robot_t any_robot;
+    controller_inputs_t any_inputs;
+    controller = any_controller;
+    robot = any_robot;
+    inputs = any_inputs;
+    outputs.answer_count = 0U;
+    controller.axis_count = AXES;
+    for (uint32_t i = 0U; i < AXES; i++) {
+        controller.cards.slots[i] = i;
+    }
+    controller.pending.is_waiting = 0U; /* An answer that is owed decides nothing. */
+}
+
+/* As controller_check_memory() and controller_observe() leave the charts in each cycle. */
+static bool are_charts_sound(void)
+{
+    return estop_latch_chart_is_sound(&controller.estop) &&
+           loop_guard_chart_is_sound(&controller.loop.chart) &&
+           pedal_gate_chart_is_sound(&controller.pedal.chart) &&
+           authority_chart_is_sound(&controller.authority.chart) &&
+           arming_chart_is_sound(&controller.procedure.arming) &&
+           workphase_chart_is_sound(&controller.procedure.workphase);
+}
+
+static bool is_armed(void)
+{
+    return procedure_is_armed(&controller.procedure);
+}
+
+/* Every armed order has a holder of authority. */
+static bool is_order_held(void)
+{
+    return !is_armed() || authority_is_held(&controller.authority);
+}
+
+/* One of the facts for which no drive leaves. */
+static bool is_stopped(void)
+{
+    return !is_armed() || !pedal_gate_is_open(&controller.pedal);
+}
+
+void prove_SWR_AUTH_270_lost_authority_leaves_no_order_armed(void)
+{
+    uint32_t way;
+    command_t any_command;
+    answer_t answer;
+    begin();
+    assume(are_charts_sound());
+    command = any_command;
+    const bool was_armed = is_armed();
+    const bool was_held = authority_is_held(&controller.authority);
+    const bool was_order_held = is_order_held();
+    const bool was_stopped = is_stopped();
+
+    if (way == 0U) {
+        controller_observe_authority(&controller, &cycle);
+    } else if (way == 1U) {
+        (void)controller_obey_authority(&controller, &cycle, &command, &answer);
+    } else {
+        controller_grant(&controller, &cycle);
+    }
+
+    PROVE(IMPLIES(was_held && !authority_is_held(&controller.authority), !is_armed()),
+          "SWR-AUTH-270: authority that is lost disarms in that cycle, from any state");
+    PROVE(IMPLIES(was_order_held, is_order_held()),
+          "SWR-AUTH-270: no order stays armed without a holder");
+    PROVE(IMPLIES(is_armed(), was_armed), "SWR-AUTH-270: nothing is armed by it");
+    PROVE(IMPLIES(was_stopped, is_stopped()), "SWR-PERMIT-270: what was stopped stays stopped");
+    POSSIBLE(was_armed && was_held && !is_armed(), "the holder of an armed order is lost");
+}
+
+void prove_SWR_PERMIT_270_a_stop_disarms_and_no_workphase_starts_a_drive(void)
+{
+    command_t any_command;
+    answer_t answer;
+    begin();
+    assume(are_charts_sound());
+    command = any_command;
+    command.kind = (uint32_t)COMMAND_WORKPHASE;
+    const bool was_armed = is_armed();
+    const bool was_stopped = is_stopped();
+    const bool was_open = pedal_gate_is_open(&controller.pedal);
+    const bool was_pulled = controller.estop.state == ESTOP_LATCH_STATE_PULLED;
+    const bool is_stop = command_kinds_is_stop(&command);
+
+    (void)controller_obey_workphase(&controller, &cycle, &command, &answer);
+
+    PROVE(IMPLIES(is_stop, !is_armed()), "SWR-PERMIT-270: STOP and EMERGENCY disarm");
+    PROVE(IMPLIES(was_stopped, is_stopped()),
+          "SWR-PERMIT-270: an order that is armed waits for a new press of the pedal");
+    PROVE(IMPLIES(!was_open, !pedal_gate_is_open(&controller.pedal)),
+          "SWR-PERMIT-270: no workphase opens the gate of the pedal");
+    PROVE(IMPLIES(was_pulled, controller.estop.state == ESTOP_LATCH_STATE_PULLED),
+          "SWR-PERMIT-270: no workphase clears a pulled e-stop");
+    POSSIBLE(was_armed && was_open && is_stop, "a stop while an order moves");
+    POSSIBLE(!was_armed && is_armed(), "a workphase arms an order");
+}
+
+void prove_SWR_PERMIT_270_the_armed_order_undoes_no_stop(void)
+{
+    mode_result_t result;
+    begin();
+    assume(are_charts_sound());
+    const bool was_order_held = is_order_held();
+    const bool was_armed = is_armed();
+    const bool was_stopped = is_stopped();
+    const bool was_open = pedal_gate_is_open(&controller.pedal);
+    const estop_latch_state_t estop = controller.estop.state;
+    const authority_state_t authority = controller.authority.chart.state;
+
+    controller_move(&controller, &cycle, &result);
+
+    PROVE(IMPLIES(is_armed(), was_armed), "SWR-PERMIT-270: the order does not arm itself");
+    PROVE(IMPLIES(was_stopped, is_stopped()), "SWR-PERMIT-270: what was stopped stays stopped");
+    PROVE(IMPLIES(pedal_gate_is_open(&controller.pedal), was_open),
+          "SWR-PERMIT-270: the gate of the pedal stays shut");
+    PROVE(controller.estop.state == estop, "SWR-PERMIT-270: the e-stop stays as it is");
+    PROVE(controller.authority.chart.state == authority, "SWR-AUTH-270: authority stays as it is");
+    PROVE(IMPLIES(was_order_held, is_order_held()),
+          "SWR-AUTH-270: no order is armed without a holder");
+    POSSIBLE(was_armed && !is_armed(), "an order that is done");
+}
