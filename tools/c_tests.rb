@@ -48,6 +48,7 @@ class CTests
   SUPPORT = Dir['verification/*/support/*.c'] + Dir["#{ROBOT_TESTS}/*.c"].grep_v(%r{/test_\w+\.c\z}) +
             ["#{UNITY}/src/unity.c", "#{CMOCK}/src/cmock.c"]
   ALWAYS = %w[contract_trap unity cmock].freeze
+  # As project.yml says it to Ceedling.
   RUNNER = { use_param_tests: true, mock_prefix: 'mock_', enforce_strict_ordering: true }.freeze
   # What the runner calls its arguments a test may call a table.
   NO_SHADOW = %(#pragma GCC diagnostic ignored "-Wshadow"\n)
@@ -164,7 +165,7 @@ class CTests
     names = @tests.flat_map { |test| headers_of(test) }.grep(MOCK).uniq
     headers = names.map { |name| Dir["{core/*,core/*/*,app/*,app/*/*,bsp/include,/usr/include}/#{name.sub(MOCK, '')}.h"].fetch(0) }
     @mocked = headers.map { |header| File.dirname(header) }.uniq
-    call('ruby', "#{CMOCK}/lib/cmock.rb", '-overification/unit/cmock.yml', "--mock_path=#{@mocks}", *headers)
+    call('ruby', "#{CMOCK}/lib/cmock.rb", '-oproject.yml', "--mock_path=#{@mocks}", *headers)
     names.map { |name| "#{@mocks}/#{name}.c" }
   end
 

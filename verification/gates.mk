@@ -37,7 +37,7 @@ endif
 
 one: bootstrap-test ## One file of tests: make one NAME=test_encoder
 	@$(MAKE) --no-print-directory -j2 $(if $(filter %.c,$(ONE)),generated build/gcc/libtest.a,programs)
-	@$(if $(filter %.c,$(ONE)),ruby tools/c_tests.rb gcc $(ONE),env -u MAKEFLAGS -u MAKELEVEL -u NAME ruby $(ONE) -v)
+	@$(if $(filter %.c,$(ONE)),$(CEEDLING) test:$(NAME),env -u MAKEFLAGS -u MAKELEVEL -u NAME ruby $(ONE) -v)
 
 ALL_APP := $(wildcard app/*/*.c app/*/*/*.c bsp/*/*.c bsp/*/*/*.c)
 OTHER_BOARDS := $(filter-out sim,$(BOARDS))

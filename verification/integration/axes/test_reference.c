@@ -72,7 +72,7 @@ void test_SWR_REF_006_a_button_that_is_held_from_the_start_confirms_nothing(void
     start_with_doubt(NEURO_AXIS_ROTATION);
     rig_box(&rig, "button press");
     rig_cycle(&rig);
-    rig.controller.confirm = (confirm_button_t){0U, 0U};
+    rig.controller.confirm = (confirm_button_t){.sealed = {0U, 0U}};
     controller_seal(&rig.controller);
     TEST_ASSERT_EQUAL_UINT32(0U, hold_button(3U * HOLD_CYCLES));
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button(HOLD_CYCLES + 1U));

@@ -242,15 +242,15 @@ static void step(controller_t *self, const robot_t *robot, const controller_inpu
 {
     (void)calls;
     made->frames_to_send = 0U;
-    record->late_stage[self->cycle % 2U] = given->late_stage;
-    record->elapsed_us[self->cycle % 2U] = given->elapsed_us;
-    read_all(self->cycle);
-    if ((self->cycle == LAST_CYCLE) && (end == BY_CONTRACT)) {
+    record->late_stage[self->sealed.cycle % 2U] = given->late_stage;
+    record->elapsed_us[self->sealed.cycle % 2U] = given->elapsed_us;
+    read_all(self->sealed.cycle);
+    if ((self->sealed.cycle == LAST_CYCLE) && (end == BY_CONTRACT)) {
         contract_broken("controller", 100U);
     }
     if (end == BY_REQUEST) {
-        ask_to_end(self->cycle, &made->snapshot);
-    } else if (self->cycle == LAST_CYCLE) {
+        ask_to_end(self->sealed.cycle, &made->snapshot);
+    } else if (self->sealed.cycle == LAST_CYCLE) {
         record->frames_received = given->frames_received;
         record->unfit = given->unfit;
         record->silent_us = sources.silent_us[COMMAND_SOURCE_HTTP];
@@ -266,13 +266,13 @@ static void step(controller_t *self, const robot_t *robot, const controller_inpu
     }
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const card_command_t command = {.slot = robot->axes[i].slot,
-                                        .sequence = self->sequence,
+                                        .sequence = self->sealed.sequence,
                                         .drive.mode = (uint32_t)CARD_DRIVE_NON_PWM};
         card_frame_encode_command(&command, made->frames[command.slot]);
         made->frames_to_send |= 1U << command.slot;
     }
-    self->sequence++;
-    self->cycle++;
+    self->sealed.sequence++;
+    self->sealed.cycle++;
 }
 
 static uint32_t board_robot_crc; /* 0: the board does not know it. */
@@ -304,7 +304,7 @@ static void init(controller_t *self, const robot_t *robot, int calls)
 {
     (void)robot;
     (void)calls;
-    self->sequence = 100U;
+    self->sealed.sequence = 100U;
 }
 
 static bool open_board(const char *box, bsp_identity_t *identity, char *error, uint32_t error_size,
