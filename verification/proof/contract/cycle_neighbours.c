@@ -93,7 +93,7 @@ uint32_t mode_axes(mode_kind_t kind, uint32_t commanded, const robot_t *robot)
 void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *request)
 {
     (void)request;
-    self->kind = (uint32_t)kind;
+    self->sealed.kind = (uint32_t)kind;
 }
 
 void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)

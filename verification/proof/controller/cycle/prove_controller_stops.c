@@ -28,11 +28,11 @@ static void begin(void)
     robot = any_robot;
     inputs = any_inputs;
     outputs.answer_count = 0U;
-    controller.axis_count = AXES;
+    controller.sealed.axis_count = AXES;
     for (uint32_t i = 0U; i < AXES; i++) {
         controller.cards.slots[i] = i;
     }
-    controller.pending.is_waiting = 0U; /* An answer that is owed decides nothing. */
+    controller.sealed.pending.is_waiting = 0U; /* An answer that is owed decides nothing. */
 }
 
 /* As controller_check_memory() and controller_observe() leave the charts in each cycle. */
