@@ -6,6 +6,8 @@ require 'fileutils'
 
 # Links the code under test into a test: core with its charts and robots, boards and processes. make has compiled it before, once
 # for all tests and as strictly as the product. Sources that a test brings itself go before: mocks, or a source that it includes.
+#
+# @satisfies SWR-GATE-291
 class CodeUnderTest < Plugin
   LIBRARY = 'build/gcc/libtest.a'
 
