@@ -104,14 +104,14 @@ static uint32_t take_refusals(session_store_t *self, uint32_t pause_s, uint64_t 
     return count;
 }
 
-void session_store_note_refusal(session_store_t *self, const login_t *login, const char *why,
-                                uint64_t now_ms)
+static void note_refusal(session_store_t *self, const login_t *login, const char *why,
+                         uint32_t pause_s, uint64_t now_ms)
 {
     refused_login_t last;
 
     (void)pthread_mutex_lock(&self->lock);
     count_refusal(self, login);
-    const uint32_t count = take_refusals(self, REFUSAL_PAUSE_S, now_ms, &last);
+    const uint32_t count = take_refusals(self, pause_s, now_ms, &last);
     (void)pthread_mutex_unlock(&self->lock);
     if (count > 1U) {
         tell(self, NOTE_LOGIN_REFUSED, last.who, "login refused%s after %u others: %s", last.from,
@@ -121,6 +121,12 @@ void session_store_note_refusal(session_store_t *self, const login_t *login, con
     } else {
         /* It is counted. */
     }
+}
+
+void session_store_note_refusal(session_store_t *self, const login_t *login, const char *why,
+                                uint64_t now_ms)
+{
+    note_refusal(self, login, why, LIMIT_REFUSALS_LINE_S, now_ms);
 }
 
 /* The accounts are read anew: a removed one is not found. `account` is changed if there is one. */
@@ -282,8 +288,8 @@ static login_verdict_t let_in(session_store_t *self, const login_t *login, const
     if (verdict == LOGIN_OPENED) {
         tell_opened(self, login, opened, ended);
     } else {
-        session_store_note_refusal(self, login, "there are too many sessions, of it or in all.",
-                                   now_ms);
+        note_refusal(self, login, "there are too many sessions, of it or in all.", REFUSAL_PAUSE_S,
+                     now_ms);
     }
     return verdict;
 }
@@ -301,7 +307,7 @@ login_verdict_t session_store_log_in(session_store_t *self, const login_t *login
         is_named ? judge_password(self, login, is_known ? &account : NULL, now_ms, wait_s)
                  : judge_code(self, login->code);
     if (verdict == LOGIN_REFUSED) {
-        session_store_note_refusal(self, login, why, now_ms);
+        note_refusal(self, login, why, REFUSAL_PAUSE_S, now_ms);
     }
     return (verdict == LOGIN_OPENED) ? let_in(self, login, &account, now_ms, opened) : verdict;
 }

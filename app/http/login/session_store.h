@@ -113,8 +113,8 @@ login_verdict_t session_store_log_in(session_store_t *self, const login_t *login
                                      session_t *opened, uint32_t *wait_s);
 
 /**
- * Notes a login that was refused without being judged, `why` in a sentence. At most one line a
- * second; the others are counted.
+ * Notes a login that was refused without being judged, `why` in a sentence. At most one line in
+ * LIMIT_REFUSALS_LINE_S; the others are counted.
  *
  * @satisfies SWR-SESS-020
  * @satisfies SWR-SESS-021

@@ -246,7 +246,7 @@ static void expect_each_word(const void *part, size_t bytes, uint32_t count)
     const size_t begin = (size_t)((const uint8_t *)part - (const uint8_t *)&rig);
     for (size_t i = 0U; i < bytes; i += 4U) {
         rig = moving;
-        ((uint8_t *)&rig)[begin + i] ^= 0x10U;
+        ((uint8_t *)&rig)[begin + i] ^= 0x01U; /* A bool stays one. */
         rig_cycle(&rig);
         TEST_ASSERT_EQUAL_UINT32(count, rig_count(&rig, EVENT_MEMORY_DAMAGED));
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Contracts of the neighbours of authority, workphase and armed order in a cycle. Each answers
- * anything. What they write besides, axes, plan, mode and account, is read by no sentence; none of
- * them writes order, workphase, authority, e-stop, loop or pedal. */
+ * anything. What they write besides, axes, links, plan, mode, account and answer, is read by no
+ * sentence; none of them writes order, workphase, authority, e-stop, loop or pedal. */
 #include "prove.h"
 
 #include "controller/controller_facts.h"

@@ -674,6 +674,10 @@ void test_SWR_SESS_300_a_login_that_is_not_judged_is_logged_as_well(void)
     const login_t login = {.name = "anna", .password = "secret", .address = "plain 10.0.0.9"};
     session_store_note_refusal(&desk, &login, "not here.", now_ms);
     TEST_ASSERT_EQUAL_STRING("1 anna: login refused from plain 10.0.0.9: not here.\n", said);
+    for (unsigned i = 1U; i < (LIMIT_REFUSALS_LINE_S / 2U); i++) {
+        session_store_note_refusal(&desk, &login, "not here.", now_ms + (i * 2U * SECOND));
+    }
+    TEST_ASSERT_EQUAL_UINT(1U, count_said("refused"));
 }
 
 void test_SWR_SESS_022_whose_account_is_changed_is_out(void)

@@ -6,8 +6,10 @@ import type { Page } from "./page";
 
 /** The server takes it away after 5 s of the robot's time without. */
 export const RENEW_MS = 2000;
-/** One refusal may be of a moment: the server was busy, or judged by what was so before this page took command. */
+/** One refusal may have been judged by what was so before this page took command. */
 const REFUSALS = 2;
+/** From this status on the server has failed or is busy, and has judged nothing. */
+const FAILED = 500;
 
 export class PageAuthority {
   private readonly page: Page;
@@ -122,11 +124,15 @@ export class PageAuthority {
     }
   }
 
-  /** A server that does not answer may do so the next time; one that refuses twice has given it to no client or another. */
+  /** A server that fails or does not answer may do better the next time; one that refuses twice has given it to no client or another. */
   private async renew(): Promise<void> {
     try {
       const response = await this.page.request("PUT", commands.RENEW.path);
-      this.refusals = response.ok ? 0 : this.refusals + 1;
+      if (response.ok) {
+        this.refusals = 0;
+      } else if (response.status < FAILED) {
+        this.refusals += 1;
+      }
       if (this.refusals >= REFUSALS) {
         this.letGo();
       }

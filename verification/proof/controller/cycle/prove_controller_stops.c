@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The parts of a cycle that precede controller_drive() and may arm, disarm or stop, each from any
- * sound state. A sentence that every part keeps holds when controller_drive() begins, which lets no
- * drive leave then (prove_controller_drive.c). */
+/* Parts of a cycle that precede controller_drive() and may arm, disarm or stop, each from any sound
+ * state; SOUNDNESS.md names those that are not among them. What they leave is what
+ * controller_drive() begins with (prove_controller_drive.c). */
 #include "prove.h"
 
 #include "controller/controller_facts.h"
@@ -85,7 +85,7 @@ void prove_SWR_AUTH_270_lost_authority_leaves_no_order_armed(void)
     }
 
     PROVE(IMPLIES(was_held && !authority_is_held(&controller.authority), !is_armed()),
-          "SWR-AUTH-270: authority that is lost disarms in that cycle, from any state");
+          "SWR-AUTH-270: authority that is lost disarms in that cycle, from any sound state");
     PROVE(IMPLIES(was_order_held, is_order_held()),
           "SWR-AUTH-270: no order stays armed without a holder");
     PROVE(IMPLIES(is_armed(), was_armed), "SWR-AUTH-270: nothing is armed by it");

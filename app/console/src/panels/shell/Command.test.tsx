@@ -163,11 +163,19 @@ test("SWR-CON-014 renewals end after two in a row were refused", async () => {
   expect(acts().slice(1)).toEqual(["PUT authority", "PUT authority"]);
 });
 
+test("SWR-CON-014 a server that is busy ends no renewals", async () => {
+  await show(makeAuthority());
+  await press("Take command");
+  refusals = { PUT: 503 };
+  await pass(4 * RENEW_MS);
+  expect(acts().slice(1)).toHaveLength(4);
+});
+
 test("SWR-CON-014 a renewal that was refused once, now and then, is tried again", async () => {
   await show(makeAuthority());
   await press("Take command");
   for (let round = 0; round < 3; round += 1) {
-    refusals = { PUT: 503 };
+    refusals = { PUT: 423 };
     await pass(RENEW_MS);
     refusals = {};
     await pass(RENEW_MS);
