@@ -50,7 +50,7 @@ class CTests
   ALWAYS = %w[contract_trap unity cmock].freeze
   # As project.yml says it to Ceedling.
   RUNNER = { use_param_tests: true, mock_prefix: 'mock_', enforce_strict_ordering: true }.freeze
-  # What the runner calls its arguments a test may call a table.
+  # A test may have a table of the name that the runner gives to an argument.
   NO_SHADOW = %(#pragma GCC diagnostic ignored "-Wshadow"\n)
   MOCK = /\Amock_/
   # Report of Unity on each test.

@@ -31,7 +31,7 @@ module Eva
     NUMBER = /(?<=\w)_\d+\b/
     # Of a contract as a whole; each call at which it is not seen to hold is an alarm of its own.
     OF_CALLS = 'precondition: '
-    # Of reached.ml.
+    # A line that reached.ml prints.
     REACHED = /^\[kernel\] reached: (\S+): (\w+)$/.freeze
     FIGURES = /(\d+) functions analyzed \(out of (\d+)\).*?(\d+) statements reached \(out of (\d+)\)/m
 

@@ -79,7 +79,7 @@ module Interface
       @modes&.of_command(value.name)
     end
 
-    # Names of those that may send it.
+    # The names of the sources that may send it.
     def senders_of(value)
       value.more['from']&.sequence&.map { |node| node.choice(@sources.values.map(&:name)) } || value.node.refuse('has no from')
     end

@@ -196,9 +196,9 @@ module Interface
     OWN = %w[name method handler who says takes listed].freeze
     SENDER = 'HTTP'
     ACT = 'act'
-    BARE = { 'body' => 'bare_act', 'body_most' => 256 }.freeze # Of an act that says nothing but itself, and bytes of a short one.
+    BARE = { 'body' => 'bare_act', 'body_most' => 256 }.freeze # The body of an act without a payload, and its most bytes.
 
-    # Those of a row; none if another command's request sends it too.
+    # The routes of a row; none if another command's request sends it too.
     def self.of(value, commands)
       node = value.more['http']
       return [] unless node

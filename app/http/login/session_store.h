@@ -29,7 +29,7 @@ typedef void (*session_witness_t)(void *owner, note_kind_t kind, const char *who
 
 /** A refused login, for the log. */
 typedef struct {
-    char who[ACCOUNT_NAME_SIZE];  /**< Its name; "?": it is none of an account. */
+    char who[ACCOUNT_NAME_SIZE];  /**< Its name; "?": no account can have it. */
     char from[SESSION_FROM_SIZE]; /**< " from " and its address; "": not known. */
 } refused_login_t;
 
