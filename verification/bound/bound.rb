@@ -18,11 +18,16 @@ module Bound
     @code ||= MachineCode.of(PROGRAM)
   end
 
+  def facts(commands)
+    table['facts'].to_h { |entry| [entry.fetch('function'), entry.fetch('most') + (commands * entry.fetch('per_command'))] }
+  end
+
   def of(robot, commands, start: START)
     values = table['robots'].fetch(robot).merge('commands' => commands)
     bounds = LoopBounds.new(table, values)
     library = table['library'].to_h { |name, entry| [name, entry['most'] || code.straight(name)] }
-    CycleBound.new(code, start, bounds, library: library, never: Regexp.new(values.fetch('elsewhere')))
+    CycleBound.new(code, start, bounds, library: library, never: Regexp.new(values.fetch('elsewhere')),
+                                             at_most: facts(commands))
   end
 end
 

@@ -21,25 +21,41 @@ class LoopBounds
     @sources = {}
   end
 
-  # The most rounds of a loop for each time that it is entered. Where the compiler has merged several loops, or put a
-  # part of an inner one before it, one of the heads found is that of this loop: the largest bound holds.
-  def most(function, loop)
-    heads = loop.places.filter_map { |place| head(place) }
-    bounds = heads.any? ? heads.map { |file, text| of_head(function, file, text) } : [of_machine(function, loop)]
-    bounds.max
+  # Pairs of a loop and the most rounds for each time that it is entered. Parts of an inner loop may lie before it; a
+  # head that is the only one of an inner loop is therefore not that of an outer one, if that has another. Where several
+  # heads are left, one of them is that of this loop: the largest bound holds.
+  def of_function(function, loops)
+    sole = {}
+    loops.sort_by { |loop| loop.blocks.size }.map do |loop|
+      heads = loop.places.filter_map { |place| head(place) }.uniq
+      inner = sole.select { |other, _head| other.blocks.proper_subset?(loop.blocks) }.values
+      heads -= inner if (heads - inner).any?
+      heads = named(function, heads) if heads.length > 1
+      sole[loop] = heads.first if heads.one?
+      [loop, heads.any? ? heads.map { |file, text| of_head(function, file, text) }.max : of_machine(function, loop)]
+    end
   end
 
-  def check_used
-    idle = (@table['conditions'] + @table['machine']).reject { |entry| @used[entry] }
-    raise Refused, "no loop fits #{idle.map { |entry| entry.values_at('part', 'place', 'in').compact.join(' in ') }.join('; ')}" if idle.any?
+  # Entries that fit no loop.
+  def idle
+    @table.values_at('conditions', 'outer', 'machine').flatten.reject { |entry| @used[entry] }
   end
 
   private
 
+  # The head that the table names as the outer one of several.
+  def named(function, heads)
+    entry = @table['outer'].find { |one| one['function'] == function && heads.any? { |head| head[1].include?(one['part']) } }
+    return heads unless entry
+
+    @used[entry] = true
+    heads.select { |head| head[1].include?(entry['part']) }
+  end
+
   def head(place)
     file, line = place.split(':')
     text = source(file)[line.to_i - 1].to_s.strip if line
-    text&.match?(HEAD) ? [file, text[HEAD, 1]] : nil
+    text&.match?(HEAD) ? [file, text[HEAD, 1], line] : nil
   end
 
   def source(file)
@@ -85,7 +101,8 @@ end
 class CycleBound
   class Failed < StandardError; end
 
-  attr_reader :most, :calls
+  # calls, own: by function, on the longest path: number of its calls, and instructions of its own.
+  attr_reader :most, :calls, :own
 
   # library: name => instructions of a call whose code is not followed. never: pattern of functions that are not called.
   # at_most: name => number of calls in all.
@@ -146,7 +163,7 @@ class CycleBound
       into.each { |one| @cost[one] += block.size }
       block.calls.each { |callee| @callers[callee].concat(into) }
     end
-    graph.loops.each { |loop| write_loop(name, loop) }
+    @bounds.of_function(name, graph.loops).each { |loop, most| write_loop(name, loop, most) }
   end
 
   def leave(name, block, after)
@@ -155,8 +172,7 @@ class CycleBound
     one
   end
 
-  def write_loop(name, loop)
-    most = @bounds.most(name, loop)
+  def write_loop(name, loop, most)
     enter = loop.enter.map { |edge| variable(name, *edge) }
     enter << variable(:calls, name) if loop.blocks.include?(@graphs[name].entry)
     row(loop.back.map { |edge| variable(name, *edge) }, enter, '<= 0', most)
@@ -201,8 +217,9 @@ class CycleBound
   def take(lines)
     @most = lines.grep(/^s bas/).first.split.last.to_f.ceil
     values = lines.grep(/^j /).map { |line| line.split[3].to_f }
-    order = text.scan(/\bx\d+\b/).uniq
-    value = order.zip(values).to_h
-    @calls = [*@graphs.keys, *@callers.keys].uniq.to_h { |name| [name, value[variable(:calls, name)].to_f] }
+    value = text.scan(/\bx\d+\b/).uniq.zip(values).to_h
+    @calls = [*@graphs.keys, *@callers.keys].uniq.to_h { |name| [name, value[variable(:calls, name)].to_f.round] }
+    @own = @variables.group_by { |key, _one| key.first == :calls ? key.last : key.first }
+                     .transform_values { |list| list.sum { |_key, one| @cost.fetch(one, 0) * value[one].to_f }.round }
   end
 end
