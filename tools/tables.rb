@@ -12,6 +12,7 @@
 # core/interface/modes.yml; `limits`, for those of requirements/; `known_limits`, for those of
 # requirements/known_limits.yml; `rooms`, for tools/rooms.yml; `decisions`, for docs/decisions;
 # `waits`, for tools/documents/waits.yml; `proofs`, for verification/proof/proofs.yml; `proved`, a sentence of proved.yml beside it;
+# `bound`, for verification/bound/bound.yml beside the counted cycles of verification/bench/cost.yml;
 # `robots`, for the axes of core/robot/*/robot.yml;
 # or one of tools/documents/card_tables.rb, for the frames of the cards.
 
@@ -58,7 +59,7 @@ end
 # Contents that can be shown as a table, read from one project.
 class TableSources
   # Tables that are no enumeration and no structure: a method of the same name.
-  OTHERS = %w[commands decisions known_limits limits modes problems proofs proved robots rooms routes waits].freeze
+  OTHERS = %w[bound commands decisions known_limits limits modes problems proofs proved robots rooms routes waits].freeze
 
   LINE = 130 # characters
 
@@ -168,6 +169,18 @@ class TableSources
       end
       markdown(['Harness', 'Proofs', 'Functions in which every check holds', 'Mutants refuted'], rows)
     end
+  end
+
+  # The largest counted cycle has one command.
+  def bound
+    bounds, counted = %w[bound/bound bench/cost].map { |name| YAML.safe_load_file(File.join(@root, "verification/#{name}.yml"))['robots'] }
+    rows = bounds.flat_map do |robot, by_commands|
+      by_commands['one_command'].map do |stage, most|
+        worst = counted[robot][stage]['worst']
+        [robot, stage, worst, most, format('%.1f', most.fdiv(worst)), by_commands['four_commands'][stage]]
+      end
+    end
+    markdown(['Robot', 'Stage', 'Largest counted', 'Bound, one command', 'Ratio', 'Bound, four commands'], rows)
   end
 
   # @satisfies SWR-TOOL-283

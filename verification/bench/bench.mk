@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Cost of a cycle, and punctuality of its begin; included by the Makefile.
 
-.PHONY: bench rt-report bench-clients bench-codec bench-crowds bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve
+.PHONY: bench rt-report bench-clients bench-codec bench-crowds bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve bound bound-approve
 
 # The scene is played on the rig of the integration tests, which asserts with Unity.
 BENCH_SCENE := $(call object,verification/bench/samples.c verification/integration/support/rig.c $(BOX_SOURCES) \
@@ -52,6 +52,12 @@ cost: bootstrap-test cost-programs ## What a cycle costs as Cortex-A9 code, in i
 
 cost-approve: cost
 	@cp build/bench/cost.yml verification/bench/cost.yml
+
+bound: bootstrap-test cost-programs ## What a cycle needs at most as Cortex-A9 code, in instructions, from its flow graph and the bounds of its loops
+	@ruby verification/bound/bound.rb
+
+bound-approve: bound
+	@cp build/bound/bound.yml verification/bound/bound.yml
 
 bench: bench-programs ## Instructions of a cycle, recordings, OpenIGTLink beside its library and under load, crowds at the HTTP server, wake-up latency beside cyclictest (BENCH_SECONDS=10)
 	@ruby verification/bench/bench.rb

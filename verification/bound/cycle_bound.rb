@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
+require 'fileutils'
+require 'open3'
 require 'tmpdir'
 require 'yaml'
 require_relative 'flow_graph'
@@ -115,6 +117,7 @@ class CycleBound
     @bounds = bounds
     @graphs = {}
     follow
+    refuse_recursion
     @rows = []
     @cost = Hash.new(0)
     @callers = Hash.new { |all, name| all[name] = [] }
@@ -137,6 +140,13 @@ class CycleBound
       @graphs[name] = graph = FlowGraph.new(@code.function(name))
       graph.blocks.each_value { |block| queue.concat(block.calls, block.next.grep(Array).map(&:last)) }
     end
+  end
+
+  def refuse_recursion
+    called = @graphs.transform_values { |graph| graph.blocks.values.flat_map { |block| block.calls + block.next.grep(Array).map(&:last) } & @graphs.keys }
+    part = TSort.strongly_connected_components(->(&each) { called.each_key(&each) }, ->(name, &each) { called[name].each(&each) })
+                .find { |names| names.length > 1 || called[names.first].include?(names.first) }
+    raise Failed, "#{part.join(', ')} calls itself" if part
   end
 
   def outside?(name)
@@ -201,9 +211,11 @@ class CycleBound
       answer = File.join(folder, 'answer')
       File.write(program, text)
       said, = Open3.capture2e('glpsol', '--lp', program, '--write', answer)
-      raise Failed, "glpsol found no longest path: #{said.lines.last(4).join}" unless said.include?('OPTIMAL LP SOLUTION FOUND')
+      lines = File.file?(answer) ? File.readlines(answer) : []
+      # Both the program and its dual have a feasible solution, so this is the optimum.
+      raise Failed, "glpsol found no longest path: #{said.lines.last(4).join}" unless lines.grep(/^s bas \d+ \d+ f f /).one?
 
-      take(File.readlines(answer))
+      take(lines)
     end
   end
 
