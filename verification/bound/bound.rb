@@ -3,7 +3,7 @@
 
 require_relative 'cycle_bound'
 
-# Bounds of controller_step() and its stages, by robot and by the number of commands in the cycle.
+# Bounds of controller_step() and its stages, in instructions, not time of caches, by robot and by the number of commands in the cycle.
 #
 #   ruby verification/bound/bound.rb             prints them, and writes build/bound/bound.yml
 #   ruby verification/bound/bound.rb ROBOT N     functions with the most instructions on the longest path, N commands
@@ -17,7 +17,7 @@ module Bound
     # SPDX-License-Identifier: Apache-2.0
     # Instructions, not time of caches, that a control cycle needs at most, written by `make bound-approve`.
     # Of controller_step() and its stages on a Cortex-A9, each with all that it calls: the longest path of the flow graphs
-    #   under the loop bounds and facts of bounds.yml. One command in the cycle as in every counted one, or four, the most.
+    #   under the loop bounds and facts of bounds.yml. One command in the cycle, or four, the most that a cycle takes.
   TEXT
 
   module_function

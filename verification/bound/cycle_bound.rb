@@ -100,11 +100,14 @@ end
 # The most instructions of a call of a function with all that it calls: the longest path of the flow graphs as a linear
 # program. Its variables count how often each edge is taken; those of whole numbers are among its solutions, so its
 # optimum is never below the longest path.
+#
+# @satisfies SWR-COST-420
 class CycleBound
   class Failed < StandardError; end
 
   # calls, own: by function, on the longest path: number of its calls, and instructions of its own.
-  attr_reader :most, :calls, :own
+  # graphs: of each function that is followed.
+  attr_reader :most, :calls, :own, :graphs
 
   # library: name => instructions of a call whose code is not followed. never: pattern of functions that are not called.
   # at_most: name => number of calls in all.
@@ -116,6 +119,7 @@ class CycleBound
     @at_most = at_most
     @bounds = bounds
     @graphs = {}
+    @loops = []
     follow
     refuse_recursion
     @rows = []
@@ -126,11 +130,34 @@ class CycleBound
     solve
   end
 
-  def functions
-    @graphs.keys
+  # Bounds and facts that a counted path (counted_paths.rb) breaks, one sentence each.
+  def complaints(path)
+    broken = @loops.select { |name, loop, most| rounds(path, name, loop.back) > most * entries(path, name, loop) }
+    broken.map { |name, loop, most| "#{name}: more than #{most} rounds at #{loop.places.first}" } +
+      @at_most.select { |name, most| path.calls[name] > most }.map { |name, most| "#{name}: more than #{most} calls" } +
+      (path.outside > outside(path) ? ["#{path.outside} instructions of the library, not #{outside(path)}"] : [])
   end
 
   private
+
+  def rounds(path, name, edges)
+    edges.sum { |edge| path.edges[[name, edge]] }
+  end
+
+  def entries(path, name, loop)
+    rounds(path, name, loop.enter) + (loop.blocks.include?(@graphs[name].entry) ? path.calls[name] : 0)
+  end
+
+  # Instructions that the library may need for the calls of the path.
+  def outside(path)
+    @graphs.sum do |name, graph|
+      before = graph.edges.group_by(&:last)
+      graph.blocks.values.sum do |block|
+        cost = (block.calls + block.next.grep(Array).map(&:last)).sum { |callee| @library.fetch(callee.to_s, 0) }
+        cost.zero? ? 0 : cost * (rounds(path, name, before.fetch(block.start, [])) + (block.start == graph.entry ? path.calls[name] : 0))
+      end
+    end
+  end
 
   def follow
     queue = [@start]
@@ -183,6 +210,7 @@ class CycleBound
   end
 
   def write_loop(name, loop, most)
+    @loops << [name, loop, most]
     enter = loop.enter.map { |edge| variable(name, *edge) }
     enter << variable(:calls, name) if loop.blocks.include?(@graphs[name].entry)
     row(loop.back.map { |edge| variable(name, *edge) }, enter, '<= 0', most)

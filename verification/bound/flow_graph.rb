@@ -8,7 +8,11 @@ require_relative 'machine_code'
 # Blocks of a function and its loops.
 class FlowGraph
   # calls: functions called in it. next: as MachineCode has it. places: lines of its source.
-  Block = Struct.new(:start, :size, :next, :calls, :places)
+  Block = Struct.new(:start, :addresses, :next, :calls, :places) do
+    def size
+      addresses.length
+    end
+  end
   # back: edges within it that lead to where it is entered; enter: edges that enter it; places: lines of what belongs
   # to it and to no loop within it.
   Loop = Struct.new(:back, :enter, :places, :blocks)
@@ -37,7 +41,7 @@ class FlowGraph
     heads = code.each_cons(2).flat_map { |one, after| one.next == [after.address] ? [] : [after.address, *one.next] }
     heads = [@entry, *heads, *code.last.next].to_set
     code.slice_before { |one| heads.include?(one.address) }.to_h do |list|
-      [list.first.address, Block.new(list.first.address, list.length, list.last.next, list.flat_map(&:calls), list.map(&:place).uniq)]
+      [list.first.address, Block.new(list.first.address, list.map(&:address), list.last.next, list.flat_map(&:calls), list.map(&:place).uniq)]
     end
   end
 

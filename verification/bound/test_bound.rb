@@ -6,6 +6,8 @@
 
 require 'minitest/autorun'
 require_relative 'bound'
+require_relative 'counted_paths'
+require_relative '../bench/scene'
 
 class TestBound < Minitest::Test
   COUNTED = YAML.safe_load_file(File.join(LoopBounds::ROOT, 'verification/bench/cost.yml')).fetch('robots')
@@ -15,6 +17,16 @@ class TestBound < Minitest::Test
     define_method("test_SWR_COST_420_no_counted_cycle_of_#{robot}_nor_a_stage_of_it_is_above_the_bound") do
       counted = COUNTED.fetch(robot).transform_values { |row| row.fetch('worst') }
       counted.each { |stage, count| assert_operator MEASURED[robot].fetch('one_command').fetch(stage), :>=, count, stage }
+    end
+
+    # Every eighth cycle of the scene, and the largest.
+    define_method("test_SWR_COST_420_counted_cycles_of_#{robot}_keep_each_loop_bound_and_fact") do
+      scene = Scene.new(robot)
+      largest = scene.samples.index { |sample| COUNTED[robot]['all']['worst_in'].start_with?("cycle #{sample.cycle}") }
+      bound = Bound.of(robot, 4, 'controller_step')
+      paths = CountedPaths.new(bound.graphs).paths(scene.file, [largest, *scene.numbers.select { |number| (number % 8).zero? }])
+      assert_operator paths.length, :>, 30
+      assert_empty paths.flat_map { |path| bound.complaints(path) }.uniq
     end
 
     define_method("test_SWR_COST_420_the_bound_of_#{robot}_is_the_approved_one") do
