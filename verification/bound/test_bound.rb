@@ -19,13 +19,13 @@ class TestBound < Minitest::Test
       counted.each { |stage, count| assert_operator MEASURED[robot].fetch('one_command').fetch(stage), :>=, count, stage }
     end
 
-    # Every eighth cycle of the scene, and the largest.
+    # Every twelfth cycle of the scene, and the largest.
     define_method("test_SWR_COST_420_counted_cycles_of_#{robot}_keep_each_loop_bound_and_fact") do
       scene = Scene.new(robot)
       largest = scene.samples.index { |sample| COUNTED[robot]['all']['worst_in'].start_with?("cycle #{sample.cycle}") }
       bound = Bound.of(robot, 4, 'controller_step')
-      paths = CountedPaths.new(bound.graphs).paths(scene.file, [largest, *scene.numbers.select { |number| (number % 8).zero? }])
-      assert_operator paths.length, :>, 30
+      paths = CountedPaths.new(bound.graphs).paths(scene.file, [largest, *scene.numbers.select { |number| (number % 12).zero? }])
+      assert_operator paths.length, :>, 20
       assert_empty paths.flat_map { |path| bound.complaints(path) }.uniq
     end
 
