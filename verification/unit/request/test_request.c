@@ -528,7 +528,8 @@ void test_SWR_HTTP_012_what_differs_is_refused_by_its_name(void)
     for (size_t i = 0U; i < (sizeof numbers / sizeof numbers[0]) - 1U; i++) {
         char query[32];
         (void)snprintf(query, sizeof query, "count=%s", numbers[i]);
-        refuse_query(query, REQUEST_WRONG_TYPE, "count");
+        const bool is_control = strchr(query, '\n') != NULL;
+        refuse_query(query, is_control ? REQUEST_NOT_ASCII : REQUEST_WRONG_TYPE, "count");
     }
     refuse_query("count=-1", REQUEST_OUT_OF_RANGE, "count");
     refuse_query("count=4294967296", REQUEST_OUT_OF_RANGE, "count");
