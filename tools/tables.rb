@@ -18,6 +18,7 @@
 
 require 'optparse'
 require_relative 'documents/card_tables'
+require_relative 'documents/console_names'
 require_relative 'decisions'
 require_relative 'gates/plan'
 require_relative 'interface/model'
@@ -138,20 +139,27 @@ class TableSources
     markdown(['Mode', 'What it does', 'Armed by', 'In', 'Axes it needs', 'They must be homed'], rows)
   end
 
-  # How pages and peers send each command.
+  # How pages and peers send each command. A name is said only if an element of the console shows it.
+  #
+  # @satisfies SWR-TOOL-320
   def commands
+    shown = ConsoleNames.new(@root, interface).shown
     rows = interface.commands.to_a.drop(1).map do |command|
-      routes = interface.routes.routes.select { |route| route.command == request_of(command) }
       words = command.more['words']&.sequence.to_a.map { |word| "`#{word.at('word').word}`" }
-      ["`#{command.name}`", command.more['label']&.text, routes.map { |route| "`#{route.method} #{route.path}`" }.join(', '), words.join(', ')]
+      name = command.more['label']&.text if shown.include?(command.name)
+      ["`#{command.name}`", name, requests_of(command).map { |route| "`#{route.method} #{route.path}`" }.join(', '), words.join(', ')]
     end
-    markdown(['Command', 'In the console', 'HTTP', 'Words of OpenIGTLink'], rows)
+    markdown(['Command', 'Name in the console', 'HTTP', 'Words of OpenIGTLink'], rows)
   end
 
-  # The command whose request sends it; mostly its own.
-  def request_of(command)
+  # Those that send it: its own, or that of another command. A request that empties a list sends the beginning of one alone.
+  #
+  # @satisfies SWR-TOOL-321
+  def requests_of(command)
     node = command.more['http']
-    node&.scalar? ? interface.commands.find(node.word) : command
+    return interface.routes.routes.select { |route| route.command == command } unless node&.scalar?
+
+    interface.routes.routes.select { |route| route.command == interface.commands.find(node.word) && route.method == 'POST' }
   end
 
   def decisions

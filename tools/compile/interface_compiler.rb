@@ -13,7 +13,7 @@
 #
 #   ruby tools/compile/interface_compiler.rb core/interface build/gen/charts/charts.json build/gen/interface [HEADER...]
 #
-# The declarations of each HEADER count for the layout too. A wrong file is refused with file and line.
+# The declarations of each HEADER, and of the charts' headers beside CHARTS_JSON, count for the layout too. A wrong file is refused with file and line.
 
 require 'fileutils'
 require 'json'
@@ -47,12 +47,18 @@ module Interface
         return 2
       end
       model = Model.new(folder, leaves(charts))
-      write(directory, Headers.new(model).files.merge(Layout.new(model, headers).files, SegmentFields.new(headers).files))
+      write(directory, Headers.new(model).files.merge(Layout.new(model, headers + chart_headers(charts)).files, SegmentFields.new(headers).files))
       write(File.join(directory, 'app'), APP.map { |part| part.new(model).files }.inject(:merge))
       0
     rescue Refused, SystemCallError, JSON::ParserError => e
       errors.puts(e.message)
       1
+    end
+
+    # They declare what the charts keep, and lie beside the file of them. One of a chart that is no more does not count.
+    def self.chart_headers(charts)
+      names = JSON.parse(File.read(charts)).fetch('charts').map { |chart| chart.fetch('name') }
+      names.map { |name| File.join(File.dirname(charts), "#{name}_chart.h") }.select { |header| File.exist?(header) }
     end
 
     # The leaves of each region, at their values.
