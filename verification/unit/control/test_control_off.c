@@ -11,7 +11,7 @@
 #include "mock_controller.h"
 #include "mock_list_file.h"
 #include "mock_realtime.h"
-#include "unit/support/control_world.h"
+#include "unit/support/control_world.inc"
 
 void setUp(void)
 {

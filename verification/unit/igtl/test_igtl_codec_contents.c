@@ -6,7 +6,7 @@
  */
 #include "igtl/wire/igtl_codec.h"
 #include "unity.h"
-#include "unit/support/igtl_codec_world.h"
+#include "unit/support/igtl_codec_world.inc"
 
 void setUp(void)
 {

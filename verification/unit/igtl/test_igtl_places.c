@@ -10,7 +10,7 @@
 #include "igtl/server/igtl_connection.h"
 #include "igtl/wire/igtl_inbox.h"
 #include "limits/requirement_limits.h"
-#include "unit/support/igtl_server_world.h"
+#include "unit/support/igtl_server_world.inc"
 
 void setUp(void)
 {

@@ -16,7 +16,7 @@
 #include "exchange/exchange.h"
 #include "exchange/exchange_peers.h"
 #include "limits/requirement_limits.h"
-#include "unit/support/igtl_server_world.h"
+#include "unit/support/igtl_server_world.inc"
 
 void setUp(void)
 {

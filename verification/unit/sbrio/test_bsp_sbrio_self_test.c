@@ -10,7 +10,7 @@
 #include "sbrio/spi_bus.h"
 #include "unit/support/gpio_world.h"
 #include "unit/support/spi_world.h"
-#include "unit/support/sbrio_world.h"
+#include "unit/support/sbrio_world.inc"
 
 TEST_INCLUDE_PATH("/usr/include")
 

@@ -7,7 +7,7 @@
 #include "sim/box.h"
 #include "base/crc.h"
 #include "sim/model/sim_encoder.h"
-#include "unit/support/box_world.h"
+#include "unit/support/box_world.inc"
 
 void setUp(void)
 {

@@ -7,7 +7,7 @@
 #include "unity.h"
 #include "sim/box.h"
 #include "sim/model/sim_motor.h"
-#include "unit/support/box_world.h"
+#include "unit/support/box_world.inc"
 
 void setUp(void)
 {

@@ -8,7 +8,7 @@
 #include "bsp.h"
 #include "sim/box.h"
 #include "limits/requirement_limits.h"
-#include "unit/support/wire_world.h"
+#include "unit/support/wire_world.inc"
 
 #define SPEEDUP 10U
 #define FAST_SLEEPS 500U

@@ -8,7 +8,7 @@
 #include "unity.h"
 #include "base/crc.h"
 #include "base/fixed.h"
-#include "robot/neuro/test/neuro_world.h"
+#include "robot/neuro/test/neuro_world.inc"
 
 #define MICROMETRE_MM 1.0e-3
 #define RAD_10_MICRO 1.0e-5

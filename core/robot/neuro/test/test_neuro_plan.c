@@ -10,7 +10,7 @@
 #include "unit/support/scenes.h"
 #include "unity.h"
 #include "base/fixed.h"
-#include "robot/neuro/test/neuro_world.h"
+#include "robot/neuro/test/neuro_world.inc"
 
 #define ENOUGH (LIMIT_DEPTH_MARGIN_PERCENT / 100.0)
 
