@@ -117,6 +117,8 @@ NO_LOOKUP := $(NO_LOOKUP_$(CONFIG))
 # What OpenIGTLink has of the rows of the interface: codes of statuses, words of commands.
 IGTL_TABLES := $(addprefix $(GEN)/interface/app/,igtl_codes.c igtl_words.c)
 REFUSED_AXIS := $(GEN)/interface/app/refused_axis.c
+# Against which every test that plays the controller holds its answers.
+ANSWER_LIST := $(GEN)/interface/app/answer_list.c
 # What HTTP clients may ask.
 API := $(GEN)/interface/app/routes.c $(GEN)/interface/app/requests.c
 HANDLERS := $(GEN)/interface/app/handlers.c

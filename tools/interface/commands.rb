@@ -11,7 +11,7 @@ module Interface
   #
   # @satisfies SWR-TOOL-011
   class Commands
-    KEYS = %w[workphases payload from obeyed_by words label http].freeze
+    KEYS = %w[workphases payload from obeyed_by answers words label http].freeze
     # Up to so many are named; of more those that are left.
     NAMED_MOST = 4
     FROM = 'core/interface/commands.yml'
