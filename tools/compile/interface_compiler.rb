@@ -38,7 +38,8 @@ module Interface
   # The command line.
   module Command
     USAGE = 'usage: ruby tools/compile/interface_compiler.rb FOLDER CHARTS_JSON DIRECTORY [HEADER...]'
-    APP = [Names, EventWords, Json, Typescript, Columns, Fields, Statuses::Files, Answers::Files, RequestTables, RouteTable, Handlers, Openapi, IgtlWords].freeze
+    APP = [Names, EventWords, Json, Typescript, Columns, Fields, Statuses::Files, Answers::Files, RequestTables, RouteTable, Handlers,
+           Openapi, IgtlWords].freeze
 
     # Returns the exit status.
     def self.run(arguments, errors: $stderr)

@@ -16,6 +16,7 @@ module Interface
     PARTS = %w[refused ended].freeze
     # In place of the refusals of the robots' kinematics.
     ROBOTS = 'robots'
+    ROBOT_REFUSALS = "a refusal of the robot's kinematics"
     # Commands that a status may refuse without a word of it in their rows, by the word of its `refuses`.
     GROUPS = {
       'every' => ->(_, _) { true },
@@ -76,10 +77,17 @@ module Interface
       @kinds.sets.find { |set| set.name == name }&.values.to_a.include?(value)
     end
 
-    # @return the names without those of robots, and whether these are among them
-    def without_robots(names)
+    # The statuses of what a route sends: those of its command, and of others whose row names that in place of a request.
+    def of_route(route, part)
+      sent = @kinds.values.select { |value| value == route.command || value.more['http']&.then { |node| node.scalar? && node.word == route.command&.name } }
+      in_order(sent.flat_map { |value| public_send(part, value) } - (part == :refused ? of_column('refuses') { |node| node.word == 'every' } : []))
+    end
+
+    # For people: the refusals of the robots are one word.
+    def shown(names)
       robots = of_robots
-      [names - robots, robots.any? && (robots - names).empty?]
+      has_robots = robots.any? && (robots - names).empty?
+      (has_robots ? names - robots : names).map { |name| "`#{name}`" } + (has_robots ? [ROBOT_REFUSALS] : [])
     end
 
     def files
@@ -141,7 +149,11 @@ module Interface
       listed = listed(value, part)
       twice = (listed & of_columns).first
       value.more['answers'].refuse("names #{twice} under #{part}, which its columns in status.yml add") if twice
-      @statuses.values.map(&:name) & (listed + of_columns)
+      in_order(listed + of_columns)
+    end
+
+    def in_order(names)
+      @statuses.values.map(&:name) & names
     end
 
     def header
