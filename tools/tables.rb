@@ -9,7 +9,8 @@
 #
 # A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
 # structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `commands`, for how each is sent, and
-# `answers`, for what may become of it; `modes`, for the whole table of core/interface/modes.yml; `limits`, for those of requirements/; `known_limits`, for those of
+# `answers`, for what may become of it; `modes`, for the whole table of core/interface/modes.yml; `limits`, for those of
+# requirements/; `known_limits`, for those of
 # requirements/known_limits.yml; `rooms`, for tools/rooms.yml; `decisions`, for docs/decisions;
 # `waits`, for tools/documents/waits.yml; `proofs`, for verification/proof/proofs.yml; `proved`, a sentence of proved.yml beside it;
 # `robots`, for the axes of core/robot/*/robot.yml;
