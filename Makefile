@@ -173,7 +173,7 @@ $(APART)/board: FORCE
 $(BOARD_TABLE): bsp/$(BOARD)/board.yml $(APART)/board tools/compile/boards.rb tools/robot/document.rb $(GEN)/limits/requirement_limits.h
 	@ruby tools/compile/boards.rb bsp/$(BOARD) $(GEN)/limits/requirement_limits.h $(@D)
 
-INTERFACE_PARTS := $(wildcard core/interface/*.yml core/robot/*/kinematics.yml tools/compile/interface_compiler.rb tools/interface/*.rb)
+INTERFACE_PARTS := $(wildcard core/interface/*.yml core/robot/*/kinematics.yml tools/compile/interface_compiler.rb tools/interface/*.rb tools/interface/*/*.rb)
 # What of the exchange's segment is declared elsewhere: there are checkpoints in it, which are the whole state of the core.
 LAYOUT_HEADERS := app/exchange/exchange.h app/exchange/exchange_cycles.h app/exchange/exchange_files.h app/exchange/exchange_notes.h app/exchange/exchange_peers.h app/exchange/exchange_record.h app/exchange/exchange_segment.h app/exchange/exchange_values.h $(sort $(wildcard core/*/*.h core/controller/*/*.h core/mode/*/*.h)) \
     $(GEN)/limits/requirement_limits.h

@@ -3,7 +3,7 @@
 
 require_relative 'c'
 require_relative 'node'
-require_relative 'payloads'
+require_relative 'command/payloads'
 
 module Interface
   # A command: its data, its permitted senders, and the workphases in which it is obeyed, as core/interface/commands.yml

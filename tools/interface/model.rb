@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-require_relative 'answers'
+require_relative 'command/answers'
 require_relative 'commands'
 require_relative 'events'
 require_relative 'message'

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-require_relative 'c'
-require_relative 'node'
+require_relative '../c'
+require_relative '../node'
 
 module Interface
   # The answers that each command may get, of three sources: `answers` of the command's row, the columns `refuses` and `ends` of
