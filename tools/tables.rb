@@ -8,8 +8,9 @@
 #   ruby tools/tables.rb --check [--root FOLDER]   one line per stale block, exit 1 if there is any
 #
 # A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
-# structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `commands`, for how each is sent; `modes`, for the whole table of
-# core/interface/modes.yml; `limits`, for those of requirements/; `known_limits`, for those of
+# structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `commands`, for how each is sent, and
+# `answers`, for what may become of it; `modes`, for the whole table of core/interface/modes.yml; `limits`, for those of
+# requirements/; `known_limits`, for those of
 # requirements/known_limits.yml; `rooms`, for tools/rooms.yml; `decisions`, for docs/decisions;
 # `waits`, for tools/documents/waits.yml; `proofs`, for verification/proof/proofs.yml; `proved`, a sentence of proved.yml beside it;
 # `bound`, for verification/bound/bound.yml beside the counted cycles of verification/bench/cost.yml;
@@ -60,7 +61,7 @@ end
 # Contents that can be shown as a table, read from one project.
 class TableSources
   # Tables that are no enumeration and no structure: a method of the same name.
-  OTHERS = %w[bound commands decisions known_limits limits modes problems proofs proved robots rooms routes waits].freeze
+  OTHERS = %w[answers bound commands decisions known_limits limits modes problems proofs proved robots rooms routes waits].freeze
 
   LINE = 130 # characters
 
@@ -150,6 +151,17 @@ class TableSources
       ["`#{command.name}`", name, requests_of(command).map { |route| "`#{route.method} #{route.path}`" }.join(', '), words.join(', ')]
     end
     markdown(['Command', 'Name in the console', 'HTTP', 'Words of OpenIGTLink'], rows)
+  end
+
+  # The statuses with which each command may be refused, and may end early.
+  #
+  # @satisfies SWR-TOOL-341
+  def answers
+    all = interface.answers
+    rows = interface.commands.to_a.drop(1).map do |command|
+      ["`#{command.name}`", *[all.refused(command), all.ended(command)].map { |names| all.shown(names).join(', ') }]
+    end
+    markdown(['Command', 'Refused with', 'Ended early with'], rows)
   end
 
   # Those that send it: its own, or that of another command. A request that empties a list sends the beginning of one alone.

@@ -8,7 +8,8 @@
 #                   interface_layout.h;
 #                   segment_fields.h, if a HEADER declares the exchange's segment
 #   DIRECTORY/app   names and sentences, what an event's numbers are, the JSON writer and its types for the console, the
-#                   columns of boresight-replay, where the fields stand, the columns of a status; what HTTP clients may ask: routes, what answers
+#                   columns of boresight-replay, where the fields stand, the columns of a status, the
+#                   answers of each command; what HTTP clients may ask: routes, what answers
 #                   them, the tables that read requests, and the document for clients, openapi.json; the words of OpenIGTLink
 #
 #   ruby tools/compile/interface_compiler.rb core/interface build/gen/charts/charts.json build/gen/interface [HEADER...]
@@ -37,7 +38,8 @@ module Interface
   # The command line.
   module Command
     USAGE = 'usage: ruby tools/compile/interface_compiler.rb FOLDER CHARTS_JSON DIRECTORY [HEADER...]'
-    APP = [Names, EventWords, Json, Typescript, Columns, Fields, Statuses::Files, RequestTables, RouteTable, Handlers, Openapi, IgtlWords].freeze
+    APP = [Names, EventWords, Json, Typescript, Columns, Fields, Statuses::Files, Answers::Files, RequestTables, RouteTable, Handlers,
+           Openapi, IgtlWords].freeze
 
     # Returns the exit status.
     def self.run(arguments, errors: $stderr)

@@ -5,14 +5,14 @@
 
 # The scene is played on the rig of the integration tests, which asserts with Unity.
 BENCH_SCENE := $(call object,verification/bench/samples.c verification/integration/support/rig.c $(BOX_SOURCES) \
-    $(NAMES) $(FIND_ROBOT))
+    $(NAMES) $(ANSWER_LIST) $(FIND_ROBOT))
 build/gcc/bin/bench-samples: $(BENCH_SCENE) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@
 	@echo "built $@"
 
 BENCH_RECORDINGS := $(call object,verification/bench/recordings.c verification/integration/support/rig.c \
-    verification/integration/support/recorded.c $(BOX_SOURCES) $(wildcard app/recording/format/*.c app/recording/read/*.c app/recording/write/recording_writer.c) $(FIND_ROBOT))
+    verification/integration/support/recorded.c $(BOX_SOURCES) $(wildcard app/recording/format/*.c app/recording/read/*.c app/recording/write/recording_writer.c) $(ANSWER_LIST) $(FIND_ROBOT))
 build/gcc/bin/bench-recordings: $(BENCH_RECORDINGS) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c $(LIBS_boresight-recorder) -lm -o $@
