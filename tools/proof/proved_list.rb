@@ -60,8 +60,8 @@ module Proof
       kinds = @states.values
       proved, other = kinds.partition { |state| proofs_of(state).any? }
       counts = PROOFS.map { |proof| proved.count { |state| proofs_of(state).include?(proof) } }
-      "Of #{kinds.size} functions of the core and of the charts, #{proved.size} are proved free of run-time errors: " \
-        "#{counts[0]} by CBMC, #{counts[1]} by Eva for the robot #{ROBOT}. #{other.count('open')} have open alarms, " \
+      "Under the assumptions, contracts and limits of SOUNDNESS.md, #{proved.size} of #{kinds.size} functions of the core and of the " \
+        "charts are free of run-time errors: #{counts[0]} by CBMC, #{counts[1]} by Eva for the robot #{ROBOT}. #{other.count('open')} have open alarms, " \
         "#{other.count('unreached')} are not reached by Eva."
     end
 

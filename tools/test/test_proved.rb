@@ -69,8 +69,8 @@ class TestProved < Minitest::Test
   end
 
   def test_SWR_TOOL_283_the_sentence_counts_each_kind
-    assert_equal 'Of 3 functions of the core and of the charts, 2 are proved free of run-time errors: 1 by CBMC, 2 by Eva for the ' \
-                 'robot neuro. 1 have open alarms, 0 are not reached by Eva.', list.summary
+    assert_equal 'Under the assumptions, contracts and limits of SOUNDNESS.md, 2 of 3 functions of the core and of the charts are free of ' \
+                 'run-time errors: 1 by CBMC, 2 by Eva for the robot neuro. 1 have open alarms, 0 are not reached by Eva.', list.summary
   end
 
   private
