@@ -34,6 +34,8 @@ class CTests
   LIBRARIES = [*LINK, *PROJECT.fetch(:libraries).fetch(:system).map { |name| "-l#{name}" }].freeze
   # Half of the time of the default linker.
   LINKER = '-fuse-ld=gold'
+  # Of `make test`, or none.
+  CACHE = ENV.fetch('COMPILER_CACHE', '').split.freeze
   TENTH = '-DSCENE_DIVISOR=10U'
   WAYS = {
     'asan' => { compiler: %W[gcc #{TENTH} -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
@@ -184,7 +186,7 @@ class CTests
 
   def compile(*arguments)
     folders = ["#{UNITY}/src", "#{CMOCK}/src", @mocks, *FOLDERS, *@mocked]
-    call(*@options[:compiler], *FLAGS, *folders.map { |folder| "-I#{folder}" }, *arguments)
+    call(*CACHE, *@options[:compiler], *FLAGS, *folders.map { |folder| "-I#{folder}" }, *arguments)
   end
 
   def call(*command)
