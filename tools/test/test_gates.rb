@@ -168,6 +168,16 @@ class TestGates < Minitest::Test
     end
   end
 
+  def test_SWR_GATE_361_the_seconds_of_a_core_are_kept_of_each_gate_that_passed
+    busy = "ruby -e '1 until Process.clock_gettime(Process::CLOCK_PROCESS_CPUTIME_ID) > 0.5'"
+    run_gates('busy' => "#{busy}; true", 'idle' => 'sleep 0.1', 'red' => 'false') do |folder|
+      kept = JSON.parse(File.read(File.join(folder, 'build/log/core_seconds.json')))
+      assert_equal %w[busy idle], kept.keys.sort
+      assert_operator kept['busy'], :>=, 0.5
+      assert_operator kept['idle'], :<, 0.5
+    end
+  end
+
   def test_SWR_GATE_004_the_failed_test_stands_last_with_place_message_and_how_to_repeat_it
     output, = run_gates('tests' => "ruby leave.rb 'Expected: 1\n  Actual: 2'; echo end of the log")
     assert_equal <<~TEXT, output[/^end of the log.*/m]
