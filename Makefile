@@ -142,8 +142,12 @@ GENERATED := $(GEN)/limits/requirement_limits.h $(GEN)/charts/charts.json $(ROBO
     $(GEN)/assets/chart_names.c
 ASSETS := $(GEN)/assets/assets.c
 
-$(GEN)/limits/requirement_limits.h: $(wildcard requirements/*.yml requirements/*/*.yml) tools/compile/limits.rb
+# A requirement that states no other limit changes no other file.
+$(GEN)/limits/.compiled: $(wildcard requirements/*.yml requirements/*/*.yml) tools/compile/limits.rb
 	@ruby tools/compile/limits.rb requirements $(GEN)/limits
+	@touch $@
+
+$(GEN)/limits/requirement_limits.h: $(GEN)/limits/.compiled ;
 
 # What the tests prove that every chart gets.
 CHART_TESTS_PROVE := behaviour=SWR-CHART-001,invariants=SWR-CHART-002,clock=SWR-CHART-007,damage=SWR-CORE-004
