@@ -97,6 +97,8 @@ module Gates
     end
 
     # Of all processes that have ended here.
+    #
+    # @satisfies SWR-GATE-361
     def core_seconds
       Process.times.then { |times| times.cutime + times.cstime }
     end
