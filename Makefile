@@ -119,6 +119,8 @@ NO_LOOKUP := $(NO_LOOKUP_$(CONFIG))
 # What OpenIGTLink has of the rows of the interface: codes of statuses, words of commands.
 IGTL_TABLES := $(addprefix $(GEN)/interface/app/,igtl_codes.c igtl_words.c)
 REFUSED_AXIS := $(GEN)/interface/app/refused_axis.c
+# Against which every test that plays the controller holds its answers.
+ANSWER_LIST := $(GEN)/interface/app/answer_list.c
 # What HTTP clients may ask.
 API := $(GEN)/interface/app/routes.c $(GEN)/interface/app/requests.c
 HANDLERS := $(GEN)/interface/app/handlers.c
@@ -177,7 +179,7 @@ $(APART)/board: FORCE
 $(BOARD_TABLE): bsp/$(BOARD)/board.yml $(APART)/board tools/compile/boards.rb tools/robot/document.rb $(GEN)/limits/requirement_limits.h
 	@ruby tools/compile/boards.rb bsp/$(BOARD) $(GEN)/limits/requirement_limits.h $(@D)
 
-INTERFACE_PARTS := $(wildcard core/interface/*.yml core/robot/*/kinematics.yml tools/compile/interface_compiler.rb tools/interface/*.rb)
+INTERFACE_PARTS := $(wildcard core/interface/*.yml core/robot/*/kinematics.yml tools/compile/interface_compiler.rb tools/interface/*.rb tools/interface/*/*.rb)
 # What of the exchange's segment is declared elsewhere: there are checkpoints in it, which are the whole state of the core.
 LAYOUT_HEADERS := app/exchange/exchange.h app/exchange/exchange_cycles.h app/exchange/exchange_files.h app/exchange/exchange_notes.h app/exchange/exchange_peers.h app/exchange/exchange_record.h app/exchange/exchange_segment.h app/exchange/exchange_values.h $(sort $(wildcard core/*/*.h core/controller/*/*.h core/mode/*/*.h)) \
     $(GEN)/limits/requirement_limits.h

@@ -8,15 +8,18 @@
 #   ruby tools/tables.rb --check [--root FOLDER]   one line per stale block, exit 1 if there is any
 #
 # A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
-# structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `commands`, for how each is sent; `modes`, for the whole table of
-# core/interface/modes.yml; `limits`, for those of requirements/; `known_limits`, for those of
+# structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `commands`, for how each is sent, and
+# `answers`, for what may become of it; `modes`, for the whole table of core/interface/modes.yml; `limits`, for those of
+# requirements/; `known_limits`, for those of
 # requirements/known_limits.yml; `rooms`, for tools/rooms.yml; `decisions`, for docs/decisions;
 # `waits`, for tools/documents/waits.yml; `proofs`, for verification/proof/proofs.yml; `proved`, a sentence of proved.yml beside it;
+# `bound`, for verification/bound/bound.yml beside the counted cycles of verification/bench/cost.yml;
 # `robots`, for the axes of core/robot/*/robot.yml;
 # or one of tools/documents/card_tables.rb, for the frames of the cards.
 
 require 'optparse'
 require_relative 'documents/card_tables'
+require_relative 'documents/console_names'
 require_relative 'decisions'
 require_relative 'gates/plan'
 require_relative 'interface/model'
@@ -58,7 +61,7 @@ end
 # Contents that can be shown as a table, read from one project.
 class TableSources
   # Tables that are no enumeration and no structure: a method of the same name.
-  OTHERS = %w[commands decisions known_limits limits modes problems proofs proved robots rooms routes waits].freeze
+  OTHERS = %w[answers bound commands decisions known_limits limits modes problems proofs proved robots rooms routes waits].freeze
 
   LINE = 130 # characters
 
@@ -137,20 +140,38 @@ class TableSources
     markdown(['Mode', 'What it does', 'Armed by', 'In', 'Axes it needs', 'They must be homed'], rows)
   end
 
-  # How pages and peers send each command.
+  # How pages and peers send each command. A name is said only if an element of the console shows it.
+  #
+  # @satisfies SWR-TOOL-320
   def commands
+    shown = ConsoleNames.new(@root, interface).shown
     rows = interface.commands.to_a.drop(1).map do |command|
-      routes = interface.routes.routes.select { |route| route.command == request_of(command) }
       words = command.more['words']&.sequence.to_a.map { |word| "`#{word.at('word').word}`" }
-      ["`#{command.name}`", command.more['label']&.text, routes.map { |route| "`#{route.method} #{route.path}`" }.join(', '), words.join(', ')]
+      name = command.more['label']&.text if shown.include?(command.name)
+      ["`#{command.name}`", name, requests_of(command).map { |route| "`#{route.method} #{route.path}`" }.join(', '), words.join(', ')]
     end
-    markdown(['Command', 'In the console', 'HTTP', 'Words of OpenIGTLink'], rows)
+    markdown(['Command', 'Name in the console', 'HTTP', 'Words of OpenIGTLink'], rows)
   end
 
-  # The command whose request sends it; mostly its own.
-  def request_of(command)
+  # The statuses with which each command may be refused, and may end early.
+  #
+  # @satisfies SWR-TOOL-341
+  def answers
+    all = interface.answers
+    rows = interface.commands.to_a.drop(1).map do |command|
+      ["`#{command.name}`", *[all.refused(command), all.ended(command)].map { |names| all.shown(names).join(', ') }]
+    end
+    markdown(['Command', 'Refused with', 'Ended early with'], rows)
+  end
+
+  # Those that send it: its own, or that of another command. A request that empties a list sends the beginning of one alone.
+  #
+  # @satisfies SWR-TOOL-321
+  def requests_of(command)
     node = command.more['http']
-    node&.scalar? ? interface.commands.find(node.word) : command
+    return interface.routes.routes.select { |route| route.command == command } unless node&.scalar?
+
+    interface.routes.routes.select { |route| route.command == interface.commands.find(node.word) && route.method == 'POST' }
   end
 
   def decisions
@@ -168,6 +189,18 @@ class TableSources
       end
       markdown(['Harness', 'Proofs', 'Functions in which every check holds', 'Mutants refuted'], rows)
     end
+  end
+
+  # The largest counted cycle has one command.
+  def bound
+    bounds, counted = %w[bound/bound bench/cost].map { |name| YAML.safe_load_file(File.join(@root, "verification/#{name}.yml"))['robots'] }
+    rows = bounds.flat_map do |robot, by_commands|
+      by_commands['one_command'].map do |stage, most|
+        worst = counted[robot][stage]['worst']
+        [robot, stage, worst, most, format('%.1f', most.fdiv(worst)), by_commands['four_commands'][stage]]
+      end
+    end
+    markdown(['Robot', 'Stage', 'Largest counted', 'Bound, one command', 'Ratio', 'Bound, four commands'], rows)
   end
 
   # @satisfies SWR-TOOL-283

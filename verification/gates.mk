@@ -123,7 +123,7 @@ worst-case-approve: worst-case
 
 # A test of another board brings its bsp_<name>.c along: there is one bsp_open() in a program.
 TESTED := $(filter-out %_main.c app/supervisor/% $(foreach board,$(OTHER_BOARDS),bsp/$(board)/bsp_$(board).c),$(CORE_SOURCES) $(ALL_APP)) app/supervisor/status_parts.c \
-    $(NAMES) $(GEN)/interface/app/event_words.c $(GEN)/interface/app/fields.c $(GEN)/interface/app/messages.c $(GEN)/assets/chart_names.c $(GEN)/interface/app/requests.c $(IGTL_TABLES) $(REFUSED_AXIS) $(FIND_ROBOT)
+    $(NAMES) $(GEN)/interface/app/event_words.c $(GEN)/interface/app/fields.c $(GEN)/interface/app/messages.c $(GEN)/assets/chart_names.c $(GEN)/interface/app/requests.c $(IGTL_TABLES) $(REFUSED_AXIS) $(ANSWER_LIST) $(FIND_ROBOT)
 $(OUT)/libtest.a: $(call object,$(TESTED))
 	@rm -f $@; ar rcs $@ $^
 # Without what the coverage counts.

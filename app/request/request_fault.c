@@ -25,6 +25,10 @@ const char *request_fault_text(request_fault_t fault)
         return "A number is not finite.";
     case REQUEST_OUT_OF_RANGE:
         return "This is outside its range.";
+    case REQUEST_NOT_ASCII:
+        return "A byte of this is no printable ASCII character.";
+    case REQUEST_NOT_ENCODED:
+        return "A percent sign of this is not followed by two hexadecimal digits.";
     case REQUEST_COUNT:
     default:
         return "There are too few or too many of these.";

@@ -19,7 +19,9 @@ typedef enum {
     REQUEST_TOO_LONG = 6,     /**< A text, or a number with too many digits. */
     REQUEST_NOT_FINITE = 7,   /**< A number beyond all numbers. */
     REQUEST_OUT_OF_RANGE = 8, /**< A number outside its bounds, or none of the words. */
-    REQUEST_COUNT = 9         /**< Too few or too many values in a list. */
+    REQUEST_COUNT = 9,        /**< Too few or too many values in a list. */
+    REQUEST_NOT_ASCII = 10,   /**< A control character, or a byte beyond ASCII, in a query. */
+    REQUEST_NOT_ENCODED = 11  /**< A percent sign that encodes nothing, in a query. */
 } request_fault_t;
 
 /** The result of reading. */

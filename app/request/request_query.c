@@ -19,7 +19,10 @@ static unsigned hex_of(char digit)
 }
 
 /* Undoes the percent signs of `length` bytes. Control characters and what is beyond ASCII are
- * expected nowhere. */
+ * expected nowhere.
+ *
+ * @satisfies SWR-HTTP-320
+ */
 static request_fault_t decode(const char *bytes, size_t length, char *text, size_t size)
 {
     size_t written = 0U;
@@ -28,11 +31,14 @@ static request_fault_t decode(const char *bytes, size_t length, char *text, size
         if (byte == (unsigned)'%') {
             const unsigned high = ((length - i) > 2U) ? hex_of(bytes[i + 1U]) : 16U;
             const unsigned low = (high < 16U) ? hex_of(bytes[i + 2U]) : 16U;
-            byte = (low < 16U) ? ((high * 16U) + low) : 0U;
+            if (low > 15U) {
+                return REQUEST_NOT_ENCODED;
+            }
+            byte = (high * 16U) + low;
             i += 2U;
         }
         if ((byte < 0x20U) || (byte > 0x7EU)) {
-            return REQUEST_WRONG_TYPE;
+            return REQUEST_NOT_ASCII;
         }
         if ((written + 1U) >= size) {
             return REQUEST_TOO_LONG;

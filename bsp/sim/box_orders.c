@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sim/box.h"
+#include "sim/box_number.h"
 #include "sim/box_reply.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #define WORD_COUNT 3U
@@ -113,20 +113,22 @@ static void pulse(box_contact_t *contact)
     box_contact_set(contact, was_closed, BOX_PULSE_US);
 }
 
-/* A number but 0; 0: it is none. */
-static uint32_t who_of(const char *word)
+static const box_number_t *find_number(const order_t *order)
 {
-    char *end = NULL;
-    const unsigned long long who = strtoull(word, &end, 10);
+    return box_number_find(order->words[0], order->words[1], order->count);
+}
 
-    return ((word[0] >= '0') && (word[0] <= '9') && (*end == '\0') && (who <= UINT32_MAX))
-               ? (uint32_t)who
-               : 0U;
+/* False: it takes none, or has none of its range. */
+static bool take_number(const order_t *order, int64_t *number)
+{
+    const box_number_t *taken = find_number(order);
+
+    return (taken != NULL) && box_number_read(taken, order->words[order->count - 1U], number);
 }
 
 static bool order_press(box_t *self, box_held_t what, const order_t *order)
 {
-    const uint32_t who = who_of(order->words[2]);
+    int64_t who = 0;
     const bool is_press = is_word(order, 1U, "press");
 
     if (order->count == 2U) {
@@ -136,21 +138,25 @@ static bool order_press(box_t *self, box_held_t what, const order_t *order)
         }
         return is_known;
     }
-    if ((who != 0U) && is_word(order, 1U, "drop")) {
-        box_drop(self, what, who);
+    if (!take_number(order, &who)) {
+        return false;
+    }
+    if (is_word(order, 1U, "drop")) {
+        box_drop(self, what, (uint32_t)who);
         return true;
     }
-    return (who != 0U) && is_word(order, 1U, "hold") && box_hold(self, what, who);
+    return box_hold(self, what, (uint32_t)who);
 }
 
 static bool order_keep(box_t *self, const order_t *order)
 {
-    const uint32_t who = who_of(order->words[1]);
+    int64_t who = 0;
+    const bool is_good = take_number(order, &who);
 
-    if ((order->count == 2U) && (who != 0U)) {
-        box_keep(self, who);
+    if (is_good) {
+        box_keep(self, (uint32_t)who);
     }
-    return (order->count == 2U) && (who != 0U);
+    return is_good;
 }
 
 static bool order_pedal(box_t *self, const order_t *order)
@@ -258,11 +264,9 @@ static bool order_sensor(const order_t *order, box_sensor_t *sensor)
 static bool order_force(box_t *self, const order_t *order)
 {
     const bool is_hand = is_word(order, 1U, "hand");
-    char *end = NULL;
-    const unsigned long reading = strtoul(order->words[2], &end, 10);
+    int64_t reading = 0;
 
-    if ((!is_hand && !is_word(order, 1U, "needle")) || (order->words[2][0] < '0') ||
-        (order->words[2][0] > '9') || (*end != '\0') || (reading > BOX_FORCE_MOST)) {
+    if (!take_number(order, &reading)) {
         return false;
     }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
@@ -286,11 +290,9 @@ static bool order_probe(box_t *self, const order_t *order)
 
 static bool order_push(box_t *self, const order_t *order)
 {
-    char *end = NULL;
-    const long mm = strtol(order->words[1], &end, 10);
+    int64_t mm = 0;
 
-    if ((order->count != 2U) || (*end != '\0') || (mm > BOX_PUSH_MOST_MM) ||
-        (mm < -BOX_PUSH_MOST_MM)) {
+    if (!take_number(order, &mm)) {
         return false;
     }
     box_push(self, (double)mm);
@@ -323,9 +325,19 @@ static bool order_plug(box_t *self, const order_t *order)
     return false;
 }
 
-static void refuse(const char *line, box_reply_t *reply)
+/** @satisfies SWR-BOX-320 */
+static void refuse(const order_t *order, const char *line, box_reply_t *reply)
 {
-    box_reply_say(reply, "The order \"%.60s\" is unknown; the orders are:\n%s", line, orders);
+    const box_number_t *number = find_number(order);
+    int64_t read = 0;
+
+    if ((number != NULL) && !box_number_read(number, order->words[order->count - 1U], &read)) {
+        box_reply_say(reply, "The order \"%.60s\" takes a number from %lld to %lld%s", line,
+                      (long long)number->least, (long long)number->most, number->unit);
+    } else {
+        box_reply_say(reply, "The order \"%.60s\" is unknown", line);
+    }
+    box_reply_say(reply, "; the orders are:\n%s", orders);
 }
 
 static bool carry_out(box_t *self, const order_t *order)
@@ -369,7 +381,8 @@ bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_siz
     order_t words;
 
     if (!split(order, &words)) {
-        refuse(order, &answer);
+        words.count = 0U;
+        refuse(&words, order, &answer);
         return false;
     }
     if (is_word(&words, 0U, "show") && (words.count == 1U)) {
@@ -389,7 +402,7 @@ bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_siz
         is_done = carry_out(self, &words);
     }
     if (!is_done) {
-        refuse(order, &answer);
+        refuse(&words, order, &answer);
         return false;
     }
     box_reply_say(&answer, "done: %s\n", order);

@@ -127,7 +127,7 @@ static bool narrow(count_calibration_t *shown, const regime_facts_t *facts)
 static void add(count_calibration_t *shown, uint32_t way_q16, int32_t counted_ticks)
 {
     shown->model_q16 += (int64_t)way_q16;
-    shown->counted_ticks += counted_ticks;
+    shown->counted_ticks = fixed_saturate((int64_t)shown->counted_ticks + (int64_t)counted_ticks);
 }
 
 /* Steadily from one count to the next: short runs that end with a count, or just before one, would

@@ -67,8 +67,8 @@ card_drive_t follower_step(axis_t *self, const axis_config_t *config, const axis
 {
     const int64_t setpoint = (int64_t)self->sealed.homing.start_ticks +
                              ((int64_t)pace * way_ticks(leader, leader->sealed.setpoint_ticks));
-    return axis_follow(self, config, fixed_saturate(setpoint),
-                       (int32_t)pace * leader->sealed.setpoint_speed_ticks_per_s_q8, elapsed_us);
+    const int64_t speed = (int64_t)pace * (int64_t)leader->sealed.setpoint_speed_ticks_per_s_q8;
+    return axis_follow(self, config, fixed_saturate(setpoint), fixed_saturate(speed), elapsed_us);
 }
 
 bool follower_is_at_end(const axis_t *self, const axis_config_t *config,

@@ -147,7 +147,8 @@ void homing_step(homing_t *self, const axis_config_t *config, axis_reference_t l
         self->setpoint_q8 = (int64_t)position_ticks * 256;
         self->speed_ticks_per_s_q8 = 0;
     }
-    const int32_t step_q8 = (config->acceleration_ticks_per_s2 * 256) / CYCLES_PER_S;
+    /* 256 / CYCLES_PER_S in lowest terms by 4: the most acceleration times 64 fits 32 bits. */
+    const int32_t step_q8 = (config->acceleration_ticks_per_s2 * 64) / (CYCLES_PER_S / 4);
     self->speed_ticks_per_s_q8 =
         ramp_towards(self->speed_ticks_per_s_q8, speed_wanted_q8(config, leg), step_q8);
     self->setpoint_q8 += (int64_t)self->speed_ticks_per_s_q8 / CYCLES_PER_S;

@@ -16,9 +16,9 @@ static bool is_start_up(uint32_t kind, uint32_t asked)
  * authority. */
 static bool needs_table(uint32_t kind, uint32_t asked)
 {
-    const bool is_of_authority =
-        (kind >= (uint32_t)COMMAND_TAKE) && (kind <= (uint32_t)COMMAND_REQUEST);
-    return (kind == (uint32_t)COMMAND_WORKPHASE) ? is_start_up(kind, asked) : !is_of_authority;
+    const bool is_tableless =
+        (kind < COMMAND_KIND_COUNT) && (((COMMAND_KINDS_TABLELESS >> kind) & 1U) != 0U);
+    return (kind == (uint32_t)COMMAND_WORKPHASE) ? is_start_up(kind, asked) : !is_tableless;
 }
 
 /* Commands that let drives be driven: the loop must be able to stop them in time. */

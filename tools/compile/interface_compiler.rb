@@ -8,12 +8,13 @@
 #                   interface_layout.h;
 #                   segment_fields.h, if a HEADER declares the exchange's segment
 #   DIRECTORY/app   names and sentences, what an event's numbers are, the JSON writer and its types for the console, the
-#                   columns of boresight-replay, where the fields stand, the columns of a status; what HTTP clients may ask: routes, what answers
+#                   columns of boresight-replay, where the fields stand, the columns of a status, the
+#                   answers of each command; what HTTP clients may ask: routes, what answers
 #                   them, the tables that read requests, and the document for clients, openapi.json; the words of OpenIGTLink
 #
 #   ruby tools/compile/interface_compiler.rb core/interface build/gen/charts/charts.json build/gen/interface [HEADER...]
 #
-# The declarations of each HEADER count for the layout too. A wrong file is refused with file and line.
+# The declarations of each HEADER, and of the charts' headers beside CHARTS_JSON, count for the layout too. A wrong file is refused with file and line.
 
 require 'fileutils'
 require 'json'
@@ -37,7 +38,8 @@ module Interface
   # The command line.
   module Command
     USAGE = 'usage: ruby tools/compile/interface_compiler.rb FOLDER CHARTS_JSON DIRECTORY [HEADER...]'
-    APP = [Names, EventWords, Json, Typescript, Columns, Fields, Statuses::Files, RequestTables, RouteTable, Handlers, Openapi, IgtlWords].freeze
+    APP = [Names, EventWords, Json, Typescript, Columns, Fields, Statuses::Files, Answers::Files, RequestTables, RouteTable, Handlers,
+           Openapi, IgtlWords].freeze
 
     # Returns the exit status.
     def self.run(arguments, errors: $stderr)
@@ -47,12 +49,18 @@ module Interface
         return 2
       end
       model = Model.new(folder, leaves(charts))
-      write(directory, Headers.new(model).files.merge(Layout.new(model, headers).files, SegmentFields.new(headers).files))
+      write(directory, Headers.new(model).files.merge(Layout.new(model, headers + chart_headers(charts)).files, SegmentFields.new(headers).files))
       write(File.join(directory, 'app'), APP.map { |part| part.new(model).files }.inject(:merge))
       0
     rescue Refused, SystemCallError, JSON::ParserError => e
       errors.puts(e.message)
       1
+    end
+
+    # They declare what the charts keep, and lie beside the file of them. One of a chart that is no more does not count.
+    def self.chart_headers(charts)
+      names = JSON.parse(File.read(charts)).fetch('charts').map { |chart| chart.fetch('name') }
+      names.map { |name| File.join(File.dirname(charts), "#{name}_chart.h") }.select { |header| File.exist?(header) }
     end
 
     # The leaves of each region, at their values.

@@ -3,7 +3,7 @@
 
 require_relative 'c'
 require_relative 'node'
-require_relative 'payloads'
+require_relative 'command/payloads'
 
 module Interface
   # A command: its data, its permitted senders, and the workphases in which it is obeyed, as core/interface/commands.yml
@@ -11,7 +11,7 @@ module Interface
   #
   # @satisfies SWR-TOOL-011
   class Commands
-    KEYS = %w[workphases payload from obeyed_by words label http].freeze
+    KEYS = %w[workphases payload from obeyed_by answers words label http].freeze
     # Up to so many are named; of more those that are left.
     NAMED_MOST = 4
     FROM = 'core/interface/commands.yml'

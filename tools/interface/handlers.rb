@@ -70,11 +70,15 @@ module Interface
       <<~CODE
         static int #{name(route)}(http_server_t *server, const http_call_t *call)
         {
-            const request_#{route.body.name}_t *body = &call->body.#{@routes.body_name(route)};
+        #{tables(route)}    const request_#{route.body.name}_t *body = &call->body.#{@routes.body_name(route)};
             const command_t command = {.id = body->id, .kind = (uint32_t)#{@commands.constant(route.command)}#{", .as.#{payload.name} = {#{said}}" if payload}};
             return http_act_command(server, call, &command);
         }
       CODE
+    end
+
+    def tables(route)
+      route.tables.map { |field, values| "    static const uint32_t #{field}_values[] = {#{values.map { |one| "(uint32_t)#{one}" }.join(', ')}};\n" }.join
     end
   end
 end

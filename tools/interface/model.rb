@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
+require_relative 'command/answers'
 require_relative 'commands'
 require_relative 'events'
 require_relative 'message'
@@ -191,6 +192,11 @@ module Interface
       @statuses ||= Statuses.new(self) if enumeration(Statuses::NAME)
     end
 
+    # None without commands or a verdict on them.
+    def answers
+      @answers ||= Answers.new(self) if commands && enumeration(Answers::KIND) && statuses
+    end
+
     # The structures whose fields are shown in `message`, each with these fields and how.
     def sources(message)
       structures.to_h { |structure| [structure, structure.shown_in(message.name)] }.reject { |_, fields| fields.empty? }
@@ -237,6 +243,7 @@ module Interface
       events
       modes
       statuses
+      answers
       commands&.complete
       routes&.check(self)
     end

@@ -12,7 +12,7 @@ module Interface
   class Openapi
     VERSION = '1.0.0'
     JSON_MEDIA = 'application/json'
-    BY_CONTROL = 'Control refuses it; the code is the name of the status.'
+    BY_CONTROL = 'Control refuses it; the code is the name of the status'
     PROBLEM_MEDIA = 'application/problem+json'
     SAYS = 'Shows what the control core of the robot does, and takes commands. Lengths are in mm, angles in degrees. ' \
            'Whole numbers are written without fraction and exponent. Refusals are problems as of RFC 9457: `code` is ' \
@@ -73,8 +73,18 @@ module Interface
       operation['requestBody'] = body(route) if route.body || route.sends
       operation['security'] = security(route)
       operation['responses'] = responses(route)
+      operation.merge!(answers(route))
       operation['x-events'] = route.events.transform_values { |one| Schema.ref(one.typescript) } unless route.events.empty?
       operation
+    end
+
+    # The statuses with which control may refuse what is sent, and may end it early.
+    #
+    # @satisfies SWR-TOOL-341
+    def answers(route)
+      return {} unless @model.answers && route.command && (route.act? || route.refused?)
+
+      { 'x-refused' => @model.answers.of_route(route, :refused), 'x-ended' => @model.answers.of_route(route, :ended) }.reject { |_, names| names.empty? }
     end
 
     # A GET of an observer needs no session at the plain loopback listener.
@@ -124,8 +134,14 @@ module Interface
       refusals = route.problems(@model.routes.problems).group_by { |problem| problem.http.to_s }
       found = { '200' => good }.merge(refusals.transform_values { |same| refusal(same) })
       found['202'] = good.merge('description' => 'Begun; its end comes as the event act of the stream.') if route.act?
-      found['409'] = refusal(refusals.fetch('409', []), BY_CONTROL) if route.refused? || route.act?
+      found['409'] = refusal(refusals.fetch('409', []), by_control(route)) if route.refused? || route.act?
       found.sort.to_h
+    end
+
+    # "... the name of the status: BUSY, NOT_ALIGNED."
+    def by_control(route)
+      names = answers(route)['x-refused']
+      "#{[BY_CONTROL, names&.join(', ')].compact.join(': ')}."
     end
 
     def content(route)

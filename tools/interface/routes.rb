@@ -187,13 +187,16 @@ module Interface
   # operator that has authority, answered as an act, whose body is its id. Further keys:
   #
   #   handler  without one the route fills the payload as body and path say it: each field from the member of its name, or from {axis}
-  #   takes    {FIELD: MEMBER} of a member with another name
+  #   by_hand  why the handler is written and not generated; it stands with each
+  #   takes    {FIELD: MEMBER} of a member with another name; {FIELD: {MEMBER: {WORD: VALUE}}} of one with words of its own
+  #   leaves   fields that the request does not say: they stay 0
   #   listed   false: GET /api/v1/modes does not list whether the command is allowed
   #
   # @satisfies SWR-TOOL-082
   # @satisfies SWR-TOOL-310
+  # @satisfies SWR-TOOL-342
   class CommandRoute < Route
-    OWN = %w[name method handler who says takes listed].freeze
+    OWN = %w[name method handler by_hand who says takes leaves listed].freeze
     SENDER = 'HTTP'
     ACT = 'act'
     BARE = { 'body' => 'bare_act', 'body_most' => 256 }.freeze # The body of an act without a payload, and its most bytes.
@@ -216,12 +219,16 @@ module Interface
     end
     private_class_method :shared
 
-    # What the handler sets in the payload: {field => expression in C}; nil: the handler is written.
-    attr_reader :fields
+    # What the handler sets in the payload: {field => expression in C}; nil: the handler is written. `tables`: the values of words
+    # by their places in the body's member: {field => constants}.
+    attr_reader :fields, :tables
 
     def initialize(node, value, mode)
       own = node.mapping(%w[path], OPTIONAL + OWN)
       @takes = own.delete('takes')&.all.to_h
+      @leaves = own.delete('leaves')&.sequence.to_a.map(&:word)
+      @by_hand = own.delete('by_hand')
+      @tables = {}
       @is_listed = own.delete('listed')&.true? != false
       super(node, usual(node, value, mode, own).merge(own))
       @command = value
@@ -231,6 +238,7 @@ module Interface
       @says = model.commands.told(says, command)
       super
       @fields = read_fields(model.commands.payloads.of(command)) unless handler
+      refuse_without_reason
     end
 
     def listed?
@@ -247,22 +255,52 @@ module Interface
       node.stands_for(plain, 'says' => says).all
     end
 
+    def refuse_without_reason
+      node.refuse('has a handler, but not by_hand, why it is written') if handler && @by_hand.nil?
+      @by_hand&.refuse('stands without a handler') unless handler
+      @by_hand&.text
+    end
+
     def read_fields(payload)
       node.refuse('has no handler and no body') unless body
-      names = payload ? payload.structure.fields.to_h { |field| [field, @takes[field.name]&.word || field.name] } : {}
+      names = payload ? filled(payload).to_h { |field| [field, member_of(field)] } : {}
       unread = body.members.map(&:name) - ['id'] - names.values
       node.refuse("needs a handler for #{unread.join(', ')} of its body") unless unread.empty?
       names.to_h { |field, name| [field.name, expression(field, name)] }
+    end
+
+    def filled(payload)
+      payload.structure.fields.reject { |field| @leaves.include?(field.name) }
+    end
+
+    def member_of(field)
+      taken = @takes[field.name]
+      return field.name unless taken
+
+      taken.scalar? ? taken.word : taken.all.keys.first
     end
 
     def expression(field, name)
       return "call->path.#{name}" if value == name
 
       member = body.members.find { |one| one.name == name }
+      return translated(field, member) if member&.words && @takes.key?(field.name) && !@takes[field.name].scalar?
+
       is_same = member && !member.list? && !member.optional? && field.count.nil? &&
                 (member.enumeration ? member.enumeration == field.type.enumeration : member.type == field.type.name)
       node.refuse("needs a handler for the field #{field.name} of its command") unless is_same
       "body->#{name}"
+    end
+
+    # Words of the body alone, each with its value of the field's enumeration.
+    def translated(field, member)
+      words = @takes[field.name].all.fetch(member.name).all
+      node.refuse("has the words #{words.keys.join(', ')}; expected #{member.words.join(', ')}") unless words.keys == member.words
+      enumeration = field.type.enumeration || node.refuse("needs a handler for the field #{field.name} of its command")
+      @tables[field.name] = words.values.map do |one|
+        enumeration.constant(enumeration.values.find { |value| value.name == one.choice(enumeration.values.map(&:name)) })
+      end
+      "#{field.name}_values[body->#{member.name}]"
     end
   end
 

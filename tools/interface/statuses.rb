@@ -9,7 +9,7 @@ module Interface
   #
   # @satisfies SWR-TOOL-071
   class Statuses
-    KEYS = %w[igtl_code names_axis].freeze
+    KEYS = %w[igtl_code names_axis refuses ends].freeze
     # Those of the protocol that a refusal may have.
     CODES = %w[OK ACCESS_DENIED BUSY TIME_OUT CONFIG_ERROR UNKNOWN_INSTRUCTION NOT_READY].freeze
     # That of a number which is no status.

@@ -37,7 +37,7 @@ module Trace
   # Tests that run the whole controller are integration tests, wherever they stand.
   LEVEL_OF_FILE = { %r{\Averification/(?:integration/|supervise/|bench/|unit/test_controller)} => 'integration',
                     %r{\A(?:verification/unit|core/robot|build/gen/tests)/} => 'unit',
-                    %r{\Averification/(?:eva|model|mutants)/} => 'tool',
+                    %r{\Averification/(?:bound|eva|model|mutants)/} => 'tool',
                     %r{\Averification/proof/} => 'proof',
                     %r{\Averification/} => 'system',
                     %r{\Aapp/console/} => 'console',

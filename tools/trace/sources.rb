@@ -15,7 +15,7 @@ module Trace
 
   # Finds `@satisfies`, `bs:req`, `bs:hazard` and tests below a project's root.
   class Sources
-    CODE = '{{core,bsp,app,site,tools}/**/*.{h,c,rb,ts,tsx,yml},tools/{bootstrap,run_long}}'
+    CODE = '{{core,bsp,app,site,tools}/**/*.{h,c,rb,ts,tsx,yml},verification/bound/*.rb,tools/{bootstrap,run_long}}'
     CHARTS = 'statecharts/*.scxml'
     C_TESTS = '{verification/unit,verification/integration,core/robot/*/test,build/gen/tests}/**/test_*.c'
     PROOFS = 'verification/proof/**/prove_*.c'

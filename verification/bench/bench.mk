@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 # Cost of a cycle, and punctuality of its begin; included by the Makefile.
 
-.PHONY: bench rt-report bench-clients bench-codec bench-crowds bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve
+.PHONY: bench rt-report bench-clients bench-codec bench-crowds bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve bound bound-approve
 
 # The scene is played on the rig of the integration tests, which asserts with Unity.
 BENCH_SCENE := $(call object,verification/bench/samples.c verification/integration/support/rig.c $(BOX_SOURCES) \
-    $(NAMES) $(FIND_ROBOT))
+    $(NAMES) $(ANSWER_LIST) $(FIND_ROBOT))
 build/gcc/bin/bench-samples: $(BENCH_SCENE) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@
 	@echo "built $@"
 
 BENCH_RECORDINGS := $(call object,verification/bench/recordings.c verification/integration/support/rig.c \
-    verification/integration/support/recorded.c $(BOX_SOURCES) $(wildcard app/recording/format/*.c app/recording/read/*.c app/recording/write/recording_writer.c) $(FIND_ROBOT))
+    verification/integration/support/recorded.c $(BOX_SOURCES) $(wildcard app/recording/format/*.c app/recording/read/*.c app/recording/write/recording_writer.c) $(ANSWER_LIST) $(FIND_ROBOT))
 build/gcc/bin/bench-recordings: $(BENCH_RECORDINGS) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c $(LIBS_boresight-recorder) -lm -o $@
@@ -52,6 +52,12 @@ cost: bootstrap-test cost-programs ## What a cycle costs as Cortex-A9 code, in i
 
 cost-approve: cost
 	@cp build/bench/cost.yml verification/bench/cost.yml
+
+bound: bootstrap-test cost-programs ## What a cycle needs at most as Cortex-A9 code, in instructions, from its flow graph and the bounds of its loops
+	@ruby verification/bound/bound.rb
+
+bound-approve: bound
+	@cp build/bound/bound.yml verification/bound/bound.yml
 
 bench: bench-programs ## Instructions of a cycle, recordings, OpenIGTLink beside its library and under load, crowds at the HTTP server, wake-up latency beside cyclictest (BENCH_SECONDS=10)
 	@ruby verification/bench/bench.rb

@@ -2,7 +2,7 @@
 # How soon a blind axis is found, measured; included by the Makefile after supervise.mk.
 
 .PHONY: detection
-DETECTION_SOURCES := verification/detection/detection.c verification/integration/support/rig.c $(BOX_SOURCES)
+DETECTION_SOURCES := verification/detection/detection.c verification/integration/support/rig.c $(BOX_SOURCES) $(ANSWER_LIST)
 build/gcc/bin/detection: $(call object,$(DETECTION_SOURCES)) $(OUT)/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@

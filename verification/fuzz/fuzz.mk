@@ -46,7 +46,7 @@ $(FUZZ)/bin/request: $(call fuzz_object,verification/fuzz/request_fuzz.c $(wildc
 	@echo "built $@"
 
 $(FUZZ)/bin/dialect: $(call fuzz_object,$(FUZZ_DIALECT) $(FUZZED)) \
-    $(call object,verification/integration/support/rig.c verification/supervise/watch/authority_oracle.c $(wildcard verification/oracle/*.c) $(BOX_SOURCES) $(NAMES)) build/gcc/libcore.a
+    $(call object,verification/integration/support/rig.c verification/supervise/watch/authority_oracle.c $(wildcard verification/oracle/*.c) $(BOX_SOURCES) $(NAMES) $(ANSWER_LIST)) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@
 	@echo "built $@"

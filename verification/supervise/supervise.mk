@@ -10,7 +10,7 @@ PLAY ?= random
 UNITY := .tools/gems/gems/ceedling-1.2.1/vendor/unity/src
 SUPERVISE_SOURCES := $(wildcard verification/supervise/*.c verification/supervise/*/*.c verification/oracle/*.c core/robot/*/test/*_truth.c) \
     verification/integration/support/rig.c verification/integration/support/refused_way.c \
-    verification/unit/support/refused_pair.c $(BOX_SOURCES) $(FIND_ROBOT) $(NAMES)
+    verification/unit/support/refused_pair.c $(BOX_SOURCES) $(FIND_ROBOT) $(NAMES) $(ANSWER_LIST)
 build/gcc/bin/supervise: $(call object,$(SUPERVISE_SOURCES)) $(OUT)/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@

@@ -17,7 +17,8 @@
 #define ADDRESS_SIZE 64U
 #define LOGIN_PATH "/api/v1/session"
 #define NOT_SENT 499
-#define NOT_HERE "over the network it is by name and password over TLS alone."
+#define NOT_BY_TLS "by TLS a name and password are taken, and no code."
+#define NOT_IN_CLEAR "no login is taken in the clear but at the loopback listener."
 
 bool http_login_gate_is_tls(const http_server_t *server, const struct mg_connection *connection)
 {
@@ -271,6 +272,7 @@ static int refuse_login(struct mg_connection *connection, login_verdict_t verdic
  * @satisfies SWR-SESS-015
  * @satisfies SWR-SESS-018
  * @satisfies SWR-SESS-033
+ * @satisfies SWR-SESS-321
  */
 int http_login_gate_log_in(http_server_t *server, const http_call_t *call)
 {
@@ -290,8 +292,10 @@ int http_login_gate_log_in(http_server_t *server, const http_call_t *call)
         return http_reply_problem(connection, &problem, NULL);
     }
     const bool is_near = is_plain_loopback(server, connection);
-    if (!is_near && ((login.code != NULL) || !http_login_gate_is_tls(server, connection))) {
-        session_store_note_refusal(&server->desk, &login, NOT_HERE, telemetry_now_ms());
+    const bool is_tls = http_login_gate_is_tls(server, connection);
+    if (!is_near && ((login.code != NULL) || !is_tls)) {
+        session_store_note_refusal(&server->desk, &login, is_tls ? NOT_BY_TLS : NOT_IN_CLEAR,
+                                   telemetry_now_ms());
         return refuse(connection, PROBLEM_LOGIN_NOT_HERE);
     }
     login.mark = find_mark(server, connection, &login, mark);

@@ -170,17 +170,6 @@ int http_targeting_aim(http_server_t *server, const http_call_t *call)
     return (refusal != 0) ? refusal : http_act_command(server, call, &command);
 }
 
-int http_targeting_withdraw(http_server_t *server, const http_call_t *call)
-{
-    static const command_kind_t kinds[] = {COMMAND_ENTRY, COMMAND_PROPOSE_REGISTRATION,
-                                           COMMAND_PROPOSE_ENTRY, COMMAND_PROPOSE_TARGET};
-    const request_withdraw_t *body = &call->body.withdraw;
-    const command_t command = {.id = body->id,
-                               .kind = (uint32_t)COMMAND_WITHDRAW,
-                               .as.withdrawal = {.of = (uint32_t)kinds[body->what]}};
-    return http_act_command(server, call, &command);
-}
-
 static cJSON *new_axes(const robot_t *robot, const preview_t *preview)
 {
     cJSON *axes = cJSON_CreateArray();

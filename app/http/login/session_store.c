@@ -11,7 +11,9 @@
 
 #define CODE_NAME "code" /* Name of a client that has logged in by it. */
 #define STRANGER "?"
-#define ENDED_MOST 2U /* Sessions that one login ends. */
+#define OWN_NAME "http"     /* Of this program, as the log names it. */
+#define NOTE_TEXT_SIZE 321U /* A cause, an address and a count. */
+#define ENDED_MOST 2U       /* Sessions that one login ends. */
 #define GROUP 4U
 #define BUSY_S 1U
 #define MS_PER_S 1000U
@@ -24,7 +26,7 @@ static void tell(const session_store_t *self, note_kind_t kind, const char *who,
 static void tell(const session_store_t *self, note_kind_t kind, const char *who, const char *format,
                  ...)
 {
-    char text[SESSION_TEXT_SIZE];
+    char text[NOTE_TEXT_SIZE];
     va_list arguments;
 
     va_start(arguments, format);
@@ -114,8 +116,9 @@ static void note_refusal(session_store_t *self, const login_t *login, const char
     const uint32_t count = take_refusals(self, pause_s, now_ms, &last);
     (void)pthread_mutex_unlock(&self->lock);
     if (count > 1U) {
-        tell(self, NOTE_LOGIN_REFUSED, last.who, "login refused%s after %u others: %s", last.from,
-             (unsigned)(count - 1U), why);
+        tell(self, NOTE_LOGIN_REFUSED, last.who,
+             "login refused%s: %s Refused before it without a line, of any name: %u.", last.from,
+             why, (unsigned)(count - 1U));
     } else if (count > 0U) {
         tell(self, NOTE_LOGIN_REFUSED, last.who, "login refused%s: %s", last.from, why);
     } else {
@@ -448,9 +451,10 @@ void session_store_tick(session_store_t *self, uint64_t now_ms)
     const uint32_t count = take_refusals(self, LIMIT_REFUSALS_LINE_S, now_ms, &last);
     (void)pthread_mutex_unlock(&self->lock);
     if (count > 0U) {
-        tell(self, NOTE_LOGIN_REFUSED, last.who,
-             "%u logins refused, the last%s: they came too soon to be judged or logged.",
-             (unsigned)count, last.from);
+        tell(self, NOTE_LOGIN_REFUSED, OWN_NAME,
+             "logins refused that came too soon to be judged or logged, of any name: %u; the last "
+             "of %s%s.",
+             (unsigned)count, last.who, last.from);
     }
     end_old(self, now_ms);
     if (is_comparison_due(self, now_ms)) {

@@ -149,6 +149,7 @@ void session_store_log_out(session_store_t *self, const char *id, uint64_t now_m
  *
  * @satisfies SWR-SESS-021
  * @satisfies SWR-SESS-022
+ * @satisfies SWR-SESS-322
  */
 void session_store_tick(session_store_t *self, uint64_t now_ms);
 

@@ -13,7 +13,8 @@ typedef struct {
     uint64_t looked_us;
     uint64_t size;        /**< Size of the present file then, bytes. */
     uint64_t bytes_per_s; /**< 0: nothing was measured. */
-    uint32_t left_min;    /**< Until the disk is full, from 1; 0: no end is foreseen. */
+    uint32_t left_min;    /**< Until the disk is full, from 1, also when it is full; 0: no end is
+                             foreseen, also before    the first measurement. */
 } recording_room_t;
 
 /**

@@ -8,6 +8,7 @@
 #include "controller/memory/controller_restore.h"
 #include "controller/show/controller_ready.h"
 
+#include "base/fixed.h"
 #include "safety/permit.h"
 
 #include <stddef.h>
@@ -21,7 +22,8 @@ static int32_t supervised_detail(const axis_t *axis, event_id_t id)
         value = axis->sealed.encoder.position_ticks;
         break;
     case (uint32_t)EVENT_AXIS_FOLLOWING_ERROR:
-        value = axis->sealed.setpoint_ticks - axis->sealed.encoder.position_ticks;
+        value = fixed_saturate((int64_t)axis->sealed.setpoint_ticks -
+                               (int64_t)axis->sealed.encoder.position_ticks);
         break;
     case (uint32_t)EVENT_AXIS_WRONG_WAY:
         value = axis->supervision.sealed.backwards_ticks;
@@ -54,7 +56,8 @@ static int32_t detail(const axis_t *axis, event_id_t id)
         value = axis->sealed.encoder.jump_ticks;
         break;
     case (uint32_t)EVENT_AXIS_SWITCH_FAULT:
-        value = axis->sealed.encoder.position_ticks - axis->sealed.homing.start_ticks;
+        value = fixed_saturate((int64_t)axis->sealed.encoder.position_ticks -
+                               (int64_t)axis->sealed.homing.start_ticks);
         break;
     case (uint32_t)EVENT_AXIS_SWITCH_ELSEWHERE:
         value = axis->sealed.contradiction_ticks;

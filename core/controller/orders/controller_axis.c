@@ -28,9 +28,9 @@ static status_t obey_clear(controller_t *self, const cycle_t *cycle, uint32_t in
     return STATUS_OK;
 }
 
-static status_t obey_confirm(controller_t *self, const cycle_t *cycle, const command_t *command)
+static status_t obey_confirm(controller_t *self, const cycle_t *cycle, const command_t *command,
+                             uint32_t index)
 {
-    const uint32_t index = command_as_axis(command)->axis;
     const axis_t *const axis = &self->axes[index];
     if (!axis_is_confirmable(axis, &cycle->robot->axes[index])) {
         return STATUS_NOTHING_TO_CONFIRM;
@@ -111,17 +111,17 @@ static status_t obey_disable(controller_t *self, const cycle_t *cycle, uint32_t 
     return STATUS_OK;
 }
 
-/* An act that may be obeyed, on an axis that there is. */
-static status_t obey_act(controller_t *self, const cycle_t *cycle, const command_t *command)
+/* An act that may be obeyed, on axis `index`, which was compared with their number. */
+static status_t obey_act(controller_t *self, const cycle_t *cycle, const command_t *command,
+                         uint32_t index)
 {
-    const uint32_t index = command_as_axis(command)->axis;
     status_t status = STATUS_OK;
     switch (command->kind) {
     case (uint32_t)COMMAND_CLEAR_AXIS:
         status = obey_clear(self, cycle, index);
         break;
     case (uint32_t)COMMAND_CONFIRM_AXIS:
-        status = obey_confirm(self, cycle, command);
+        status = obey_confirm(self, cycle, command, index);
         break;
     case (uint32_t)COMMAND_ENABLE_AXIS:
         status = obey_enable(self, cycle, index);
@@ -147,7 +147,7 @@ status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const co
     } else if (index >= self->sealed.axis_count) {
         status = STATUS_UNKNOWN_COMMAND;
     } else {
-        status = obey_act(self, cycle, command);
+        status = obey_act(self, cycle, command, index);
     }
     return status;
 }

@@ -12,6 +12,7 @@
  * @satisfies SWR-CMD-001
  * @satisfies SWR-CMD-004
  * @satisfies SWR-CMD-005
+ * @satisfies SWR-CMD-340
  * @satisfies SWR-EVENT-009
  * @satisfies SWR-EVENT-011
  * @satisfies SWR-LOOP-006

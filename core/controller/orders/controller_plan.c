@@ -21,9 +21,10 @@ static status_t judge_targeting(const controller_t *self, const command_t *comma
     return status;
 }
 
-static status_t tell_registration(controller_t *self, const cycle_t *cycle,
-                                  const command_t *command)
+status_t controller_obey_registration(controller_t *self, const cycle_t *cycle,
+                                      const command_t *command, answer_t *answer)
 {
+    (void)answer;
     if (!controller_is_of_workphase(self, command)) {
         return STATUS_WRONG_WORKPHASE;
     }
@@ -65,8 +66,10 @@ static status_t judge_probe(const controller_t *self, const cycle_t *cycle,
     return status;
 }
 
-static status_t tell_probe(controller_t *self, const cycle_t *cycle, const command_t *command)
+status_t controller_obey_probe(controller_t *self, const cycle_t *cycle, const command_t *command,
+                               answer_t *answer)
 {
+    (void)answer;
     probe_t probe;
     const command_probe_t *const sent = command_as_probe(command);
     (void)memcpy(probe.length_nm, sent->lengths_nm, sizeof probe.length_nm);
@@ -81,8 +84,8 @@ static status_t tell_probe(controller_t *self, const cycle_t *cycle, const comma
     return status;
 }
 
-static status_t tell_target(controller_t *self, const cycle_t *cycle, const command_t *command,
-                            answer_t *answer)
+status_t controller_obey_target(controller_t *self, const cycle_t *cycle, const command_t *command,
+                                answer_t *answer)
 {
     const status_t judged = judge_targeting(self, command);
     if (judged != STATUS_OK) {
@@ -102,16 +105,10 @@ static status_t tell_target(controller_t *self, const cycle_t *cycle, const comm
     return result.status;
 }
 
-static status_t tell_entry(controller_t *self, const cycle_t *cycle, const command_t *command,
+/* An entry point that is not refused is that of the targets to come. */
+static status_t take_entry(controller_t *self, const cycle_t *cycle, status_t status,
                            answer_t *answer)
 {
-    const status_t judged = judge_targeting(self, command);
-    if (judged != STATUS_OK) {
-        return judged;
-    }
-    const status_t status = (command->kind == (uint32_t)COMMAND_ENTRY)
-                                ? plan_set_entry(&self->plan, &command_as_pose(command)->pose)
-                                : plan_accept_entry(&self->plan);
     if (status == STATUS_OK) {
         answer->pose.translation = self->plan.entry;
         controller_note(self, cycle, EVENT_ENTRY_TAKEN, 0U, 0);
@@ -119,28 +116,73 @@ static status_t tell_entry(controller_t *self, const cycle_t *cycle, const comma
     return status;
 }
 
-static status_t tell_proposal(controller_t *self, const cycle_t *cycle, const command_t *command)
+status_t controller_obey_entry(controller_t *self, const cycle_t *cycle, const command_t *command,
+                               answer_t *answer)
+{
+    const status_t judged = judge_targeting(self, command);
+    return (judged == STATUS_OK)
+               ? take_entry(self, cycle,
+                            plan_set_entry(&self->plan, &command_as_pose(command)->pose), answer)
+               : judged;
+}
+
+status_t controller_obey_accept_entry(controller_t *self, const cycle_t *cycle,
+                                      const command_t *command, answer_t *answer)
+{
+    const status_t judged = judge_targeting(self, command);
+    return (judged == STATUS_OK) ? take_entry(self, cycle, plan_accept_entry(&self->plan), answer)
+                                 : judged;
+}
+
+static plan_proposer_t proposer_of(const controller_t *self, const command_t *command)
 {
     const plan_proposer_t proposer = {.peer = command->peer, .cycle = self->sealed.cycle};
-    status_t status = STATUS_OK;
-    if (command->kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) {
-        status = plan_propose_registration(&self->plan, cycle->robot,
-                                           &command_as_seen_pose(command)->pose, &proposer);
-    } else if (command->kind == (uint32_t)COMMAND_PROPOSE_ENTRY) {
-        status = plan_propose_entry(&self->plan, cycle->robot, &command_as_seen_pose(command)->pose,
-                                    &proposer);
-    } else {
-        status = plan_propose_target(&self->plan, cycle->robot,
-                                     &command_as_seen_pose(command)->pose, &proposer);
-    }
+    return proposer;
+}
+
+static status_t note_proposal(controller_t *self, const cycle_t *cycle, const command_t *command,
+                              status_t status)
+{
     if ((status == STATUS_OK) && !controller_is_unlogged(command)) {
         controller_note(self, cycle, EVENT_PROPOSAL, command->kind, 0);
     }
     return status;
 }
 
-static status_t withdraw(controller_t *self, const cycle_t *cycle, const command_t *command)
+status_t controller_obey_propose_registration(controller_t *self, const cycle_t *cycle,
+                                              const command_t *command, answer_t *answer)
 {
+    (void)answer;
+    const plan_proposer_t proposer = proposer_of(self, command);
+    const rigid_t *const pose = &command_as_seen_pose(command)->pose;
+    return note_proposal(self, cycle, command,
+                         plan_propose_registration(&self->plan, cycle->robot, pose, &proposer));
+}
+
+status_t controller_obey_propose_entry(controller_t *self, const cycle_t *cycle,
+                                       const command_t *command, answer_t *answer)
+{
+    (void)answer;
+    const plan_proposer_t proposer = proposer_of(self, command);
+    const rigid_t *const pose = &command_as_seen_pose(command)->pose;
+    return note_proposal(self, cycle, command,
+                         plan_propose_entry(&self->plan, cycle->robot, pose, &proposer));
+}
+
+status_t controller_obey_propose_target(controller_t *self, const cycle_t *cycle,
+                                        const command_t *command, answer_t *answer)
+{
+    (void)answer;
+    const plan_proposer_t proposer = proposer_of(self, command);
+    const rigid_t *const pose = &command_as_seen_pose(command)->pose;
+    return note_proposal(self, cycle, command,
+                         plan_propose_target(&self->plan, cycle->robot, pose, &proposer));
+}
+
+status_t controller_obey_withdraw(controller_t *self, const cycle_t *cycle,
+                                  const command_t *command, answer_t *answer)
+{
+    (void)answer;
     const uint32_t withdrawn = command_as_withdrawal(command)->of;
     plan_part_t part = PLAN_ENTRY;
     bool is_known = true;
@@ -171,8 +213,11 @@ static status_t withdraw(controller_t *self, const cycle_t *cycle, const command
     return status;
 }
 
-static status_t tell_needle(controller_t *self, const command_t *command)
+status_t controller_obey_needle(controller_t *self, const cycle_t *cycle, const command_t *command,
+                                answer_t *answer)
 {
+    (void)cycle;
+    (void)answer;
     return controller_is_of_workphase(self, command)
                ? plan_see_needle(&self->plan, &command_as_seen_pose(command)->pose)
                : STATUS_WRONG_WORKPHASE;
@@ -198,37 +243,4 @@ bool controller_is_unlogged(const command_t *command)
         break;
     }
     return is_unlogged;
-}
-
-status_t controller_obey_plan(controller_t *self, const cycle_t *cycle, const command_t *command,
-                              answer_t *answer)
-{
-    status_t status = STATUS_UNKNOWN_COMMAND;
-    switch (command->kind) {
-    case (uint32_t)COMMAND_REGISTRATION:
-        status = tell_registration(self, cycle, command);
-        break;
-    case (uint32_t)COMMAND_PROBE:
-        status = tell_probe(self, cycle, command);
-        break;
-    case (uint32_t)COMMAND_TARGET:
-        status = tell_target(self, cycle, command, answer);
-        break;
-    case (uint32_t)COMMAND_ENTRY:
-    case (uint32_t)COMMAND_ACCEPT_ENTRY:
-        status = tell_entry(self, cycle, command, answer);
-        break;
-    case (uint32_t)COMMAND_PROPOSE_REGISTRATION:
-    case (uint32_t)COMMAND_PROPOSE_ENTRY:
-    case (uint32_t)COMMAND_PROPOSE_TARGET:
-        status = tell_proposal(self, cycle, command);
-        break;
-    case (uint32_t)COMMAND_WITHDRAW:
-        status = withdraw(self, cycle, command);
-        break;
-    default: /* NEEDLE: no other one is dispatched here. */
-        status = tell_needle(self, command);
-        break;
-    }
-    return status;
 }

@@ -235,7 +235,8 @@ static void drive(const mode_frame_t *frame, const escort_t *escort, mode_result
         } else if (leaders[i] == i) {
             result->requests[i] = axis_rest(axis, frame->elapsed_us);
         } else {
-            /* It follows. */
+            /* Until it follows. */
+            result->requests[i] = (card_drive_t){.mode = (uint32_t)CARD_DRIVE_OFF};
         }
     }
     for (uint32_t i = 0U; i < frame->axis_count; i++) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "mode/leg/leg.h"
 
+#include "base/fixed.h"
 #include "limits/requirement_limits.h"
 
 /* At the end for this long before it has arrived: the motors' fall time is about 1.5 ms. */
@@ -95,8 +96,8 @@ static void watch_time(leg_t *self, const mode_frame_t *frame, mode_result_t *re
     if ((self->overtime_cycles * LIMIT_CYCLE_US) >= LIMIT_OVERTIME_US) {
         const uint32_t index = find_astray(self, frame);
         mode_fail(result, EVENT_ORDER_OVERDUE, index,
-                  self->profile.end_ticks[index] -
-                      frame->axes[index].sealed.encoder.position_ticks);
+                  fixed_saturate((int64_t)self->profile.end_ticks[index] -
+                                 (int64_t)frame->axes[index].sealed.encoder.position_ticks));
     }
 }
 

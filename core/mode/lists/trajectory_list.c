@@ -188,7 +188,7 @@ static solution_t judge(const trajectory_list_t *self, const trajectory_row_t *r
                         const robot_t *robot, const trajectory_row_t *row)
 {
     const bool is_first = self->count == 0U;
-    const trajectory_row_t *const before = is_first ? row : &rows[self->count - 1U];
+    const trajectory_row_t *const before = (self->count == 0U) ? row : &rows[self->count - 1U];
     solution_t result = {.status = STATUS_OK};
     if (row->time_ms > LIMIT_TRAJECTORY_TIME_MS) {
         result.status = STATUS_TRAJECTORY_ORDER;

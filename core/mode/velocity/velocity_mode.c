@@ -174,6 +174,7 @@ static void plan_axes(const velocity_mode_t *self, const mode_frame_t *frame, ve
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         const axis_t *const axis = &frame->axes[i];
         plan->speeds_q8[i] = 0;
+        plan->steps_q8[i] = 0;
         plan->from_ticks[i] = axis->sealed.encoder.position_ticks;
         plan->to_ticks[i] = plan->from_ticks[i];
         if (has_axis(self, i)) {

@@ -10,6 +10,8 @@ require_relative 'interface_folder'
 class TestInterfaceCompiler < Minitest::Test
   include InterfaceFolder
 
+  ROOT = File.expand_path('../../..', __dir__)
+
   def test_SWR_CMD_004_compiled_names_and_sentences_are_those_of_the_file
     with_output do |folder|
       File.write(File.join(folder, 'main.c'), <<~CODE)
@@ -361,6 +363,22 @@ class TestInterfaceCompiler < Minitest::Test
 
   def test_SWR_TOOL_013_layout_differs_when_a_chart_has_another_state
     refute_equal layout, layout('charts.json' => JSON.generate(CHARTS).sub('dark', 'dim'))
+  end
+
+  # Charts are states of the core, and stand in its checkpoints.
+  def test_SWR_TOOL_013_layout_differs_when_a_chart_keeps_its_state_in_another_order
+    chart = "typedef struct {\n    uint32_t lamp;\n    uint32_t motor;\n} lamp_chart_t;\n"
+    swapped = "typedef struct {\n    uint32_t motor;\n    uint32_t lamp;\n} lamp_chart_t;\n"
+    refute_equal layout('lamp_chart.h' => chart), layout('lamp_chart.h' => swapped)
+  end
+
+  def test_SWR_TOOL_013_each_header_of_the_state_counts
+    headers, = Open3.capture2('make', '--no-print-directory', '--eval', 'names: ; @echo $(LAYOUT_HEADERS)', 'names', chdir: ROOT)
+    reached, status = Open3.capture2('gcc', '-std=c99', '-Icore', '-Ibuild/gen', '-MM', 'core/controller/controller.h', chdir: ROOT)
+    assert status.success?
+    counted = headers.split.map { |header| header.delete_prefix("#{ROOT}/") }
+    left = reached.scan(%r{[\w/]+\.h}).uniq - counted
+    assert_empty(left.grep_v(%r{\Abuild/gen/(interface/|charts/\w+_chart\.h\z)}))
   end
 
   def test_SWR_TOOL_013_layout_differs_when_a_further_header_declares_something_else

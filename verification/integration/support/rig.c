@@ -6,16 +6,19 @@
 #include "card/card_dialect.h"
 #include "card/card_words.h"
 #include "integration/support/aim32_box.h"
+#include "interface/app/answer_list.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
 #include "unity.h"
 
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 
 /* So low that at home_speed a tick ahead still leaves more than the slowest speed. */
 #define MAGNITUDE_GAIN_PER_S 24U
-#define NEAR_SHARE 16       /* So much of a second at full speed away from its switch. */
+#define NEAR_SHARE 16 /* So much of a second at full speed away from its switch. */
+#define TEXT_SIZE 128U
 #define HOME_CYCLES 150000U /* Homing of the slowest robot. */
 
 /* The axis whose magnitudes a card without pwm could take. */
@@ -172,9 +175,23 @@ static void gather(rig_t *self)
     self->command_count = 0U;
 }
 
+/* Its command's row of the interface lists it. */
+static void expect_listed(const answer_t *answer)
+{
+    char text[TEXT_SIZE];
+    if (answer_row_of(answer) == answer_row_count) {
+        (void)snprintf(text, sizeof text,
+                       "no row lists the answer to command %u: kind %u, status %u, final %u",
+                       (unsigned)answer->command, (unsigned)answer->kind, (unsigned)answer->status,
+                       (unsigned)answer->is_final);
+        TEST_FAIL_MESSAGE(text);
+    }
+}
+
 static void keep(rig_t *self)
 {
     for (uint32_t i = 0U; i < self->outputs.answer_count; i++) {
+        expect_listed(&self->outputs.answers[i]);
         if (self->outputs.answers[i].id != RIG_OWN_ID) {
             self->answers[self->answer_count % RIG_ANSWERS] = self->outputs.answers[i];
             self->answer_count++;

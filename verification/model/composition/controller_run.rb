@@ -8,7 +8,8 @@ require_relative 'program'
 # Configurations that the controller itself comes into, and its permits there (controller_run.c).
 class ControllerRun
   ROOT = CompiledChart::ROOT
-  SOURCES = %w[verification/model/composition/controller_run.c verification/integration/support/rig.c].freeze
+  SOURCES = %w[verification/model/composition/controller_run.c verification/integration/support/rig.c
+               build/gen/interface/app/answer_list.c].freeze
   SUPPORT = %w[core app bsp bsp/include build/gen verification].freeze
   COLUMNS = %w[loop pedal estop card axis_1 axis_2 stall_1 stall_2 workphase arming authority need plan scanner permit_1 permit_2].freeze
   EPISODES = 120

@@ -393,9 +393,14 @@ class TestHttpBeyondLoopback < Minitest::Test
     end
   end
 
+  def test_SWR_SESS_321_a_refusal_in_the_clear_says_where_a_login_is_taken
+    answer = JSON.parse(SessionClient.new(port).post_login({ name: 'anna', password: 'correct-horse' }).body)
+    assert_includes answer['detail'], 'a password there or over TLS'
+  end
+
   def test_SWR_SESS_300_a_login_that_is_taken_nowhere_here_is_logged
     SessionClient.new(port).post_login({ name: 'anna', password: 'correct-horse' })
-    sentence = 'anna: login refused from plain 127.0.0.1: over the network it is by name and password over TLS alone.'
+    sentence = 'anna: login refused from plain 127.0.0.1: no login is taken in the clear but at the loopback listener.'
     wait_until('it is logged') { self.class.boresight.event_lines.any? { |line| line.end_with?(sentence) } }
     self.class.boresight.event_lines.each { |line| refute_includes line, 'correct-horse' }
   end

@@ -26,7 +26,7 @@ class Openapi
     media = type.to_s.split(';').first
     return "#{method} #{path} #{status} is of #{media}" unless answer.fetch('content', {}).key?(media)
 
-    schema_fault(answer.dig('content', media, 'schema'), JSON.parse(body))
+    schema_fault(answer.dig('content', media, 'schema'), JSON.parse(body)) || code_fault(path, method, status, body)
   end
 
   # The same for a value of a schema, by its name.
@@ -35,6 +35,16 @@ class Openapi
   end
 
   private
+
+  # A refusal by control has one of the names that the document lists; others stand in its sentences, before a colon.
+  def code_fault(path, method, status, body)
+    operation = paths.dig(path, method.downcase)
+    return unless operation.key?('x-refused') && status.to_s == '409'
+
+    code = JSON.parse(body).fetch('code')
+    said = operation.dig('responses', '409', 'description').scan(/\b([A-Z][A-Z_]+):/).flatten
+    "#{method} #{path} may not be refused with #{code}" unless (operation['x-refused'] + said).include?(code)
+  end
 
   def schema_fault(schema, value)
     found = JSONSchemer.schema(schema.merge('components' => @strict.fetch('components'))).validate(value).first

@@ -345,6 +345,17 @@ void test_SWR_AXIS_002_the_set_point_of_homing_starts_at_the_position_with_zero_
     TEST_ASSERT_EQUAL_INT32(-step_q8, axis.sealed.setpoint_speed_ticks_per_s_q8);
 }
 
+void test_SWR_AXIS_002_homing_gains_speed_at_the_most_acceleration_that_a_robot_may_have(void)
+{
+    axis_config_t fast = *config;
+    fast.acceleration_ticks_per_s2 = (int32_t)LIMIT_ACCELERATION_MOST_TICKS_PER_S2;
+    fast.home_speed_ticks_per_s = (int32_t)LIMIT_AXIS_SPEED_MOST_TICKS_PER_S;
+    begin_homing();
+    (void)axis_home(&axis, &fast, CYCLE_US);
+    const int64_t gained_q8 = (int64_t)LIMIT_ACCELERATION_MOST_TICKS_PER_S2 * 256 / 1000;
+    TEST_ASSERT_EQUAL_INT32((int32_t)gained_q8, axis.sealed.setpoint_speed_ticks_per_s_q8);
+}
+
 void test_SWR_AXIS_002_the_set_point_of_homing_goes_at_home_speed(void)
 {
     begin_homing();

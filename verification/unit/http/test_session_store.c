@@ -621,9 +621,38 @@ void test_SWR_SESS_021_refusals_within_a_second_are_told_with_the_next(void)
     now_ms++;
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("dora", "wrong"));
     TEST_ASSERT_EQUAL_STRING("1 anna: login refused: name, password or code is wrong.\n"
-                             "1 dora: login refused after 2 others: name, password or code is "
-                             "wrong.\n",
+                             "1 dora: login refused: name, password or code is wrong. Refused "
+                             "before it without a line, of any name: 2.\n",
                              said);
+}
+
+void test_SWR_SESS_322_a_count_of_refusals_is_ascribed_to_no_name(void)
+{
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "wrong"));
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("bert", "wrong"));
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("carl", "wrong"));
+    said[0] = '\0';
+    session_store_tick(&desk, now_ms + (LIMIT_REFUSALS_LINE_S * SECOND));
+    TEST_ASSERT_EQUAL_STRING("1 http: logins refused that came too soon to be judged or logged, of "
+                             "any name: 2; the last of carl.\n",
+                             said);
+}
+
+void test_SWR_SESS_322_the_longest_address_cuts_neither_cause_nor_count(void)
+{
+    static const char address[] = "plain 2001:0db8:0000:0000:0000:ff00:0042:8329:8443";
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_from("anna", "wrong", address, NULL));
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_from("bert", "wrong", address, NULL));
+    now_ms += SECOND;
+    said[0] = '\0';
+    const login_t login = {.name = "carl", .password = "secret", .address = address};
+    static const char cause[] = "a listener in the clear takes no login unless it is that of the "
+                                "loopback address, which this one is not.";
+    now_ms += LIMIT_REFUSALS_LINE_S * SECOND;
+    session_store_note_refusal(&desk, &login, cause, now_ms);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, address), said);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, cause), said);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, "of any name: 1.\n"), said);
 }
 
 void test_SWR_SESS_021_a_flood_that_is_not_looked_at_is_a_line_now_and_then(void)
@@ -640,10 +669,10 @@ void test_SWR_SESS_021_a_flood_that_is_not_looked_at_is_a_line_now_and_then(void
     TEST_ASSERT_EQUAL_STRING("", said);
     session_store_tick(&desk, now_ms);
     session_store_tick(&desk, now_ms + SECOND);
-    char line[120];
+    char line[160];
     (void)snprintf(line, sizeof line,
-                   "1 anna: %u logins refused, the last: they came too soon to be judged or "
-                   "logged.\n",
+                   "1 http: logins refused that came too soon to be judged or logged, of any name: "
+                   "%u; the last of anna.\n",
                    (unsigned)(LIMIT_LOGIN_FREE_FAILURES + (LIMIT_REFUSALS_LINE_S * 100U)));
     TEST_ASSERT_EQUAL_STRING(line, said);
 }
@@ -657,16 +686,14 @@ void test_SWR_SESS_300_a_refusal_names_the_address_and_no_part_of_the_password(v
     now_ms += SECOND;
     said[0] = '\0';
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_from("a b", "secret", "TLS 10.0.0.7", NULL));
-    TEST_ASSERT_EQUAL_STRING("1 ?: login refused from TLS 10.0.0.7 after 1 others: name, password "
-                             "or code is wrong.\n",
+    TEST_ASSERT_EQUAL_STRING("1 ?: login refused from TLS 10.0.0.7: name, password or code is "
+                             "wrong. Refused before it without a line, of any name: 1.\n",
                              said);
     said[0] = '\0';
     guess("anna", "TLS 10.0.0.8");
     now_ms += LIMIT_REFUSALS_LINE_S * SECOND;
     session_store_tick(&desk, now_ms);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, "anna: "), said);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, "the last from TLS 10.0.0.8: they came too soon"),
-                                 said);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, "the last of anna from TLS 10.0.0.8."), said);
 }
 
 void test_SWR_SESS_300_a_login_that_is_not_judged_is_logged_as_well(void)

@@ -172,6 +172,18 @@ static void say_query(const char *text, const char *sentence)
     TEST_ASSERT_EQUAL_STRING_MESSAGE(sentence, result.text, text);
 }
 
+void test_SWR_HTTP_320_a_byte_that_no_query_may_have_is_named_as_that(void)
+{
+    say_query("flag=false&name=%c3%a9",
+              "A byte of this is no printable ASCII character. Expected is "
+              "a string of at most 7 bytes.");
+    say_query("flag=false&name=\xC3\xA9",
+              "A byte of this is no printable ASCII character. Expected "
+              "is a string of at most 7 bytes.");
+    say_query("flag=false&count=%3g", "A percent sign of this is not followed by two hexadecimal "
+                                      "digits. Expected is a whole number from 0 to 4294967295.");
+}
+
 void test_SWR_HTTP_300_a_value_of_another_type_is_named_beside_the_expected_one(void)
 {
     say(with("speed_mm_per_s", "\"5\""),
@@ -504,11 +516,11 @@ void test_SWR_HTTP_012_what_differs_is_refused_by_its_name(void)
     refuse_query("flag=1", REQUEST_WRONG_TYPE, "flag");
     refuse_query("%zz=1", REQUEST_UNKNOWN, "");
     refuse_query("%f", REQUEST_UNKNOWN, "");
-    refuse_query("count=%", REQUEST_WRONG_TYPE, "count");
-    refuse_query("count=%3", REQUEST_WRONG_TYPE, "count");
-    refuse_query("count=%3g", REQUEST_WRONG_TYPE, "count");
-    refuse_query("count=%00", REQUEST_WRONG_TYPE, "count");
-    refuse_query("name=%c3%a9", REQUEST_WRONG_TYPE, "name");
+    refuse_query("count=%", REQUEST_NOT_ENCODED, "count");
+    refuse_query("count=%3", REQUEST_NOT_ENCODED, "count");
+    refuse_query("count=%3g", REQUEST_NOT_ENCODED, "count");
+    refuse_query("count=%00", REQUEST_NOT_ASCII, "count");
+    refuse_query("name=%c3%a9", REQUEST_NOT_ASCII, "name");
     refuse_query("name=12345678", REQUEST_TOO_LONG, "name");
     refuse_query("workphase=RUN", REQUEST_OUT_OF_RANGE, "workphase");
     static const char *const numbers[] = {"01",  "+1",  " 1",  "1 ",  "1.5", "0x10",
@@ -516,7 +528,8 @@ void test_SWR_HTTP_012_what_differs_is_refused_by_its_name(void)
     for (size_t i = 0U; i < (sizeof numbers / sizeof numbers[0]) - 1U; i++) {
         char query[32];
         (void)snprintf(query, sizeof query, "count=%s", numbers[i]);
-        refuse_query(query, REQUEST_WRONG_TYPE, "count");
+        const bool is_control = strchr(query, '\n') != NULL;
+        refuse_query(query, is_control ? REQUEST_NOT_ASCII : REQUEST_WRONG_TYPE, "count");
     }
     refuse_query("count=-1", REQUEST_OUT_OF_RANGE, "count");
     refuse_query("count=4294967296", REQUEST_OUT_OF_RANGE, "count");

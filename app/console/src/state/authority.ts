@@ -20,6 +20,8 @@ export class PageAuthority {
   private speedup = 1;
   /** Renewals in a row that were refused. */
   private refusals = 0;
+  /** By the stream, this page has authority or asks for it. */
+  private isNamed = false;
   /** How this page has given it up itself. */
   left: "by hand" | "hidden" | null = null;
 
@@ -80,6 +82,7 @@ export class PageAuthority {
   /** The button was pressed for this page; the robot's time passes up to `speedup` times faster than the world's. */
   notice(authority: Authority, speedup = 1): void {
     this.speedup = speedup;
+    this.isNamed = this.isMine(authority) || this.isAsking(authority);
     if (this.hasAsked && this.isMine(authority)) {
       this.hasAsked = false;
       this.keep();
@@ -89,11 +92,13 @@ export class PageAuthority {
   /** Gives it up, or withdraws what was asked for. It leaves even when the page does. */
   readonly giveUp = (): void => this.end("by hand");
 
+  /** @satisfies SWR-CON-320 */
   private end(left: "by hand" | "hidden"): void {
-    if (this.timer !== null || this.hasAsked) {
+    if (this.timer !== null || this.hasAsked || this.isNamed) {
       this.left = left;
       this.letGo();
       this.hasAsked = false;
+      this.isNamed = false;
       void this.page.request("DELETE", commands.RELEASE.path).catch(
         () => undefined, // Without renewal it ends all the same.
       );

@@ -18,8 +18,12 @@ import {
   makeStatus,
 } from "../testing/robot";
 
-const open = makeSession("OPERATOR");
+const open: Session = {
+  ...makeSession("OPERATOR"),
+  boot_id: makeStatus().boot_id,
+};
 const closed: Session = { ...open, is_open: false, name: null, token: null };
+const fetched = vi.fn<() => Promise<Response>>();
 let answer: Session;
 let operation: Operation;
 let shown: ReturnType<typeof render>;
@@ -65,9 +69,10 @@ function hide(state: DocumentVisibilityState): void {
 /** Logged in, and with command. */
 beforeEach(async () => {
   vi.useFakeTimers();
-  vi.stubGlobal("fetch", () =>
+  fetched.mockImplementation(() =>
     Promise.resolve(new Response(JSON.stringify(answer))),
   );
+  vi.stubGlobal("fetch", fetched);
   answer = open;
   operation = new Operation();
   operation.authority.start();
@@ -168,6 +173,41 @@ test.each([
     expect(said()).toMatch(reason);
   },
 );
+
+test("SWR-SESS-320 a session that ended by time before the server was started anew names its time", async () => {
+  await act(() => vi.advanceTimersByTimeAsync(open.idle_s * 1000));
+  await see(mine()); // The first server still runs.
+  answer = { ...closed, boot_id: "another" };
+  await see({ boot_id: "another" });
+  await see({ boot_id: "another" });
+  expect(said()).toMatch(/Logged out: nothing was commanded or renewed for/);
+});
+
+test("SWR-SESS-320 a session whose time was over when a new server was seen names both", async () => {
+  await act(() => vi.advanceTimersByTimeAsync(open.idle_s * 1000));
+  answer = { ...closed, boot_id: "another" };
+  await act(() => operation.session.ask());
+  expect(said()).toBe(
+    "Logged out: the server was started anew, or its time was over before.",
+  );
+});
+
+test("SWR-SESS-320 a session whose time was not over names the start of the server", async () => {
+  await act(() => vi.advanceTimersByTimeAsync((open.idle_s - 2) * 1000));
+  answer = { ...closed, boot_id: "another" };
+  await see({ ...mine(), boot_id: "another" });
+  await act(() => operation.session.ask());
+  expect(said()).toMatch(/Logged out: the server was started anew, and no/);
+});
+
+test("SWR-SESS-320 a session that ended with its server is told so however late the page asks", async () => {
+  fetched.mockRejectedValueOnce(new TypeError("no answer"));
+  await see({ ...mine(), boot_id: "another" });
+  await act(() => vi.advanceTimersByTimeAsync(open.idle_s * 1000));
+  answer = { ...closed, boot_id: "another" };
+  await act(() => operation.session.ask());
+  expect(said()).toMatch(/Logged out: the server was started anew, and no/);
+});
 
 test("SWR-SESS-035 who logs out here is told nothing", async () => {
   answer = closed;

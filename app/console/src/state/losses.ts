@@ -23,16 +23,32 @@ export interface Sight {
   log: readonly LogEntry[];
 }
 
-/** A session, and when it ends by itself. */
+/** A session, and when it ends without a command. */
 interface Login {
   session: Session;
   endsAt: number;
+  /** When its server was seen last. */
+  servedAt: number;
+  /** When another start of the server was seen first, or null. */
+  anewAt: number | null;
+}
+
+/** The cause when the server that knew the session runs no more. */
+function endAnew({ endsAt, servedAt, anewAt }: Login): string | null {
+  if (servedAt >= endsAt) {
+    return null; // The session ended under the server that knew it.
+  }
+  return (anewAt ?? performance.now()) < endsAt - COUNTED_MS
+    ? "the server was started anew, and no session outlives that"
+    : "the server was started anew, or its time was over before";
 }
 
 /** Why it ended; `bootId` is the start of the server that says so, which the stream may not have shown yet. */
-function endOf({ session, endsAt }: Login, bootId: string): string {
-  if (session.boot_id !== bootId) {
-    return "the server was started anew, and no session outlives that";
+function endOf(login: Login, bootId: string): string {
+  const { session, endsAt } = login;
+  const anew = session.boot_id === bootId ? null : endAnew(login);
+  if (anew !== null) {
+    return anew;
   }
   if (performance.now() < endsAt - COUNTED_MS) {
     return "by a logout in another tab, another login or a change of the account; the log says which";
@@ -46,6 +62,7 @@ export class Losses {
   private readonly operation: Operation;
   private readonly listeners = new Set<() => void>();
   private login: Login | null = null;
+  private status: Status | null = null;
   private boot = "";
   /** The start of the server at which this page took command; null: it has none. */
   private taken: string | null = null;
@@ -75,6 +92,7 @@ export class Losses {
   observe({ status, session, log }: Sight): void {
     const isAnew = this.boot !== "" && this.boot !== status.boot_id;
     this.boot = status.boot_id;
+    this.observeServer(status);
     this.observeSession(session);
     const isLost = this.observeCommand(status);
     if (isLost || isAnew) {
@@ -84,6 +102,24 @@ export class Losses {
     this.tell();
   }
 
+  /**
+   * Only a status that has just come shows which server runs.
+   *
+   * @satisfies SWR-SESS-320
+   */
+  private observeServer(status: Status): void {
+    const { login } = this;
+    if (login === null || status === this.status) {
+      return;
+    }
+    this.status = status;
+    if (login.session.boot_id === status.boot_id) {
+      login.servedAt = performance.now();
+    } else {
+      login.anewAt ??= performance.now();
+    }
+  }
+
   /** @satisfies SWR-SESS-035 */
   private observeSession(session: Session | null): void {
     const { login } = this;
@@ -91,8 +127,9 @@ export class Losses {
       return;
     }
     if (session.is_open) {
-      const endsAt = performance.now() + 1000 * secondsLeft(session);
-      this.login = { session, endsAt };
+      const servedAt = performance.now();
+      const endsAt = servedAt + 1000 * secondsLeft(session);
+      this.login = { session, endsAt, servedAt, anewAt: null };
       return;
     }
     if (login !== null && !this.operation.session.hasLeft) {

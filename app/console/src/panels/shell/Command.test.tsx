@@ -163,6 +163,49 @@ test("SWR-CON-014 renewals end after two in a row were refused", async () => {
   expect(acts().slice(1)).toEqual(["PUT authority", "PUT authority"]);
 });
 
+/** The server has refused to renew, and the stream still says that this page commands. */
+async function endRenewals(): Promise<void> {
+  await show(makeAuthority());
+  await press("Take command");
+  shown.rerender(<Command operation={operation} authority={mine()} />);
+  refusals = { PUT: 423 };
+  await pass(4 * RENEW_MS);
+  fetched.mockClear();
+}
+
+test("SWR-CON-320 command is given up after renewing has ended, as long as the stream names this page", async () => {
+  await endRenewals();
+  await press("Give up command");
+  expect(acts()).toEqual(["DELETE authority"]);
+  expect(operation.authority.left).toBe("by hand");
+});
+
+test("SWR-CON-320 a hidden page gives up after renewing has ended, as long as the stream names this page", async () => {
+  await endRenewals();
+  hide("hidden");
+  expect(acts()).toEqual(["DELETE authority"]);
+});
+
+test("SWR-CON-320 command is given up that the stream shows and no answer has confirmed", async () => {
+  await show(makeAuthority());
+  shown.rerender(<Command operation={operation} authority={mine()} />);
+  await press("Give up command");
+  expect(acts()).toEqual(["DELETE authority"]);
+});
+
+test("SWR-CON-320 a request that the stream shows and no answer has confirmed is withdrawn", async () => {
+  await show({ ...anothers, requester: "HTTP", requester_peer: page });
+  await press("Ask no more");
+  expect(acts()).toEqual(["DELETE authority"]);
+});
+
+test("SWR-CON-320 a page gives nothing up once the stream names another", async () => {
+  await endRenewals();
+  shown.rerender(<Command operation={operation} authority={anothers} />);
+  hide("hidden");
+  expect(acts()).toEqual([]);
+});
+
 test("SWR-CON-014 a server that is busy ends no renewals", async () => {
   await show(makeAuthority());
   await press("Take command");

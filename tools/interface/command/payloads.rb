@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-require_relative 'c'
-require_relative 'node'
+require_relative '../c'
+require_relative '../node'
 
 module Interface
   # Data of commands: for each kind the structure command_PAYLOAD, all of them as a tagged union with checked accessors.
