@@ -91,7 +91,7 @@ build/wasm/include/cjson/cJSON.h: $(DEBIAN_SOURCES)/cjson/cJSON.h
 
 $(OUT)/lib/cJSON.o: $(DEBIAN_SOURCES)/cjson/cJSON.c
 	@mkdir -p $(@D)
-	@$(CC) $(EXTRA) $(ANYWHERE) -c $< -o $@
+	@$(COMPILER_CACHE) $(CC) $(EXTRA) $(ANYWHERE) -c $< -o $@
 
 build/site/served.wasm: $(call object,$(CORE_SOURCES) $(SERVED_SOURCES)) $(OUT)/lib/cJSON.o site/site.mk
 	@mkdir -p $(@D)
@@ -102,12 +102,12 @@ $(call object,$(RECORDED_SOURCES)): site/site.mk | build/wasm/include/cjson/cJSO
 
 $(OUT)/lib/%.o: $(ZSTD)/%.c
 	@mkdir -p $(@D)
-	@$(CC) $(EXTRA) $(ANYWHERE) -DZSTD_DISABLE_ASM -DZSTD_STRIP_ERROR_STRINGS -DHUF_FORCE_DECOMPRESS_X1 -c $< -o $@
+	@$(COMPILER_CACHE) $(CC) $(EXTRA) $(ANYWHERE) -DZSTD_DISABLE_ASM -DZSTD_STRIP_ERROR_STRINGS -DHUF_FORCE_DECOMPRESS_X1 -c $< -o $@
 
 # Its configuration as it is before a computer was asked for what it has: with nothing.
 $(OUT)/lib/sha2.o: $(LIBMD)/src/sha2.c
 	@mkdir -p $(@D) build/wasm/libmd; cp $(LIBMD)/config.h.in build/wasm/libmd/config.h
-	@$(CC) $(EXTRA) $(ANYWHERE) -Ibuild/wasm/libmd -I$(LIBMD)/include -c $< -o $@
+	@$(COMPILER_CACHE) $(CC) $(EXTRA) $(ANYWHERE) -Ibuild/wasm/libmd -I$(LIBMD)/include -c $< -o $@
 
 build/site/recorded.wasm: $(call object,$(CORE_SOURCES) $(RECORDED_SOURCES)) $(ZSTD_SOURCES:$(ZSTD)/%.c=$(OUT)/lib/%.o) \
     $(addprefix $(OUT)/lib/,sha2.o cJSON.o) site/site.mk

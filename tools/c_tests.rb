@@ -17,26 +17,33 @@
 require 'etc'
 require 'fileutils'
 require 'open3'
+require 'yaml'
 require_relative 'results'
 
 # One way to compile and run.
 class CTests
   UNITY = Dir['.tools/gems/gems/ceedling-*/vendor/unity'].first
   CMOCK = Dir['.tools/gems/gems/ceedling-*/vendor/cmock'].first
-  FLAGS = %w[-std=c99 -g1 -ffp-contract=off -D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64
-             -DUNITY_INT_WIDTH=32 -isystem/usr/include/umockdev-1.0 -isystem/usr/include/glib-2.0
-             -isystem/usr/lib/x86_64-linux-gnu/glib-2.0/include].freeze
-  LIBRARIES = %w[-Wl,--as-needed -lzstd -lcjson -lcrypto -lcrypt -lpthread -lrt -lm -lumockdev -lgobject-2.0
-                 -lglib-2.0].freeze
+  # What Ceedling is told of flags, libraries, mocks and runners holds for whole runs too.
+  PROJECT = YAML.safe_load_file(File.expand_path('../project.yml', __dir__), permitted_classes: [Symbol])
+  COMPILE, LINK = PROJECT.fetch(:flags).fetch(:test).values_at(:compile, :link)
+  DEFINES = [*PROJECT.fetch(:defines).fetch(:test), *PROJECT.fetch(:unity).fetch(:defines)].map { |name| "-D#{name}" }
+  # Tests and what they share have levels of their own; a debugger is asked for lines only.
+  FLAGS = [*COMPILE.grep_v(/\A-(?:W|O|g\z)/), '-g1', *DEFINES].freeze
+  WARNINGS = COMPILE.grep(/\A-W/).freeze
+  LIBRARIES = [*LINK, *PROJECT.fetch(:libraries).fetch(:system).map { |name| "-l#{name}" }].freeze
+  # Half of the time of the default linker.
+  LINKER = '-fuse-ld=gold'
+  # Of `make test`, or none.
+  CACHE = ENV.fetch('COMPILER_CACHE', '').split.freeze
   TENTH = '-DSCENE_DIVISOR=10U'
-  # gold links a static program in half of the time of the default linker.
   WAYS = {
     'asan' => { compiler: %W[gcc #{TENTH} -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
                 libraries: LIBRARIES },
-    'arm' => { compiler: %W[arm-linux-gnueabihf-gcc #{TENTH} -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static -fuse-ld=gold],
+    'arm' => { compiler: %W[arm-linux-gnueabihf-gcc #{TENTH} -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static],
                runner: %w[qemu-arm], libraries: %w[-lm] },
     'gcc' => { compiler: %w[gcc], runner: [], libraries: LIBRARIES },
-    'gcov' => { compiler: %W[gcc #{TENTH} --coverage -Wall -Wextra -Werror -Wshadow -Wswitch-enum], runner: [], libraries: LIBRARIES,
+    'gcov' => { compiler: %W[gcc #{TENTH} --coverage] + WARNINGS, runner: [], libraries: LIBRARIES,
                 code: %w[-Wl,--start-group build/gcov/libcore.a build/gcc/libaround.a -Wl,--end-group] }
   }.freeze
   # A test that includes one of these has long scenes.
@@ -48,11 +55,11 @@ class CTests
   SUPPORT = Dir['verification/*/support/*.c'] + Dir["#{ROBOT_TESTS}/*.c"].grep_v(%r{/test_\w+\.c\z}) +
             ["#{UNITY}/src/unity.c", "#{CMOCK}/src/cmock.c"]
   ALWAYS = %w[contract_trap unity cmock].freeze
-  # As project.yml says it to Ceedling.
-  RUNNER = { use_param_tests: true, mock_prefix: 'mock_', enforce_strict_ordering: true }.freeze
+  RUNNER = PROJECT.fetch(:unity).slice(:use_param_tests)
+                  .merge(PROJECT.fetch(:cmock).slice(:mock_prefix, :enforce_strict_ordering)).freeze
   # A test may have a table of the name that the runner gives to an argument.
   NO_SHADOW = %(#pragma GCC diagnostic ignored "-Wshadow"\n)
-  MOCK = /\Amock_/
+  MOCK = /\A#{RUNNER.fetch(:mock_prefix)}/
   # Report of Unity on each test.
   VERDICT = /^(?<file>\S+\.c):(?<line>\d+):(?<test>test_.+?):(?<word>PASS|FAIL|IGNORE)(?:: ?(?<message>.*))?$/
   WORDS = { 'PASS' => 'pass', 'FAIL' => 'fail', 'IGNORE' => 'ignore' }.freeze
@@ -76,8 +83,8 @@ class CTests
     @options = WAYS.fetch(way)
     @out = "build/#{way}/tests"
     @code = @options.fetch(:code, ["build/#{way}/libtest.a"])
-    # Counts of an earlier run would stand in for tests that are gone.
-    FileUtils.rm_f(Dir["build/#{way}/**/*.gcda"])
+    # Counts of an earlier run, and lines that it could count, would stand in for tests that are gone.
+    FileUtils.rm_f(Dir["build/#{way}/**/*.gcda", "#{@out}/*.gcno"])
     @mocks = "build/#{way}/mocks"
     @tests = wanted.any? ? every_test & wanted : tests(way)
     @done = 0
@@ -149,8 +156,9 @@ class CTests
     program = File.join(@out, File.basename(test, '.c'))
     UnityTestRunnerGenerator.new(RUNNER).run(test, "#{program}_runner.c")
     File.write("#{program}_runner.c", NO_SHADOW + File.read("#{program}_runner.c"))
-    compile('-O0', '-include', test, "#{program}_runner.c", *@support.values_at(*sources(test)), *@code, *@options[:libraries],
-            '-o', program)
+    compile('-O0', '-include', test, '-c', "#{program}_runner.c", '-o', "#{program}_runner.o")
+    call(*@options[:compiler], LINKER, "#{program}_runner.o", *@support.values_at(*sources(test)), *@code, *@options[:libraries],
+         '-o', program)
     program
   end
 
@@ -178,7 +186,7 @@ class CTests
 
   def compile(*arguments)
     folders = ["#{UNITY}/src", "#{CMOCK}/src", @mocks, *FOLDERS, *@mocked]
-    call(*@options[:compiler], *FLAGS, *folders.map { |folder| "-I#{folder}" }, *arguments)
+    call(*CACHE, *@options[:compiler], *FLAGS, *folders.map { |folder| "-I#{folder}" }, *arguments)
   end
 
   def call(*command)

@@ -91,17 +91,10 @@ pictures: bootstrap-pictures ## The pictures of the documents, by the tests that
 	@$(MAKE) --no-print-directory -j2 programs
 	@ruby tools/pictures.rb --make $(NAME)
 
-# The core and the compiled charts are the product; each line and each branch of them is tested. A source that no test reaches
-# counts as untested.
-COVERAGE := build/gcov/coverage
 unit: $(GENERATED) ## Unit and integration tests with coverage
 	@$(MAKE) --no-print-directory -j2 build/gcc/libaround.a
 	@$(MAKE) --no-print-directory -j2 CONFIG=gcov build/gcov/libcore.a
-	@mkdir -p $(COVERAGE)
-	status=0; ruby tools/c_tests.rb gcov || status=$$?; \
-	gcovr --root . --filter '^(core|build/gen/charts)/' --exclude '^core/robot/\w+/test/' --print-summary --fail-under-line 100 \
-	    --fail-under-branch 100 --json $(COVERAGE)/coverage.json --html-details $(COVERAGE)/index.html --html-title 'Boresight core' \
-	    build/gcov/tests build/gcov/core build/gcov/build/gen/charts || status=$$?; \
+	status=0; ruby tools/c_tests.rb gcov || status=$$?; ruby tools/coverage.rb gcovr || status=$$?; \
 	ruby tools/uncovered.rb || status=$$?; exit $$status
 
 coverage: bootstrap-test ## What the unit tests reach of the core, for lcov's readers: build/coverage

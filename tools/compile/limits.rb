@@ -84,6 +84,8 @@ if $PROGRAM_NAME == __FILE__
   abort limits.errors.join("\n") unless limits.errors.empty?
 
   FileUtils.mkdir_p(ARGV[1])
-  File.write(File.join(ARGV[1], 'requirement_limits.h'), limits.header)
-  File.write(File.join(ARGV[1], 'limits.json'), limits.json)
+  { 'requirement_limits.h' => limits.header, 'limits.json' => limits.json }.each do |name, text|
+    file = File.join(ARGV[1], name)
+    File.write(file, text) unless File.exist?(file) && File.read(file) == text
+  end
 end

@@ -3,6 +3,7 @@
 
 require 'fileutils'
 require_relative '../results'
+require_relative 'compiler_cache'
 require_relative 'complaint'
 require_relative 'processes'
 
@@ -33,7 +34,7 @@ module Gates
       @began = @heard = Gates.now
       @size = 0
       FileUtils.rm_f(Results.file(gate.name))
-      environment = OUTER_MAKE.merge(Results::NAME => gate.name, Origin::ENVIRONMENT => JSON.generate(origin))
+      environment = OUTER_MAKE.merge(Results::NAME => gate.name, Origin::ENVIRONMENT => JSON.generate(origin), **CompilerCache.environment)
       @pid = Process.spawn(environment, *priority, 'bash', '-euo', 'pipefail', '-c', gate.run,
                            %i[out err] => [gate.log, 'w'], in: '/dev/null', pgroup: true)
     end

@@ -19,6 +19,8 @@ module Gates
   class Run
     # Seconds of each gate when it last passed here.
     SECONDS = 'build/log/seconds.json'
+    # Those in which it kept a core busy.
+    CORE_SECONDS = 'build/log/core_seconds.json'
     POLL_SECONDS = 0.1
     SIGNALS = %w[INT TERM HUP QUIT].freeze
     LOCK = 'build/.gates'
@@ -81,28 +83,43 @@ module Gates
       leave_out
     end
 
-    # Adopted processes end here as well.
+    # Adopted processes end here as well; a gate has the seconds of those that it has waited for.
     def reap
+      before = core_seconds
       while (pid, status = Process.wait2(-1, Process::WNOHANG))
+        after = core_seconds
         job = @jobs.find { |one| one.pid == pid }
-        ended(job, job.verdict(status)) if job
+        ended(job, job.verdict(status), after - before) if job
+        before = after
       end
     rescue Errno::ECHILD
       nil
     end
 
-    def ended(job, verdict)
+    # Of all processes that have ended here.
+    #
+    # @satisfies SWR-GATE-361
+    def core_seconds
+      Process.times.then { |times| times.cutime + times.cstime }
+    end
+
+    def ended(job, verdict, core_seconds)
       @jobs -= [job]
       @verdicts << verdict
       @teller.gate_ended(verdict)
       return unless verdict.passed?
 
-      File.write("#{SECONDS}.new", JSON.generate(measured.merge(job.gate.name => [verdict.seconds.round(1), 0.1].max)))
-      File.rename("#{SECONDS}.new", SECONDS)
+      note(SECONDS, job.gate.name => [verdict.seconds.round(1), 0.1].max)
+      note(CORE_SECONDS, job.gate.name => core_seconds.round(1))
     end
 
-    def measured
-      File.exist?(SECONDS) ? JSON.parse(File.read(SECONDS)) : {}
+    def note(file, row)
+      File.write("#{file}.new", JSON.generate(measured(file).merge(row)))
+      File.rename("#{file}.new", file)
+    end
+
+    def measured(file = SECONDS)
+      File.exist?(file) ? JSON.parse(File.read(file)) : {}
     rescue JSON::ParserError
       {}
     end

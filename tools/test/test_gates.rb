@@ -114,6 +114,27 @@ class TestGates < Minitest::Test
     end
   end
 
+  def test_SWR_GATE_360_a_gate_has_the_cache_of_this_clone_and_none_without_ccache
+    Dir.mktmpdir do |tools|
+      { 'none' => "[]\n", 'ccache' => "[ccache #{File.realpath(tools)}/.tools/ccache]\n" }.each do |program, environment|
+        FileUtils.touch("#{tools}/#{program}")
+        FileUtils.chmod(0o755, "#{tools}/#{program}")
+        assert_equal environment, cache_of_a_gate(tools)
+      end
+    end
+  end
+
+  # Compiled in two folders with the prefix map of the Makefile: the second takes the object of the first.
+  def test_SWR_GATE_360_an_object_of_the_cache_has_the_bytes_of_the_compiler
+    Dir.mktmpdir do |folder|
+      caches = [[], %w[ccache], %w[ccache]]
+      objects = caches.each_with_index.map { |cache, number| compiled("#{folder}/#{number}", cache, "#{folder}/cache") }
+      assert_equal 1, objects.uniq.length
+      hits, = Open3.capture2({ 'CCACHE_DIR' => "#{folder}/cache" }, 'ccache', '--print-stats')
+      assert_match(/^direct_cache_hit\t1$/, hits)
+    end
+  end
+
   def test_SWR_GATE_002_needs_that_go_round_are_refused
     output, status = run_gates('a' => ['true', %w[b]], 'b' => ['true', %w[a]])
     refute status.success?
@@ -144,6 +165,16 @@ class TestGates < Minitest::Test
   def test_SWR_GATE_003_durations_are_kept_for_the_next_run
     run_gates('a' => 'true', 'b' => 'false') do |folder|
       assert_equal %w[a], JSON.parse(File.read(File.join(folder, 'build/log/seconds.json'))).keys
+    end
+  end
+
+  def test_SWR_GATE_361_the_seconds_of_a_core_are_kept_of_each_gate_that_passed
+    busy = "ruby -e '1 until Process.clock_gettime(Process::CLOCK_PROCESS_CPUTIME_ID) > 0.5'"
+    run_gates('busy' => "#{busy}; true", 'idle' => 'sleep 0.1', 'red' => 'false') do |folder|
+      kept = JSON.parse(File.read(File.join(folder, 'build/log/core_seconds.json')))
+      assert_equal %w[busy idle], kept.keys.sort
+      assert_operator kept['busy'], :>=, 0.5
+      assert_operator kept['idle'], :<, 0.5
     end
   end
 
@@ -299,6 +330,28 @@ class TestGates < Minitest::Test
     yield
   ensure
     ENV.replace(before)
+  end
+
+  # Words of a gate whose PATH is this folder, in which it runs.
+  def cache_of_a_gate(tools)
+    FileUtils.ln_sf(%w[/bin/bash /usr/bin/nice], tools)
+    FileUtils.mkdir_p("#{tools}/build/log")
+    with_environment('PATH' => tools, 'COMPILER_CACHE' => nil, 'CCACHE_DIR' => nil) do
+      Dir.chdir(tools) do
+        job = Gates::Job.new(Gates::Gate.new(name: 'a', run: 'echo "[${COMPILER_CACHE-}${CCACHE_DIR:+ $CCACHE_DIR}]"'), {})
+        Process.wait(job.pid)
+        File.read('build/log/a.log')
+      end
+    end
+  end
+
+  def compiled(folder, cache, kept)
+    FileUtils.mkdir_p(folder)
+    File.write("#{folder}/a.c", "int f(void)\n{\n    return 1;\n}\n")
+    output, status = Open3.capture2e({ 'CCACHE_DIR' => kept, 'CCACHE_DISABLE' => nil }, *cache, 'gcc', '-O2', '-g',
+                                     "-ffile-prefix-map=#{folder}=.", '-MMD', '-c', 'a.c', '-o', 'a.o', chdir: folder)
+    assert_predicate status, :success?, output
+    File.binread("#{folder}/a.o")
   end
 
   # Living processes that began in the folder.

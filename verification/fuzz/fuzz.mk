@@ -24,7 +24,7 @@ $(FUZZ_SEEDS): verification/fuzz/words.yml verification/fuzz/scenes.yml tools/fu
 
 $(FUZZ)/%.o: %.c $(FUZZ_WORDS) | $(GENERATED)
 	@mkdir -p $(@D)
-	@$(FUZZ_CC) $(FUZZ_FLAGS) $(FUZZ_WATCH) -MMD -MP -c $< -o $@
+	@$(COMPILER_CACHE) $(FUZZ_CC) $(FUZZ_FLAGS) $(FUZZ_WATCH) -MMD -MP -c $< -o $@
 
 $(FUZZ)/app/%.o $(FUZZ)/verification/fuzz/codec_fuzz.o $(FUZZ)/verification/fuzz/ports_fuzz.o $(FUZZ)/verification/fuzz/request_fuzz.o: FUZZ_WATCH = $(FUZZ_WATCHED)
 # The words of the scenes contain the values of comparisons; to trace it would take half of the time.

@@ -30,6 +30,20 @@ class TestLimits < Minitest::Test
                     'status' => 'proposed', 'requirement' => 'SWR-PEDAL-004' }], JSON.parse(json)
   end
 
+  def test_SWR_TRACE_001_the_same_limits_leave_their_files_as_they_are
+    Dir.mktmpdir do |folder|
+      files = %w[requirement_limits.h limits.json].map { |name| File.join(folder, name) }
+      before = [ITEM, "#{ITEM}- id: SWR-PEDAL-005\n", ITEM.sub('100000', '100001')].map do |items|
+        FileUtils.mkdir_p(File.join(folder, 'requirements'))
+        File.write(File.join(folder, 'requirements/a.yml'), items)
+        assert system('ruby', TOOL, File.join(folder, 'requirements'), folder)
+        files.map { |file| File.mtime(file) }.tap { files.each { |file| File.utime(0, 0, file) } }
+      end
+      assert_equal [Time.at(0)] * 2, before[1]
+      refute_includes before[2], Time.at(0)
+    end
+  end
+
   def test_SWR_TRACE_001_refuses_a_limit_stated_twice
     other = ITEM.sub('SWR-PEDAL-004', 'SWR-PEDAL-005')
     message = refuse('a.yml' => ITEM, 'b.yml' => other)
