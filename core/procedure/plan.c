@@ -201,7 +201,7 @@ static solution_t find_target(plan_t *self, const robot_t *robot,
                               const int32_t ticks[ROBOT_AXIS_MAX], const rigid_t *zframe_treatment,
                               const point_t *entry)
 {
-    joints_t joints = {.value = {0}};
+    joints_t joints;
     solution_t result = kinematics_solve(robot, &self->probe, zframe_treatment, entry, &joints);
     const uint8_t is_by_entry = result.is_by_entry;
     if (result.status == STATUS_OK) {
@@ -229,7 +229,7 @@ static solution_t find_scanner_target(plan_t *self, const robot_t *robot,
     rigid_t exact;
     rigid_t zframe_scanner;
     rigid_t zframe_treatment;
-    point_t place = {0, 0, 0};
+    point_t place;
     const point_t *entry = NULL;
     exact = *scanner_treatment;
     rigid_orthonormalise(&exact);

@@ -13,7 +13,6 @@
 
 require_relative 'alarm_list'
 require_relative 'analysis'
-require_relative 'reasons'
 require_relative '../proof/coverage'
 require_relative '../proof/proved_list'
 
@@ -29,12 +28,11 @@ if $PROGRAM_NAME == __FILE__
     analysis = Eva::Analysis.of_controller(robot).run
     puts "eva: #{robot}: #{analysis.figures}"
     list.replace(robot, analysis.alarms) if write
-    found = list.problems(robot, analysis.alarms) + Eva::Reasons.new.problems(list.reasons(robot))
-    next found unless robot == Proof::ProvedList::ROBOT
+    next list.problems(robot, analysis.alarms) unless robot == Proof::ProvedList::ROBOT
 
     states = Proof::Coverage.new(reached: analysis.functions, with_open: list.open_functions(robot)).states
     proved.replace(states) if write
-    found + proved.problems(states)
+    list.problems(robot, analysis.alarms) + proved.problems(states)
   end
   [list, proved].each(&:save) if write
   puts problems, "eva: #{problems.size} problems"

@@ -4,7 +4,6 @@
  * hold any value, so that each section may be found damaged in any cycle. EVA_ROBOT is the table of
  * the robot. */
 #include "contracts.h"
-#include "sums.h"
 
 #include "controller/controller.h"
 
@@ -55,12 +54,7 @@ static void start(void)
 
 void run_controller(void)
 {
-    follow_sums();
-    follow_frames();
-    follow_trace();
     start();
-    /* Ends of what counts up and is taken modulo a length, or is bounded. */
-    /*@ widen_hints global:"all", 10, 31, 32, 200, 4095, 4096, -256000000, 256000000; */
     /*@ loop unroll 0; */
     for (;;) {
         damage_seals();

@@ -11,6 +11,7 @@
 
 #define NOT_SENT 499
 #define UNIT_SIZE 96U
+#define RANGE_SIZE 96U
 
 static int refuse(struct mg_connection *connection, problem_t problem)
 {
@@ -120,6 +121,16 @@ static int reply(http_server_t *server, const http_call_t *call, uint32_t id,
 int http_act_refuse_member(const http_call_t *call, const char *pointer)
 {
     http_problem_t problem = http_problem_of(PROBLEM_OUT_OF_RANGE);
+    problem.pointer = pointer;
+    return http_reply_problem(call->connection, &problem, NULL);
+}
+
+int http_act_refuse_range(const http_call_t *call, const char *pointer, const char *expected)
+{
+    char detail[RANGE_SIZE];
+    http_problem_t problem = http_problem_of(PROBLEM_OUT_OF_RANGE);
+    (void)snprintf(detail, sizeof detail, "This is outside its range. Expected is %s.", expected);
+    problem.detail = detail;
     problem.pointer = pointer;
     return http_reply_problem(call->connection, &problem, NULL);
 }

@@ -34,6 +34,9 @@ int http_act_command(http_server_t *server, const http_call_t *call, const comma
  * sent. */
 int http_act_refuse_member(const http_call_t *call, const char *pointer);
 
+/** The same, with `expected` in the sentence: "a number from ...". */
+int http_act_refuse_range(const http_call_t *call, const char *pointer, const char *expected);
+
 /** Refuses the body for the unit that `pointer` leads to, which is missing or is not that of
  * `axis`; the sentence says which it is. Returns the status sent.
  *

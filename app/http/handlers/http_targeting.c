@@ -32,7 +32,9 @@ static int read_pose(const http_call_t *call, const double numbers[NUMBERS], rig
     char pointer[POINTER_SIZE];
     const uint32_t wrong = telemetry_units_pose(numbers, pose);
     (void)snprintf(pointer, sizeof pointer, "/matrix/%u", (unsigned)wrong);
-    return (wrong == NUMBERS) ? 0 : http_act_refuse_member(call, pointer);
+    return (wrong == NUMBERS)
+               ? 0
+               : http_act_refuse_range(call, pointer, telemetry_units_pose_range(wrong));
 }
 
 /** @satisfies SWR-HTTP-031 */

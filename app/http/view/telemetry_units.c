@@ -93,6 +93,19 @@ uint32_t telemetry_units_pose(const double matrix[16], rigid_t *pose)
     return 16U;
 }
 
+const char *telemetry_units_pose_range(uint32_t place)
+{
+    const char *range = "a number from -1 to 1";
+    if (place >= 12U) {
+        range = "0 0 0 1 as the last row";
+    } else if ((place % 4U) == 3U) {
+        range = "a number from -2000 to 2000";
+    } else {
+        /* An entry of the rotation. */
+    }
+    return range;
+}
+
 bool telemetry_units_quaternion(const double point[3], const double quaternion[4], rigid_t *pose)
 {
     double square = 0.0;

@@ -225,7 +225,13 @@ class TestHttpActs < Minitest::Test
     page.request('post', '/api/v1/targeting/preview', JSON.generate(fields))
   end
 
-  def test_SWR_HTTP_031_a_number_that_no_pose_has_is_refused_where_it_stands
+  def range_at(place)
+    return '0 0 0 1 as the last row' if place >= 12
+
+    place % 4 == 3 ? 'a number from -2000 to 2000' : 'a number from -1 to 1'
+  end
+
+  def test_SWR_HTTP_031_SWR_HTTP_300_a_number_that_no_pose_has_is_refused_where_it_stands
     anna = holder
     anna.act('workphase', { workphase: 'PLANNING' })
     anna.act('workphase', { workphase: 'CALIBRATION' })
@@ -233,6 +239,7 @@ class TestHttpActs < Minitest::Test
       matrix = IDENTITY.dup.tap { |one| one[place] = number }
       told = assert_answer '422', 'OUT_OF_RANGE', anna.act('targeting/registration', { matrix: })
       assert_equal "/matrix/#{place}", told['pointer']
+      assert_equal "This is outside its range. Expected is #{range_at(place)}.", told['detail']
     end
     assert_answer '409', 'NOT_RIGID', anna.act('targeting/registration', { matrix: IDENTITY.dup.tap { |one| one[0] = 0.9 } })
     told = assert_answer '400', 'BAD_BODY', anna.act('targeting/registration', { matrix: IDENTITY.first(15) })

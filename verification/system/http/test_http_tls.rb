@@ -211,7 +211,7 @@ class TestHttpTls < Minitest::Test
     answer = ask('POST', '/api/v1/session', body: '{"code":"AAAA-AAAA-AAAA"}')
     assert_includes answer.json['detail'], 'a code is taken at the loopback listener alone'
     sentence = 'code: login refused from TLS 127.0.0.1: by TLS a name and password are taken, and no code.'
-    wait_until('it is logged') { boresight.event_lines.any? { |line| line.end_with?(sentence) || line.include?("#{sentence} Refused before") } }
+    wait_until('it is logged') { self.class.boresight.event_lines.any? { |line| line.end_with?(sentence) || line.include?("#{sentence} Refused before") } }
   end
 
   def test_SWR_SESS_019_a_stream_ends_with_its_session
