@@ -182,8 +182,8 @@ class TestTables < Minitest::Test
       output, is_passed = run_tool(root)
       refute is_passed
       cards = CardTables::NAMES.keys.sort.join(', ')
-      assert_equal "docs/user-manual.md:1: there is no table shape; there are bound, #{cards}, colour, commands, decisions, known_limits, limits, modes, " \
-                   "paint, problems, proofs, proved, robots, rooms, routes, waits\n", output
+      assert_equal "docs/user-manual.md:1: there is no table shape; there are answers, bound, #{cards}, colour, commands, decisions, known_limits, " \
+                   "limits, modes, paint, problems, proofs, proved, robots, rooms, routes, waits\n", output
     end
   end
 
