@@ -24,7 +24,7 @@ require_relative 'results'
 class CTests
   UNITY = Dir['.tools/gems/gems/ceedling-*/vendor/unity'].first
   CMOCK = Dir['.tools/gems/gems/ceedling-*/vendor/cmock'].first
-  # What Ceedling is told of flags, libraries, mocks and runners holds for whole runs too.
+  # Flags, libraries, mocks and runners of Ceedling's project.yml hold for whole runs too.
   PROJECT = YAML.safe_load_file(File.expand_path('../project.yml', __dir__), permitted_classes: [Symbol])
   COMPILE, LINK = PROJECT.fetch(:flags).fetch(:test).values_at(:compile, :link)
   DEFINES = [*PROJECT.fetch(:defines).fetch(:test), *PROJECT.fetch(:unity).fetch(:defines)].map { |name| "-D#{name}" }
@@ -34,7 +34,7 @@ class CTests
   LIBRARIES = [*LINK, *PROJECT.fetch(:libraries).fetch(:system).map { |name| "-l#{name}" }].freeze
   # Half of the time of the default linker.
   LINKER = '-fuse-ld=gold'
-  # Of `make test`, or none.
+  # The cache of `make test`, or none.
   CACHE = ENV.fetch('COMPILER_CACHE', '').split.freeze
   TENTH = '-DSCENE_DIVISOR=10U'
   WAYS = {

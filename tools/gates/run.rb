@@ -19,7 +19,7 @@ module Gates
   class Run
     # Seconds of each gate when it last passed here.
     SECONDS = 'build/log/seconds.json'
-    # Those in which it kept a core busy.
+    # The seconds in which the gate kept a core busy.
     CORE_SECONDS = 'build/log/core_seconds.json'
     POLL_SECONDS = 0.1
     SIGNALS = %w[INT TERM HUP QUIT].freeze
@@ -83,7 +83,7 @@ module Gates
       leave_out
     end
 
-    # Adopted processes end here as well; a gate has the seconds of those that it has waited for.
+    # Adopted processes end here too; the seconds of a gate are those of the processes that it has waited for.
     def reap
       before = core_seconds
       while (pid, status = Process.wait2(-1, Process::WNOHANG))
@@ -96,7 +96,7 @@ module Gates
       nil
     end
 
-    # Of all processes that have ended here.
+    # The core seconds of all processes that have ended here.
     #
     # @satisfies SWR-GATE-361
     def core_seconds

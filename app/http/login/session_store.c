@@ -11,7 +11,7 @@
 
 #define CODE_NAME "code" /* Name of a client that has logged in by it. */
 #define STRANGER "?"
-#define OWN_NAME "http"     /* Of this program, as the log names it. */
+#define OWN_NAME "http"     /* The name of this program in the log. */
 #define NOTE_TEXT_SIZE 321U /* A cause, an address and a count. */
 #define ENDED_MOST 2U       /* Sessions that one login ends. */
 #define GROUP 4U

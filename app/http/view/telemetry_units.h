@@ -33,7 +33,7 @@ void telemetry_units_point(const point_t *point, double coordinates[3]);
  * is none. Whether it is rigid, control finds. */
 uint32_t telemetry_units_pose(const double matrix[16], rigid_t *pose);
 
-/** What the number at a place of 0..15 of such a matrix may be, for a sentence. */
+/** The range of the number at `place`, 0..15 by rows, of such a matrix, in words. */
 const char *telemetry_units_pose_range(uint32_t place);
 
 /** The pose of `point` in mm and a quaternion of w, x, y and z. False: its length is not 1, within

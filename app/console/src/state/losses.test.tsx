@@ -200,7 +200,7 @@ test("SWR-SESS-320 a session whose time was not over names the start of the serv
   expect(said()).toMatch(/Logged out: the server was started anew, and no/);
 });
 
-test("SWR-SESS-320 a session that ended with its server is told so however late the page asks", async () => {
+test("SWR-SESS-320 a page that asks late says that its session ended with the server", async () => {
   fetched.mockRejectedValueOnce(new TypeError("no answer"));
   await see({ ...mine(), boot_id: "another" });
   await act(() => vi.advanceTimersByTimeAsync(open.idle_s * 1000));
