@@ -4,7 +4,7 @@
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "mode/velocity/velocity_bound.h"
-#include "mode/velocity/velocity_ramp.h"
+#include "motion/ramp.h"
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
 
@@ -145,8 +145,9 @@ static int64_t room_of(const velocity_mode_t *self, const mode_frame_t *frame, u
 static int64_t next_q8(const velocity_mode_t *self, const mode_frame_t *frame, uint32_t index,
                        int64_t step_q8)
 {
-    return velocity_ramp_next(now_q8(frame, index), most_q8(self, frame, index, step_q8), step_q8,
-                              room_of(self, frame, index));
+    const ramp_steps_t steps = {.up_q8 = step_q8, .down_q8 = step_q8};
+    return ramp_next(now_q8(frame, index), most_q8(self, frame, index, step_q8), &steps,
+                     room_of(self, frame, index));
 }
 
 /* Set-point after `way` more, and the rest of a tick that remains. */
@@ -165,7 +166,7 @@ static void set_speed(const velocity_mode_t *self, const mode_frame_t *frame, ui
     int32_t rest = 0;
     plan->speeds_q8[index] = speed_q8;
     plan->to_ticks[index] = place_after(self, &frame->axes[index], index,
-                                        velocity_ramp_way(speed_q8, plan->steps_q8[index]), &rest);
+                                        ramp_way(speed_q8, plan->steps_q8[index]), &rest);
 }
 
 /* Each axis for itself. */
@@ -194,7 +195,7 @@ static void bar(velocity_mode_t *self, const mode_frame_t *frame, const coupled_
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         if (coupled_limit_has(limit, i) && has_axis(self, i)) {
             const int64_t now = now_q8(frame, i);
-            set_speed(self, frame, i, velocity_ramp_slower(now, plan->steps_q8[i]), plan);
+            set_speed(self, frame, i, ramp_slower(now, plan->steps_q8[i]), plan);
             self->barred |= LEG_AXIS(i);
             refuse(self, (status_t)limit->refusal, i);
         }

@@ -5,7 +5,7 @@
 
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"
-#include "mode/velocity/velocity_ramp.h"
+#include "motion/ramp.h"
 
 #define CYCLES_PER_S (1000000U / LIMIT_CYCLE_US)
 #define FASTEST_Q8 ((int64_t)LIMIT_AXIS_SPEED_MOST_TICKS_PER_S * 256)
@@ -24,18 +24,21 @@ void prove_SWR_PROFILE_270_a_speed_changes_by_the_acceleration_at_most(void)
     int64_t now;
     int64_t most;
     int64_t room;
-    const int64_t step = step_of_any_axis();
+    const ramp_steps_t steps = {step_of_any_axis(), step_of_any_axis()};
     assume((now >= 0) && (now <= FASTEST_Q8));
     assume((most >= 0) && (most <= FASTEST_Q8));
 
-    const int64_t speed = velocity_ramp_next(now, most, step, room);
+    const int64_t speed = ramp_next(now, most, &steps, room);
 
-    PROVE(step >= 1, "SWR-PROFILE-270: every accepted acceleration changes the speed");
-    PROVE((speed - now) <= step, "SWR-PROFILE-270: no faster than the acceleration lets it be");
-    PROVE((now - speed) <= step, "SWR-PROFILE-270: no slower than the acceleration lets it be");
+    PROVE((steps.up_q8 >= 1) && (steps.down_q8 >= 1),
+          "SWR-PROFILE-270: every accepted acceleration changes the speed");
+    PROVE((speed - now) <= steps.up_q8,
+          "SWR-PROFILE-270: no faster than the acceleration lets it be");
+    PROVE((now - speed) <= steps.down_q8,
+          "SWR-PROFILE-270: no slower than the acceleration lets it be");
     PROVE((speed >= 0) && (speed <= FASTEST_Q8), "SWR-PROFILE-270: the next cycle may rely on it");
     PROVE(IMPLIES(now <= most, speed <= most), "SWR-PROFILE-270: never beyond the permitted speed");
-    PROVE(IMPLIES(now > most, (speed <= most) || ((now - speed) == step)),
+    PROVE(IMPLIES(now > most, (speed <= most) || ((now - speed) == steps.down_q8)),
           "SWR-PROFILE-270: above the permitted speed it slows down by a full step");
     POSSIBLE((speed > now) && (speed == most), "the permitted speed is reached");
     POSSIBLE((speed < now) && (now <= most), "a ramp down before the end of the room");
