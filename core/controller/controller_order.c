@@ -140,9 +140,8 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
     }
     if ((actions & ARMING_ACTION_REPORT_DONE) != 0U) {
         controller_note(self, cycle, EVENT_ORDER_DONE, self->mode.sealed.kind, 0);
-        if ((self->mode.sealed.kind == (uint32_t)MODE_MOVE) ||
-            (self->mode.sealed.kind == (uint32_t)MODE_INSERT) ||
-            (self->mode.sealed.kind == (uint32_t)MODE_PROGRAM)) {
+        const mode_aim_t aim = mode_aim_of(self->mode.sealed.kind);
+        if ((aim == MODE_AIM_DEPTH) || (aim == MODE_AIM_STEPS)) {
             self->sealed.has_arrived = 1U;
         }
         if (self->mode.sealed.kind == (uint32_t)MODE_HOMING) {

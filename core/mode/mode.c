@@ -163,6 +163,16 @@ void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_co
     }
 }
 
+mode_aim_t mode_aim_of(uint32_t kind)
+{
+    return (kind < MODE_KIND_COUNT) ? (mode_aim_t)mode_rows[kind].aim : MODE_AIM_NONE;
+}
+
+bool mode_is_by_hand(mode_kind_t kind)
+{
+    return mode_rows[kind].is_by_hand;
+}
+
 bool mode_may_be_unhomed(mode_kind_t kind)
 {
     return mode_rows[kind].may_be_unhomed;

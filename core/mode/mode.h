@@ -100,6 +100,12 @@ mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
  */
 void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count);
 
+/** Where the mode ends at the target; MODE_AIM_NONE of what is no mode_kind_t. */
+mode_aim_t mode_aim_of(uint32_t kind);
+
+/** A hand moves the needle in `kind`. */
+bool mode_is_by_hand(mode_kind_t kind);
+
 /**
  * `kind` may drive an axis that is not homed.
  *

@@ -30,3 +30,11 @@ int64_t ramp_next(int64_t now_q8, int64_t most_q8, const ramp_steps_t *steps, in
     }
     return speed;
 }
+
+int32_t ramp_place(int32_t ticks, int64_t way, int32_t *rest)
+{
+    const int64_t more = (int64_t)*rest + way;
+    const int64_t whole = fixed_divide_rounded(more, RAMP_TICK);
+    *rest = (int32_t)(more - (whole * RAMP_TICK));
+    return fixed_saturate((int64_t)ticks + whole);
+}

@@ -8,7 +8,14 @@
 #ifndef BORESIGHT_RAMP_H
 #define BORESIGHT_RAMP_H
 
+#include "limits/requirement_limits.h"
+
 #include <stdint.h>
+
+#define RAMP_CYCLES_PER_S (1000000U / LIMIT_CYCLE_US)
+/** A tick in the unit of ways: what a speed of 1 ticks/s, 8 fraction bits, makes of it in a cycle.
+ */
+#define RAMP_TICK (INT64_C(256) * (INT64_C(1000000) / (int64_t)LIMIT_CYCLE_US))
 
 /** Most that a cycle may change a speed by, neither 0. */
 typedef struct {
@@ -30,5 +37,9 @@ int64_t ramp_way(int64_t speed_q8, int64_t down_q8);
  * @satisfies SWR-PROFILE-270
  */
 int64_t ramp_next(int64_t now_q8, int64_t most_q8, const ramp_steps_t *steps, int64_t room);
+
+/** The set-point after `way`, signed, from `ticks` and the part of a tick that is in `rest`: that
+ * by which it is less than its place, in the unit of ways, replaced by the new one. */
+int32_t ramp_place(int32_t ticks, int64_t way, int32_t *rest);
 
 #endif

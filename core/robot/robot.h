@@ -145,6 +145,14 @@ typedef struct {
     uint32_t probe;    /**< 1 + place in probe_t: that of the present probe is sent; 0: of none. */
 } told_length_t;
 
+/** How a hand that pushes moves the needle (motion/admittance.h). All 0: no hand moves it. */
+typedef struct {
+    uint32_t dead_zone_mn;      /**< Up to this force the needle stands. */
+    uint32_t gain_q8;           /**< Speed for each mN beyond it, ticks/s, 8 fraction bits. */
+    uint32_t speed_ticks_per_s; /**< Highest speed. */
+    uint32_t stop_ticks_per_s2; /**< Change of the set-point's speed once the hand pushes less. */
+} hand_law_t;
+
 /** A robot. No padding before `seal`. */
 typedef struct {
     char name[12];
@@ -165,6 +173,7 @@ typedef struct {
     probe_t probe_maximum;
     uint8_t probe_within[ROBOT_PROBE_LENGTHS]; /**< 1 + place of the length that it may not exceed;
                                                   0: of none. */
+    hand_law_t hand;                           /**< How a hand moves the needle. */
     uint32_t seal;                             /**< seal_of() all before it. */
     axis_config_t axes[ROBOT_AXIS_MAX];
     pose_t poses[POSE_NAME_COUNT]; /**< By pose_name_t. */

@@ -31,6 +31,7 @@ permit_common_t permit_decide_common(const permit_common_facts_t *facts, uint32_
     reasons |= permit_reason(!facts->is_pedal_pressed, PERMIT_REASON_PEDAL_RELEASED);
     reasons |= permit_reason(facts->is_memory_damaged, PERMIT_REASON_MEMORY);
     reasons |= permit_reason(facts->are_cards_unprotected, PERMIT_REASON_CARDS_UNPROTECTED);
+    reasons |= facts->hand_reasons;
     if (unread != 0U) {
         reasons = name_unread(reasons, unread);
     }

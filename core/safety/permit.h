@@ -36,7 +36,9 @@ typedef struct {
     bool is_memory_damaged; /**< The table of the robot is. */
     /** The cards' dialect lacks protections, which is not accepted. */
     bool are_cards_unprotected;
-    bool may_be_unhomed; /**< The armed order may drive an axis that is not homed. */
+    bool may_be_unhomed;   /**< The armed order may drive an axis that is not homed. */
+    uint32_t hand_reasons; /**< hand_guard_reasons() of a mode in which a hand moves the needle;
+                              else 0. */
 } permit_common_facts_t;
 
 /** Decision by these facts. */
@@ -92,6 +94,7 @@ static inline uint32_t permit_reason(bool stands, permit_reason_t name)
  * box_input_t, allow nothing if they are pedal, e-stop or scanner; that is the reason then, and not
  * the state that they are taken for.
  *
+ * @satisfies SWR-COOP-008
  * @satisfies SWR-PERMIT-004
  * @satisfies SWR-NI-006
  * @satisfies SWR-PEDAL-001

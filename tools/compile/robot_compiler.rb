@@ -82,11 +82,12 @@ module Robot
 
     # Parts of the table, in order.
     def parts
-      sealed = head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values, **probe)
+      sealed = head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values, **probe, 'hand' => hand)
       [*head.map { |field, value| "    .#{field} = #{value}" },
        *array('coupled_limits', coupled_limits.each_with_index.map { |limit, i| "        [#{i}] = {#{initializers(limit)}}" }),
        *array('geometry_nm', geometry.map { |name, nm| "        [#{name}] = #{nm}" }),
        *probe.map { |field, value| "    .#{field} = #{probe_initializer(value)}" },
+       "    .hand = {#{initializers(hand)}}",
        "    .seal = #{seal('robot_t', sealed)}",
        *array('axes', @robot.axes.each_with_index.map { |axis, i| entry(axis, i) }),
        *array('poses', @robot.poses.map { |name, ticks| pose(name, ticks) }),
@@ -147,6 +148,10 @@ module Robot
       { 'probe_length_count' => "#{probe.names.size}U",
         **lengths.transform_values { |values| { 'length_nm' => values.values.map { |one| nanometres(one) } } },
         'probe_within' => probe.within.map { |place| "#{place}U" } }
+    end
+
+    def hand
+      @robot.hand.values.transform_values { |value| "#{value}U" }
     end
 
     # C knows no initializer without an element.

@@ -11,14 +11,15 @@ module Interface
   # @satisfies SWR-TOOL-011
   class Modes
     REQUIRED = %w[workphases unhomed axes needle].freeze
-    KEYS = [*REQUIRED, 'command', 'commands', 'own', *ModeCalls::GIVEN.keys].freeze
+    KEYS = [*REQUIRED, 'command', 'commands', 'own', 'aim', 'hand', *ModeCalls::GIVEN.keys].freeze
     # The command that arms several modes, each in a workphase of its own.
     BY_WORKPHASE = 'WORKPHASE'
     NO_COMMAND = 'NONE'
+    NO_AIM = 'NONE'
 
     # `command`: what arms it; of several the first. `commands`: values of command_kind that arm it and nothing else.
-    # `workphases`, `axes`, `needle`: names of values of the model's enumerations. `calls`: what each call is given.
-    Mode = Struct.new(:value, :command, :commands, :workphases, :unhomed, :axes, :needle, :own, :calls, keyword_init: true) do
+    # `workphases`, `axes`, `needle`, `aim`: names of values of the model's enumerations. `calls`: what each call is given.
+    Mode = Struct.new(:value, :command, :commands, :workphases, :unhomed, :axes, :needle, :aim, :hand, :own, :calls, keyword_init: true) do
       # Where its code is: core/mode/FOLDER.
       def folder
         value.name.downcase
@@ -79,6 +80,10 @@ module Interface
           uint32_t axes;
           /** mode_needle_t. */
           uint32_t needle;
+          /** mode_aim_t. */
+          uint32_t aim;
+          /** A hand moves the needle: the sensor of its force must be trusted. */
+          bool is_by_hand;
           /** It may drive axes that are not homed; otherwise every axis must be homed. */
           bool may_be_unhomed;
       } mode_row_t;
@@ -97,7 +102,8 @@ module Interface
       Mode.new(value: value, command: command(value, commands), commands: commands,
                workphases: nodes['workphases'].sequence.map { |node| one_of(node, 'workphase') },
                unhomed: nodes['unhomed'].true?, axes: one_of(nodes['axes'], 'mode_axes'),
-               needle: one_of(nodes['needle'], 'mode_needle'), own: nodes['own']&.true?, calls: calls(value))
+               needle: one_of(nodes['needle'], 'mode_needle'), aim: nodes['aim'] ? one_of(nodes['aim'], 'mode_aim') : NO_AIM,
+               hand: nodes['hand']&.true? || false, own: nodes['own']&.true?, calls: calls(value))
     end
 
     # Those that stand in its row.
@@ -157,7 +163,8 @@ module Interface
       fields = ["command = (uint32_t)#{constant('command_kind', mode.command)}",
                 "workphases = #{workphases.empty? ? '0U' : workphases.join(' | ')}",
                 "axes = (uint32_t)#{constant('mode_axes', mode.axes)}",
-                "needle = (uint32_t)#{constant('mode_needle', mode.needle)}", "may_be_unhomed = #{mode.unhomed}"]
+                "needle = (uint32_t)#{constant('mode_needle', mode.needle)}", "aim = (uint32_t)#{constant('mode_aim', mode.aim)}",
+                "is_by_hand = #{mode.hand}", "may_be_unhomed = #{mode.unhomed}"]
       "{.#{fields.join(",\n         .")}}"
     end
 

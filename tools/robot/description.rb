@@ -5,6 +5,7 @@ require_relative 'document'
 require_relative 'drive'
 require_relative 'followers'
 require_relative 'formula'
+require_relative 'hand'
 require_relative 'kinematics'
 require_relative 'limit'
 require_relative 'pose'
@@ -188,12 +189,12 @@ module Robot
 
     CARDS = %w[sensor].freeze # That go without an axis.
 
-    attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :geometry, :probe, :coupled_limits, :followers,
+    attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :hand, :geometry, :probe, :coupled_limits, :followers,
                 :poses, :told
 
     def initialize(path, text)
       nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes],
-                                             %w[cards poses told])
+                                             %w[cards hand poses told])
       @name = nodes['name'].name
       @kinematics = nodes['kinematics'].choice(Kinematics.names)
       @expected = Kinematics.new(@kinematics)
@@ -206,6 +207,7 @@ module Robot
       @coupled_limits = read_coupled_limits(nodes['coupled_limits'])
       @axes = read_axes(nodes['axes'])
       @sensor_slots = nodes.key?('cards') ? read_sensors(nodes['cards']) : []
+      @hand = Hand.new(nodes['hand'], @axes[needle_axis], @sensor_slots.any?)
       @followers = Followers.new(@axes)
       check_axes
       @poses = read_poses(nodes['poses'])

@@ -36,14 +36,15 @@ solution_t controller_aim(controller_t *self, const cycle_t *cycle, const comman
 {
     const int32_t *const target_ticks = self->plan.target_ticks;
     solution_t result = {.status = STATUS_OK};
-    if (kind == MODE_ALIGN) {
+    const mode_aim_t aim = mode_aim_of((uint32_t)kind);
+    if (aim == MODE_AIM_LINE) {
         result = judge_target(self, cycle);
         request->sealed.move = align_mode_move(cycle->robot, self->axes, target_ticks);
-    } else if ((kind == MODE_INSERT) || (kind == MODE_PROGRAM)) {
+    } else if (aim != MODE_AIM_NONE) {
         result = judge_target(self, cycle);
         (void)memcpy(request->sealed.move.target_ticks, target_ticks,
                      sizeof request->sealed.move.target_ticks);
-        if ((kind == MODE_PROGRAM) && (result.status == STATUS_OK)) {
+        if ((aim == MODE_AIM_STEPS) && (result.status == STATUS_OK)) {
             result = controller_judge_program(self, cycle, command_as_list(command)->checksum,
                                               &request->sealed.move);
         }

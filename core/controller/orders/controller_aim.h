@@ -21,7 +21,7 @@ solution_t controller_judge_way(controller_t *self, const cycle_t *cycle);
  * Fills what `request` of the mode `kind` has to say of the target or of the pose
  * the checksum that it names; of any other mode nothing.
  *
- * @return STATUS_OK; of MODE_ALIGN, MODE_INSERT and MODE_PROGRAM as plan_judge_entry() and
+ * @return STATUS_OK; of a mode with a place at the target as plan_judge_entry() and
  * controller_judge_way(), of MODE_PROGRAM also as controller_judge_program() of list
  * the checksum that it names; of MODE_POSE as pose_mode_find(); of MODE_TRAJECTORY as
  * controller_judge_trajectory() of list the checksum that it names

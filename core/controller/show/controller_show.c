@@ -363,10 +363,10 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
     rigid_multiply(&self->plan.scanner_zframe, &shown->zframe_treatment, &shown->scanner_treatment);
 }
 
-/* Shows the end of a move or an insertion, or of a jog that is armed. */
+/* Shows the depth that a mode goes to, or the end of a jog that is armed. */
 static void show_way(const controller_t *self, mode_kind_t kind, snapshot_t *shown)
 {
-    if ((kind == MODE_MOVE) || (kind == MODE_INSERT)) {
+    if (mode_aim_of((uint32_t)kind) == MODE_AIM_DEPTH) {
         for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
             shown->axes[i].target_ticks = self->plan.target_ticks[i];
         }

@@ -16,6 +16,7 @@
 #include "mode/lists/program_list.h"
 #include "mode/lists/trajectory_list.h"
 #include "robot/robot.h"
+#include "safety/hand_guard.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -38,6 +39,7 @@ typedef struct {
     bool is_dose_reached;                       /**< The gate of the treatment says so. */
     bool is_treatment_stopped;                  /**< The same. */
     const link_t *links;                        /**< To the cards, by slot. */
+    hand_t hand;                                /**< On the needle's handle. */
     uint32_t speed_cap_percent[ROBOT_AXIS_MAX]; /**< Share of its speed that the permit lets each
                                                    axis have, 1..100. */
 } mode_frame_t;

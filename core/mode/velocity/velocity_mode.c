@@ -10,11 +10,6 @@
 
 #include <string.h>
 
-#define CYCLES_PER_S (1000000U / LIMIT_CYCLE_US)
-/* A tick in the unit of ways: what a speed of 1 ticks/s, 8 fraction bits, makes of it in a cycle.
- */
-#define TICK (INT64_C(256) * (INT64_C(1000000) / (int64_t)LIMIT_CYCLE_US))
-
 #define STAGE_NEW 0U
 #define STAGE_RUNS 1U
 #define STAGE_ENDED 2U /* And its end was reported. */
@@ -138,7 +133,7 @@ static int64_t room_of(const velocity_mode_t *self, const mode_frame_t *frame, u
 {
     const velocity_bound_t bound = velocity_bound_of(self, frame, index);
     const int64_t ticks = (int64_t)bound.ticks - (int64_t)frame->axes[index].sealed.setpoint_ticks;
-    const int64_t room = (ticks * TICK) - (int64_t)self->rest[index];
+    const int64_t room = (ticks * RAMP_TICK) - (int64_t)self->rest[index];
     return is_upwards(self, index) ? room : -room;
 }
 
@@ -154,10 +149,8 @@ static int64_t next_q8(const velocity_mode_t *self, const mode_frame_t *frame, u
 static int32_t place_after(const velocity_mode_t *self, const axis_t *axis, uint32_t index,
                            int64_t way, int32_t *rest)
 {
-    const int64_t more = (int64_t)self->rest[index] + (is_upwards(self, index) ? way : -way);
-    const int64_t ticks = fixed_divide_rounded(more, TICK);
-    *rest = (int32_t)(more - (ticks * TICK));
-    return fixed_saturate((int64_t)axis->sealed.setpoint_ticks + ticks);
+    *rest = self->rest[index];
+    return ramp_place(axis->sealed.setpoint_ticks, is_upwards(self, index) ? way : -way, rest);
 }
 
 static void set_speed(const velocity_mode_t *self, const mode_frame_t *frame, uint32_t index,
@@ -180,7 +173,7 @@ static void plan_axes(const velocity_mode_t *self, const mode_frame_t *frame, ve
         plan->to_ticks[i] = plan->from_ticks[i];
         if (has_axis(self, i)) {
             const int64_t step = fixed_divide_by(
-                (int64_t)frame->robot->axes[i].acceleration_ticks_per_s2 * 256, CYCLES_PER_S);
+                (int64_t)frame->robot->axes[i].acceleration_ticks_per_s2 * 256, RAMP_CYCLES_PER_S);
             plan->from_ticks[i] = axis->sealed.setpoint_ticks;
             plan->steps_q8[i] = step;
             set_speed(self, frame, i, next_q8(self, frame, i, step), plan);

@@ -8,13 +8,19 @@
     (permit_input(BOX_INPUT_PEDAL) | permit_input(BOX_INPUT_ESTOP) |                               \
      permit_input(BOX_INPUT_SCANNER))
 
+/* All that hand_guard_reasons() makes. */
+#define OF_A_HAND                                                                                  \
+    (permit_reason(true, PERMIT_REASON_FORCE_DOUBTFUL) |                                           \
+     permit_reason(true, PERMIT_REASON_HAND_OFF) | permit_reason(true, PERMIT_REASON_AT_DEPTH))
+
 /* A fact against every axis stands. */
 static bool bars_all(const permit_common_facts_t *facts, uint32_t unread)
 {
     return facts->is_estop_pulled || facts->is_estop_latched || facts->is_loop_stopped ||
            facts->is_link_lost || facts->is_pedal_faulty || facts->is_scanner_active ||
            !facts->is_armed || facts->is_pedal_unproven || !facts->is_pedal_pressed ||
-           facts->is_memory_damaged || facts->are_cards_unprotected || ((unread & UNREAD) != 0U);
+           facts->is_memory_damaged || facts->are_cards_unprotected ||
+           (facts->hand_reasons != 0U) || ((unread & UNREAD) != 0U);
 }
 
 static bool bars_axis(const permit_common_facts_t *common, const permit_facts_t *facts)
@@ -63,6 +69,7 @@ void prove_SWR_PERMIT_003_each_reason_stands_exactly_for_its_fact(void)
     permit_common_facts_t common_facts;
     permit_facts_t facts;
     uint32_t unread;
+    assume((common_facts.hand_reasons & ~OF_A_HAND) == 0U);
     const permit_common_t common = permit_decide_common(&common_facts, unread);
     const permit_t permit = permit_decide(&common, &facts);
     const bool is_pedal_read = (unread & permit_input(BOX_INPUT_PEDAL)) == 0U;
@@ -112,5 +119,7 @@ void prove_SWR_PERMIT_003_each_reason_stands_exactly_for_its_fact(void)
           "SWR-PERMIT-003: a coupled limit");
     PROVE(SAME(has(&permit, PERMIT_REASON_NEEDLE_IN), facts.is_needle_in),
           "SWR-PERMIT-003: the needle");
+    PROVE((permit.reasons & OF_A_HAND) == common_facts.hand_reasons,
+          "SWR-COOP-008: a hand that moves the needle");
     POSSIBLE(permit.is_allowed, "no reason");
 }

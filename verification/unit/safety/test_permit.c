@@ -68,7 +68,7 @@ static bool *fact(facts_t *facts, size_t offset)
 
 static facts_t combination(uint32_t bits)
 {
-    facts_t facts;
+    facts_t facts = {.common = {.hand_reasons = 0U}};
 
     for (size_t i = 0U; i < RULES; i++) {
         *fact(&facts, rules[i].fact) = ((bits >> i) & 1U) != 0U;
@@ -110,7 +110,8 @@ void test_SWR_PERMIT_001_every_combination_of_facts_is_decided_by_the_rule(void)
 {
     uint32_t allowed = 0U;
 
-    TEST_ASSERT_EQUAL_size_t(FACTS * sizeof(bool), sizeof(facts_t));
+    TEST_ASSERT_EQUAL_size_t(FACTS * sizeof(bool), offsetof(permit_common_facts_t, may_be_unhomed) +
+                                                       sizeof(bool) + sizeof(permit_facts_t));
     for (uint32_t bits = 0U; bits < COMBINATIONS; bits++) {
         facts_t facts = combination(bits);
         const permit_t permit = decide(&facts);
@@ -182,6 +183,21 @@ void test_SWR_PERMIT_003_reasons_that_stand_together_are_all_named(void)
     }
     facts.axis.is_homed = false;
     TEST_ASSERT_EQUAL_HEX32(all, decide(&facts).reasons);
+}
+
+void test_SWR_COOP_008_what_stands_against_a_hand_stands_against_every_drive(void)
+{
+    static const permit_reason_t of_a_hand[] = {PERMIT_REASON_FORCE_DOUBTFUL,
+                                                PERMIT_REASON_HAND_OFF, PERMIT_REASON_AT_DEPTH};
+    for (size_t i = 0U; i < (sizeof of_a_hand / sizeof of_a_hand[0]); i++) {
+        facts_t facts = free_facts();
+        facts.common.hand_reasons = mask(of_a_hand[i]);
+        TEST_ASSERT_EQUAL_HEX32(mask(of_a_hand[i]), decide(&facts).reasons);
+        TEST_ASSERT_FALSE(decide(&facts).is_allowed);
+        facts.common.is_armed = false;
+        TEST_ASSERT_EQUAL_HEX32(mask(of_a_hand[i]) | mask(PERMIT_REASON_NOTHING_ARMED),
+                                decide(&facts).reasons);
+    }
 }
 
 void test_SWR_PERMIT_004_no_axis_is_allowed_while_the_scanner_acquires(void)

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "mode/cooperate/cooperate_mode.h"
+
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
+#include "motion/admittance.h"
+#include "motion/ramp.h"
+
+/* Way of the needle to its depth; negative beyond it. */
+static int64_t left_ticks(const move_mode_t *move, const robot_t *robot,
+                          const axis_t axes[ROBOT_AXIS_MAX])
+{
+    const uint32_t needle = robot->needle_axis;
+    return (int64_t)move->target_ticks[needle] -
+           (int64_t)axes[needle].sealed.encoder.position_ticks;
+}
+
+solution_t cooperate_mode_judge(const move_mode_t *move, const robot_t *robot,
+                                const axis_t axes[ROBOT_AXIS_MAX])
+{
+    solution_t result = {.status = STATUS_OK};
+    if (robot->hand.gain_q8 == 0U) {
+        result.status = STATUS_NO_HAND;
+    } else if (!move_mode_is_aligned(move, robot, axes)) {
+        result.status = STATUS_NOT_ALIGNED;
+    } else if (left_ticks(move, robot, axes) <
+               -(int64_t)robot->axes[robot->needle_axis].deadband_ticks) {
+        result.status = STATUS_TOO_DEEP;
+    } else {
+        /* It may. */
+    }
+    return result;
+}
+
+/* Change of a speed in a cycle. */
+static int64_t step_q8(uint32_t ticks_per_s2)
+{
+    return fixed_divide_by((int64_t)ticks_per_s2 * 256, RAMP_CYCLES_PER_S);
+}
+
+/* The speed that the hand asks for, as far as the axis may have it. */
+static int64_t most_q8(const mode_frame_t *frame, uint32_t index)
+{
+    const axis_config_t *const config = &frame->robot->axes[index];
+    const int64_t asked_q8 = admittance_speed_q8(&frame->robot->hand, frame->hand.force_mn);
+    const int64_t axis_q8 = fixed_divide_by(
+        (int64_t)config->speed_ticks_per_s * 256 * (int64_t)frame->speed_cap_percent[index], 100U);
+    return fixed_within(asked_q8, 0, axis_q8);
+}
+
+/* Where the set-point goes on from: a needle that rests begins where it stands. */
+static int32_t from_ticks(const axis_t *axis)
+{
+    return (axis->sealed.setpoint_speed_ticks_per_s_q8 > 0) ? axis->sealed.setpoint_ticks
+                                                            : axis->sealed.encoder.position_ticks;
+}
+
+/* Speed of the set-point in this cycle. It ends at the target, whatever the force. */
+static int64_t next_q8(const cooperate_mode_t *self, const mode_frame_t *frame, uint32_t index,
+                       int32_t target_ticks)
+{
+    const axis_t *const axis = &frame->axes[index];
+    const int64_t room_ticks = (int64_t)target_ticks - (int64_t)from_ticks(axis);
+    const int64_t now_q8 = fixed_larger((int64_t)axis->sealed.setpoint_speed_ticks_per_s_q8, 0);
+    const ramp_steps_t steps = {
+        .up_q8 = step_q8((uint32_t)frame->robot->axes[index].acceleration_ticks_per_s2),
+        .down_q8 = step_q8(frame->robot->hand.stop_ticks_per_s2)};
+    return ramp_next(now_q8, most_q8(frame, index), &steps,
+                     (room_ticks * RAMP_TICK) - (int64_t)self->rest);
+}
+
+/* No rest of the way is made up for once the hand has let go: the set-point is the position. */
+static card_drive_t push(cooperate_mode_t *self, const mode_frame_t *frame, uint32_t index,
+                         int32_t target_ticks)
+{
+    axis_t *const axis = &frame->axes[index];
+    const int64_t speed_q8 = next_q8(self, frame, index, target_ticks);
+    if (speed_q8 == 0) {
+        self->rest = 0;
+        return axis_rest(axis, frame->elapsed_us);
+    }
+    const int32_t ticks = ramp_place(from_ticks(axis), speed_q8, &self->rest);
+    return axis_follow(axis, &frame->robot->axes[index], ticks, (int32_t)speed_q8,
+                       frame->elapsed_us);
+}
+
+static void go(cooperate_mode_t *self, const move_mode_t *move, const mode_frame_t *frame,
+               mode_result_t *result)
+{
+    const uint32_t needle = frame->robot->needle_axis;
+    for (uint32_t i = 0U; i < frame->axis_count; i++) {
+        result->requests[i] = (i == needle) ? push(self, frame, needle, move->target_ticks[needle])
+                                            : axis_rest(&frame->axes[i], frame->elapsed_us);
+    }
+    /* At its depth, and the set-point rests. */
+    if ((left_ticks(move, frame->robot, frame->axes) <=
+         (int64_t)frame->robot->axes[needle].deadband_ticks) &&
+        (frame->axes[needle].sealed.setpoint_speed_ticks_per_s_q8 == 0)) {
+        result->progress = MODE_DONE;
+    }
+}
+
+void cooperate_mode_step(cooperate_mode_t *self, const move_mode_t *move, const mode_frame_t *frame,
+                         mode_result_t *result)
+{
+    if (!frame->hand.is_trusted) {
+        mode_give_up(frame, result, STATUS_FORCE_DOUBTFUL);
+    } else if (!move_mode_is_aligned(move, frame->robot, frame->axes)) {
+        mode_give_up(frame, result, STATUS_NOT_ALIGNED);
+    } else {
+        go(self, move, frame, result);
+    }
+}

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Cooperative insertion: the hand on the handle moves the needle towards its depth at the target,
+ * as fast as it pushes (motion/admittance.h), and never back. All other axes rest. A design of this
+ * project after thesis 5.5, which names the mode and gives no law.
+ */
+#ifndef BORESIGHT_COOPERATE_MODE_H
+#define BORESIGHT_COOPERATE_MODE_H
+
+#include "mode/leg/mode_frame.h"
+#include "mode/move/move_mode.h"
+#include "robot/joints.h"
+
+#include <stdint.h>
+
+/** At first all zero. */
+typedef struct {
+    int32_t rest; /**< Part by which the set-point is less than its place, of RAMP_TICK. */
+} cooperate_mode_t;
+
+/**
+ * May a hand move the needle?
+ *
+ * @return status STATUS_OK, STATUS_NO_HAND, STATUS_NOT_ALIGNED, STATUS_TOO_DEEP
+ *
+ * @satisfies SWR-COOP-009
+ */
+solution_t cooperate_mode_judge(const move_mode_t *move, const robot_t *robot,
+                                const axis_t axes[ROBOT_AXIS_MAX]);
+
+/**
+ * One cycle; done once the needle rests at its depth. Fails with STATUS_FORCE_DOUBTFUL or
+ * STATUS_NOT_ALIGNED, without a drive in that cycle.
+ *
+ * @satisfies SWR-COOP-001
+ * @satisfies SWR-COOP-002
+ * @satisfies SWR-COOP-003
+ * @satisfies SWR-COOP-004
+ * @satisfies SWR-COOP-005
+ * @satisfies SWR-COOP-006
+ * @satisfies SWR-COOP-007
+ */
+void cooperate_mode_step(cooperate_mode_t *self, const move_mode_t *move, const mode_frame_t *frame,
+                         mode_result_t *result);
+
+#endif

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * A hand moves the needle: what stands against that, whatever the mode asks for. The controller
+ * owns one and steps it every cycle of a robot that has a sensor for the hand.
+ */
+#ifndef BORESIGHT_HAND_GUARD_H
+#define BORESIGHT_HAND_GUARD_H
+
+#include "interface/permit_reason.h"
+#include "robot/robot.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** Force of the hand in one cycle. */
+typedef struct {
+    int32_t force_mn; /**< Positive towards the patient. */
+    bool is_trusted;  /**< The sensor is zeroed, and nothing speaks against it. */
+} hand_t;
+
+/** At first all zero: no hand. */
+typedef struct {
+    uint32_t left_us; /**< Until the last push has been over for LIMIT_HAND_OFF_US; 0: it has. */
+} hand_guard_t;
+
+/** One cycle, `elapsed_us` after the one before. */
+void hand_guard_step(hand_guard_t *self, const hand_law_t *law, const hand_t *hand,
+                     uint32_t elapsed_us);
+
+/**
+ * Reasons against a drive while a hand moves the needle: its force is not trusted, it has not
+ * pushed by more than the dead zone for LIMIT_HAND_OFF_US, or the needle is to go farther in
+ * (`is_inwards`) and has no way left (`left_ticks`, to its depth).
+ *
+ * @return bit mask of permit_reason_t
+ *
+ * @satisfies SWR-COOP-008
+ */
+uint32_t hand_guard_reasons(const hand_guard_t *self, const hand_t *hand, bool is_inwards,
+                            int64_t left_ticks);
+
+#endif

@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: the needle goes in as fast as the hand pushes and no farther than its depth; it
+ * stands when the hand lets go, and ends on a doubt.
+ */
+#include "unity.h"
+
+#include "axis/axis.h"
+#include "limits/requirement_limits.h"
+#include "mode/cooperate/cooperate_mode.h"
+#include "mode/leg/mode_frame.h"
+#include "mode/move/move_mode.h"
+#include "motion/admittance.h"
+#include "robot/joints.h"
+#include "unit/support/mode_world.h"
+
+#define NEEDLE NEURO_AXIS_INSERTION
+#define DEEP_TICKS 20000
+#define LONG_CYCLES 20000U
+#define HARD_MN 1000000
+
+static const move_mode_t move = {{-400, 150, -200, DEEP_TICKS, 500, 30, -60}};
+/* That of the ProstateRobot. */
+static const hand_law_t law = {300U, 2133U, 8333U, 333334U};
+
+static cooperate_mode_t mode;
+
+void setUp(void)
+{
+    world_start();
+    robot.hand = law;
+    mode = (cooperate_mode_t){0};
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        world_put(i, move.target_ticks[i]);
+    }
+    world_put(NEEDLE, 1000);
+    frame.hand = (hand_t){.force_mn = 0, .is_trusted = true};
+}
+
+void tearDown(void)
+{
+}
+
+static int32_t speed_q8(void)
+{
+    return axes[NEEDLE].sealed.setpoint_speed_ticks_per_s_q8;
+}
+
+/* Where the axes are is looked at only by a step that runs. */
+static void step(int32_t force_mn)
+{
+    frame.hand.force_mn = force_mn;
+    mode_clear(&result);
+    cooperate_mode_step(&mode, &move, &frame, &result);
+    world_follow();
+}
+
+/* Until it has ended, `most` cycles. */
+static void steps(int32_t force_mn, uint32_t most)
+{
+    for (uint32_t i = 0U; (i < most) && (result.progress == MODE_RUNNING); i++) {
+        step(force_mn);
+    }
+}
+
+static bool all_rest(void)
+{
+    bool is_rest = true;
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        is_rest = is_rest && world_rests(i);
+    }
+    return is_rest;
+}
+
+static void expect_given_up(status_t status)
+{
+    TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+    TEST_ASSERT_EQUAL(status, result.status);
+    TEST_ASSERT_EQUAL_UINT32(MODE_NO_AXIS, result.axis);
+    TEST_ASSERT_TRUE(all_rest());
+}
+
+void test_SWR_COOP_001_the_needle_is_as_fast_as_the_hand_pushes(void)
+{
+    for (int32_t force_mn = 400; force_mn <= 3000; force_mn += 400) {
+        setUp();
+        steps(force_mn, 500U);
+        TEST_ASSERT_EQUAL_INT64(admittance_speed_q8(&law, force_mn), speed_q8());
+    }
+}
+
+void test_SWR_COOP_001_the_axis_and_the_permit_may_be_slower_than_the_hand(void)
+{
+    robot.axes[NEEDLE].speed_ticks_per_s = 2000;
+    frame.speed_cap_percent[NEEDLE] = 25U;
+    steps(HARD_MN, 1000U);
+    TEST_ASSERT_EQUAL_INT32(500 * 256, speed_q8());
+}
+
+void test_SWR_COOP_002_the_speed_grows_by_the_acceleration_and_falls_by_the_stop_slope(void)
+{
+    const int32_t up = (robot.axes[NEEDLE].acceleration_ticks_per_s2 * 256) / 1000;
+    const int32_t down = ((int32_t)law.stop_ticks_per_s2 * 256) / 1000;
+    uint64_t random = 1U;
+    int32_t before = 0;
+    for (uint32_t i = 0U; i < 4000U; i++) {
+        random = (random * 6364136223846793005U) + 1442695040888963407U;
+        step((int32_t)((random >> 33U) % 3000U) - 500);
+        TEST_ASSERT_LESS_OR_EQUAL_INT32(up, speed_q8() - before);
+        TEST_ASSERT_LESS_OR_EQUAL_INT32(down, before - speed_q8());
+        before = speed_q8();
+    }
+}
+
+/* Hard, jerking and all at once, from every start. */
+void test_SWR_COOP_003_no_force_takes_the_set_point_past_the_depth(void)
+{
+    for (int32_t start = 0; start < DEEP_TICKS; start += 997) {
+        setUp();
+        world_put(NEEDLE, start);
+        for (uint32_t i = 0U; (i < LONG_CYCLES) && (result.progress == MODE_RUNNING); i++) {
+            step(((i % 97U) < 60U) ? HARD_MN : 0);
+            TEST_ASSERT_LESS_OR_EQUAL_INT32(DEEP_TICKS, axes[NEEDLE].sealed.setpoint_ticks);
+        }
+        TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+        TEST_ASSERT_INT32_WITHIN(robot.axes[NEEDLE].deadband_ticks, DEEP_TICKS,
+                                 axes[NEEDLE].sealed.encoder.position_ticks);
+        TEST_ASSERT_TRUE(all_rest());
+    }
+}
+
+void test_SWR_COOP_003_beyond_the_depth_nothing_is_asked_for(void)
+{
+    world_put(NEEDLE, DEEP_TICKS + 500);
+    step(HARD_MN);
+    TEST_ASSERT_TRUE(all_rest());
+}
+
+void test_SWR_COOP_004_neither_a_pull_draws_the_needle_out_nor_any_push_moves_another_axis(void)
+{
+    for (uint32_t i = 0U; i < 3000U; i++) {
+        const int32_t before = axes[NEEDLE].sealed.encoder.position_ticks;
+        step(((i % 200U) < 100U) ? 2000 : -HARD_MN);
+        TEST_ASSERT_GREATER_OR_EQUAL_INT32(0, speed_q8());
+        TEST_ASSERT_GREATER_OR_EQUAL_INT32(before, axes[NEEDLE].sealed.encoder.position_ticks);
+        for (uint32_t axis = 0U; axis < robot.axis_count; axis++) {
+            TEST_ASSERT_TRUE((axis == (uint32_t)NEEDLE) || world_rests(axis));
+        }
+    }
+}
+
+/* From the highest speed, and however far the motor is behind its set-point. */
+void test_SWR_COOP_005_it_stands_soon_after_the_hand_has_let_go(void)
+{
+    steps(HARD_MN, 400U);
+    TEST_ASSERT_EQUAL_INT32((int32_t)law.speed_ticks_per_s * 256, speed_q8());
+    uint32_t cycles = 0U;
+    while (!world_rests(NEEDLE)) {
+        step((int32_t)law.dead_zone_mn);
+        cycles++;
+        world_put(NEEDLE, axes[NEEDLE].sealed.setpoint_ticks - ((speed_q8() != 0) ? 30 : 0));
+        TEST_ASSERT_LESS_OR_EQUAL_UINT32(LIMIT_HAND_OFF_US / LIMIT_CYCLE_US, cycles);
+    }
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    step(2000);
+    TEST_ASSERT_FALSE(world_rests(NEEDLE));
+}
+
+void test_SWR_COOP_006_a_doubtful_force_ends_it_in_the_same_cycle(void)
+{
+    steps(2000, 400U);
+    frame.hand.is_trusted = false;
+    step(2000);
+    expect_given_up(STATUS_FORCE_DOUBTFUL);
+}
+
+void test_SWR_COOP_007_a_base_that_leaves_the_line_ends_it(void)
+{
+    for (uint32_t axis = 0U; axis < robot.axis_count; axis++) {
+        if (axis != (uint32_t)NEEDLE) {
+            setUp();
+            steps(2000, 400U);
+            world_put(axis, move.target_ticks[axis] + robot.axes[axis].deadband_ticks + 3);
+            step(2000);
+            expect_given_up(STATUS_NOT_ALIGNED);
+        }
+    }
+}
+
+void test_SWR_COOP_009_it_is_armed_on_the_line_and_short_of_the_depth_of_a_robot_with_a_hand(void)
+{
+    const int32_t deadband = robot.axes[NEEDLE].deadband_ticks;
+    TEST_ASSERT_EQUAL(STATUS_OK, cooperate_mode_judge(&move, &robot, axes).status);
+    world_put(NEEDLE, DEEP_TICKS + deadband);
+    TEST_ASSERT_EQUAL(STATUS_OK, cooperate_mode_judge(&move, &robot, axes).status);
+    world_put(NEEDLE, DEEP_TICKS + deadband + 1);
+    TEST_ASSERT_EQUAL(STATUS_TOO_DEEP, cooperate_mode_judge(&move, &robot, axes).status);
+    world_put(NEURO_AXIS_YAW, move.target_ticks[NEURO_AXIS_YAW] + 30);
+    TEST_ASSERT_EQUAL(STATUS_NOT_ALIGNED, cooperate_mode_judge(&move, &robot, axes).status);
+    robot.hand = (hand_law_t){0};
+    TEST_ASSERT_EQUAL(STATUS_NO_HAND, cooperate_mode_judge(&move, &robot, axes).status);
+}

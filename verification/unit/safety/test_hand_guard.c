@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: while a hand moves the needle, nothing is driven without a trusted force,
+ * without a push of just now, or beyond the depth.
+ */
+#include "unity.h"
+
+#include "limits/requirement_limits.h"
+#include "safety/hand_guard.h"
+#include "safety/permit.h"
+
+#define CYCLE_US LIMIT_CYCLE_US
+#define DEAD_ZONE_MN 300
+#define LEFT_TICKS 100
+
+static const hand_law_t law = {.dead_zone_mn = (uint32_t)DEAD_ZONE_MN};
+static const hand_t push = {.force_mn = DEAD_ZONE_MN + 1, .is_trusted = true};
+static const hand_t open_hand = {.force_mn = DEAD_ZONE_MN, .is_trusted = true};
+static const hand_t doubtful_push = {.force_mn = 5000, .is_trusted = false};
+
+static hand_guard_t guard;
+
+void setUp(void)
+{
+    guard = (hand_guard_t){0};
+}
+
+void tearDown(void)
+{
+}
+
+static bool has(const hand_t *hand, bool is_inwards, int64_t left_ticks, permit_reason_t reason)
+{
+    const uint32_t reasons = hand_guard_reasons(&guard, hand, is_inwards, left_ticks);
+    return (reasons & permit_reason(true, reason)) != 0U;
+}
+
+static bool is_off(const hand_t *hand)
+{
+    return has(hand, true, LEFT_TICKS, PERMIT_REASON_HAND_OFF);
+}
+
+void test_SWR_COOP_008_at_first_no_hand_pushes(void)
+{
+    TEST_ASSERT_TRUE(is_off(&open_hand));
+}
+
+void test_SWR_COOP_008_a_push_lets_the_needle_go_for_a_short_time(void)
+{
+    hand_guard_step(&guard, &law, &push, CYCLE_US);
+    TEST_ASSERT_EQUAL_HEX32(0U, hand_guard_reasons(&guard, &push, true, LEFT_TICKS));
+    for (uint32_t us = CYCLE_US; us < LIMIT_HAND_OFF_US; us += CYCLE_US) {
+        hand_guard_step(&guard, &law, &open_hand, CYCLE_US);
+        TEST_ASSERT_FALSE(is_off(&open_hand));
+    }
+    hand_guard_step(&guard, &law, &open_hand, CYCLE_US);
+    TEST_ASSERT_TRUE(is_off(&open_hand));
+    hand_guard_step(&guard, &law, &open_hand, CYCLE_US);
+    TEST_ASSERT_TRUE(is_off(&open_hand));
+}
+
+void test_SWR_COOP_008_a_late_cycle_counts_for_all_of_its_time(void)
+{
+    hand_guard_step(&guard, &law, &push, CYCLE_US);
+    hand_guard_step(&guard, &law, &open_hand, LIMIT_HAND_OFF_US + 1U);
+    TEST_ASSERT_TRUE(is_off(&open_hand));
+}
+
+void test_SWR_COOP_008_a_doubtful_force_is_no_push_and_a_reason_of_its_own(void)
+{
+    hand_guard_step(&guard, &law, &doubtful_push, CYCLE_US);
+    TEST_ASSERT_TRUE(is_off(&doubtful_push));
+    hand_guard_step(&guard, &law, &push, CYCLE_US);
+    TEST_ASSERT_EQUAL_HEX32(permit_reason(true, PERMIT_REASON_FORCE_DOUBTFUL),
+                            hand_guard_reasons(&guard, &doubtful_push, true, LEFT_TICKS));
+}
+
+void test_SWR_COOP_008_no_way_is_left_at_the_depth_but_out(void)
+{
+    hand_guard_step(&guard, &law, &push, CYCLE_US);
+    TEST_ASSERT_FALSE(has(&push, true, 1, PERMIT_REASON_AT_DEPTH));
+    TEST_ASSERT_TRUE(has(&push, true, 0, PERMIT_REASON_AT_DEPTH));
+    TEST_ASSERT_TRUE(has(&push, true, -1, PERMIT_REASON_AT_DEPTH));
+    TEST_ASSERT_FALSE(has(&push, false, -1, PERMIT_REASON_AT_DEPTH));
+}
