@@ -28,6 +28,7 @@
 #include "safety/authority.h"
 #include "safety/confirm_button.h"
 #include "safety/estop_latch.h"
+#include "safety/hand_guard.h"
 #include "safety/loop_guard.h"
 #include "safety/pedal_gate.h"
 #include "safety/reason_hold.h"
@@ -148,6 +149,7 @@ typedef struct {
     uint32_t has_started;      /**< The first cycle has begun: 0 or 1. */
     uint32_t axis_count;       /**< Axes of the robot, as its undamaged table said last; at most
                                   ROBOT_AXIS_MAX. */
+    hand_guard_t hand_guard;   /**< Of the needle's handle. */
     uint32_t cycle;            /**< This and the members below only count: any value is as good. */
     uint32_t time_us;
     uint32_t sequence; /**< Number of the outgoing frames. */

@@ -13,10 +13,10 @@ module Robot
     MN_PER_N = 1000
     UM_PER_MM = 1000
     # The gain beyond which the hand and the needle would swing.
-    GAIN_MM_PER_S_N = Rational(Limit.of('hand_gain_most_um_per_s_n'), UM_PER_MM)
-    DEAD_ZONE_N = (Rational(Limit.of('hand_dead_zone_least_mn'), MN_PER_N)..2)
+    GAIN_MM_PER_S_N = (0.1..(Limit.of('hand_gain_most_um_per_s_n') / UM_PER_MM.to_f))
+    DEAD_ZONE_N = ((Limit.of('hand_dead_zone_least_mn') / MN_PER_N.to_f)..2)
     STOP_MM_PER_S2 = (Limit.of('hand_stop_least_mm_per_s2')..1000)
-    SLOWEST_MM_PER_S = Rational(1, 10)
+    SLOWEST_MM_PER_S = 0.1
 
     # Of hand_law_t, as C writes them.
     attr_reader :values
@@ -33,8 +33,8 @@ module Robot
       node.refuse('is of a robot without a force sensor; expected one') unless force
       nodes = node.mapping(%w[dead_zone_n gain_mm_per_s_n speed_mm_per_s stop_mm_per_s2])
       ticks = needle['ticks_per_unit']
-      fastest = needle['speed_ticks_per_s'] / ticks
-      gain = nodes['gain_mm_per_s_n'].decimal(SLOWEST_MM_PER_S..GAIN_MM_PER_S_N)
+      fastest = (needle['speed_ticks_per_s'] / ticks).floor(3).to_f
+      gain = nodes['gain_mm_per_s_n'].decimal(GAIN_MM_PER_S_N)
       @values = { 'dead_zone_mn' => (nodes['dead_zone_n'].decimal(DEAD_ZONE_N) * MN_PER_N).round,
                   'gain_q8' => (gain * ticks * 256 / MN_PER_N).round,
                   'speed_ticks_per_s' => (nodes['speed_mm_per_s'].decimal(SLOWEST_MM_PER_S..fastest) * ticks).floor,

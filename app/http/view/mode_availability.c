@@ -4,8 +4,9 @@
 #include "http/view/axis_availability.h"
 #include "http/view/shown.h"
 #include "interface/command.h"
-#include "mode/lists/program_step.h"
+#include "mode/cooperate/cooperate_mode.h"
 #include "mode/insert/insert_mode.h"
+#include "mode/lists/program_step.h"
 #include "mode/pose/pose_mode.h"
 
 #include <stdbool.h>
@@ -30,16 +31,23 @@ static status_t aim_outlook(const robot_t *robot, const snapshot_t *snapshot)
     return (status == STATUS_OK) ? way_outlook(robot, snapshot) : status;
 }
 
-/* `turning`: how this axis stands does not matter. */
-static status_t aligned_outlook(const robot_t *robot, const snapshot_t *snapshot, uint32_t turning)
+/* The move to the target as the axes are shown; `turning`: how this axis stands does not matter. */
+static move_mode_t shown_move(const snapshot_t *snapshot, uint32_t turning,
+                              axis_t axes[ROBOT_AXIS_MAX])
 {
     move_mode_t move;
-    axis_t axes[ROBOT_AXIS_MAX];
     shown_axes(snapshot, axes);
     for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
         move.target_ticks[i] =
             (i == turning) ? axes[i].sealed.encoder.position_ticks : snapshot->target_ticks[i];
     }
+    return move;
+}
+
+static status_t aligned_outlook(const robot_t *robot, const snapshot_t *snapshot, uint32_t turning)
+{
+    axis_t axes[ROBOT_AXIS_MAX];
+    const move_mode_t move = shown_move(snapshot, turning, axes);
     return insert_mode_judge(&move, robot, axes).status;
 }
 
@@ -47,6 +55,21 @@ static status_t insert_outlook(const robot_t *robot, const snapshot_t *snapshot)
 {
     const status_t status = aim_outlook(robot, snapshot);
     return (status == STATUS_OK) ? aligned_outlook(robot, snapshot, ROBOT_AXIS_MAX) : status;
+}
+
+/* By a hand, whose force must be trusted. */
+static status_t cooperate_outlook(const robot_t *robot, const snapshot_t *snapshot)
+{
+    status_t status = aim_outlook(robot, snapshot);
+    if (status == STATUS_OK) {
+        axis_t axes[ROBOT_AXIS_MAX];
+        const move_mode_t move = shown_move(snapshot, ROBOT_AXIS_MAX, axes);
+        status = cooperate_mode_judge(&move, robot, axes).status;
+    }
+    if ((status == STATUS_OK) && (snapshot->forces[FORCE_CHANNEL_HAND].doubts != 0U)) {
+        status = STATUS_FORCE_DOUBTFUL;
+    }
+    return status;
 }
 
 /* There is one, for this target. */
@@ -119,6 +142,9 @@ static status_t own_outlook(const robot_t *robot, const snapshot_t *snapshot,
         break;
     case (uint32_t)MODE_INSERT:
         status = insert_outlook(robot, snapshot);
+        break;
+    case (uint32_t)MODE_COOPERATE:
+        status = cooperate_outlook(robot, snapshot);
         break;
     case (uint32_t)MODE_PROGRAM:
         status = program_outlook(robot, snapshot);

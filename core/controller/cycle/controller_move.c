@@ -34,6 +34,7 @@ static void fill_frame(controller_t *self, const cycle_t *cycle, bool is_every_a
     frame->is_dose_reached = cycle->inputs->dose_reached != 0U;
     frame->is_treatment_stopped = cycle->inputs->treatment_stopped != 0U;
     frame->links = self->links;
+    frame->hand = controller_hand(self, cycle);
     for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         frame->speed_cap_percent[i] = percent;
     }
@@ -59,11 +60,23 @@ static void tell(controller_t *self, const cycle_t *cycle, const mode_result_t *
     }
 }
 
+/* A hand that cannot be trusted moves nothing, and what it was to move ends, pedal or not. */
+static bool is_hand_doubtful(const controller_t *self, const mode_frame_t *frame)
+{
+    return procedure_is_armed(&self->procedure) && !frame->hand.is_trusted &&
+           mode_is_by_hand(mode_in(&self->mode, frame->workphase));
+}
+
 void controller_move(controller_t *self, const cycle_t *cycle, mode_result_t *result)
 {
     follow_pedal(self, cycle);
     mode_frame_t frame;
     fill_frame(self, cycle, controller_is_homed(self), &frame);
-    mode_step(&self->mode, &frame, result);
+    if (is_hand_doubtful(self, &frame)) {
+        mode_clear(result);
+        mode_give_up(&frame, result, STATUS_FORCE_DOUBTFUL);
+    } else {
+        mode_step(&self->mode, &frame, result);
+    }
     tell(self, cycle, result);
 }

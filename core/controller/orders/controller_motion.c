@@ -38,6 +38,10 @@ status_t controller_obey_motion(controller_t *self, const cycle_t *cycle, const 
     if (judged.status == STATUS_OK) {
         judged = mode_judge(kind, &request, cycle->robot, self->axes);
     }
+    if ((judged.status == STATUS_OK) && mode_is_by_hand(kind) &&
+        !controller_hand(self, cycle).is_trusted) {
+        judged.status = STATUS_FORCE_DOUBTFUL;
+    }
     answer->axis = (uint32_t)judged.axis;
     answer->is_maximum = (uint32_t)judged.is_maximum;
     if (judged.status != STATUS_OK) {

@@ -103,9 +103,7 @@ static void go(cooperate_mode_t *self, const move_mode_t *move, const mode_frame
 void cooperate_mode_step(cooperate_mode_t *self, const move_mode_t *move, const mode_frame_t *frame,
                          mode_result_t *result)
 {
-    if (!frame->hand.is_trusted) {
-        mode_give_up(frame, result, STATUS_FORCE_DOUBTFUL);
-    } else if (!move_mode_is_aligned(move, frame->robot, frame->axes)) {
+    if (!move_mode_is_aligned(move, frame->robot, frame->axes)) {
         mode_give_up(frame, result, STATUS_NOT_ALIGNED);
     } else {
         go(self, move, frame, result);

@@ -30,7 +30,7 @@ solution_t cooperate_mode_judge(const move_mode_t *move, const robot_t *robot,
                                 const axis_t axes[ROBOT_AXIS_MAX]);
 
 /**
- * One cycle; done once the needle rests at its depth. Fails with STATUS_FORCE_DOUBTFUL or
+ * One cycle with a trusted force; done once the needle rests at its depth. Fails with
  * STATUS_NOT_ALIGNED, without a drive in that cycle.
  *
  * @satisfies SWR-COOP-001
@@ -38,7 +38,6 @@ solution_t cooperate_mode_judge(const move_mode_t *move, const robot_t *robot,
  * @satisfies SWR-COOP-003
  * @satisfies SWR-COOP-004
  * @satisfies SWR-COOP-005
- * @satisfies SWR-COOP-006
  * @satisfies SWR-COOP-007
  */
 void cooperate_mode_step(cooperate_mode_t *self, const move_mode_t *move, const mode_frame_t *frame,

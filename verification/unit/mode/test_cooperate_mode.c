@@ -166,14 +166,6 @@ void test_SWR_COOP_005_it_stands_soon_after_the_hand_has_let_go(void)
     TEST_ASSERT_FALSE(world_rests(NEEDLE));
 }
 
-void test_SWR_COOP_006_a_doubtful_force_ends_it_in_the_same_cycle(void)
-{
-    steps(2000, 400U);
-    frame.hand.is_trusted = false;
-    step(2000);
-    expect_given_up(STATUS_FORCE_DOUBTFUL);
-}
-
 void test_SWR_COOP_007_a_base_that_leaves_the_line_ends_it(void)
 {
     for (uint32_t axis = 0U; axis < robot.axis_count; axis++) {

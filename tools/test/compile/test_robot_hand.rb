@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: the hand of a robot's file is compiled to ticks, or refused with line and field where it could swing or push by itself.
+
+require 'minitest/autorun'
+require 'stringio'
+require 'tmpdir'
+require_relative '../../compile/robot_compiler'
+
+class TestRobotHand < Minitest::Test
+  WHOLE = File.read(File.expand_path('../../../core/robot/prostate/robot.yml', __dir__))
+  LINE = WHOLE.lines.index { |line| line.start_with?('hand:') } + 1
+
+  def compile(text)
+    Dir.mktmpdir do |directory|
+      path = File.join(directory, 'robot.yml')
+      File.write(path, text)
+      errors = StringIO.new
+      status = Robot::Command.run([path, File.join(directory, 'out')], errors: errors)
+      [status, errors.string, status.zero? ? File.read(File.join(directory, 'out/robot_prostate.c')) : nil]
+    end
+  end
+
+  def test_SWR_COOP_010_the_table_has_the_hand_in_ticks_and_millinewton
+    assert_includes compile(WHOLE).last,
+                    '.hand = {.dead_zone_mn = 300U, .gain_q8 = 2133U, .speed_ticks_per_s = 8333U, .stop_ticks_per_s2 = 333334U}'
+  end
+
+  def test_SWR_COOP_010_a_robot_without_a_hand_is_moved_by_none
+    assert_includes compile(WHOLE.sub(/^hand:.*\n/, '')).last,
+                    '.hand = {.dead_zone_mn = 0U, .gain_q8 = 0U, .speed_ticks_per_s = 0U, .stop_ticks_per_s2 = 0U}'
+  end
+
+  # [what is written, what is written instead, what the refusal says]
+  REFUSALS = {
+    'a hand that a tremor moves' => ['dead_zone_n: 0.3', 'dead_zone_n: 0.09', 'hand.dead_zone_n: is 0.09; expected 0.1 to 2'],
+    'a gain that swings' => ['gain_mm_per_s_n: 5', 'gain_mm_per_s_n: 8.1', 'hand.gain_mm_per_s_n: is 8.1; expected 0.1 to 8'],
+    'a speed above that of the axis' => ['speed_mm_per_s: 5', 'speed_mm_per_s: 6.1', 'hand.speed_mm_per_s: is 6.1; expected 0.1 to 5.999'],
+    'a slope that stops late' => ['stop_mm_per_s2: 200', 'stop_mm_per_s2: 199', 'hand.stop_mm_per_s2: is 199; expected 200 to 1000'],
+    'a hand without a dead zone' => ['dead_zone_n: 0.3, ', '', 'dead_zone_n']
+  }.freeze
+
+  REFUSALS.each do |what, (old, new, reason)|
+    define_method("test_SWR_COOP_010_refuses_#{what.tr(' ', '_')}") do
+      assert_includes WHOLE, old
+      status, errors, = compile(WHOLE.sub(old, new))
+      assert_equal 1, status
+      assert_match(/robot\.yml:#{LINE}: .*#{Regexp.escape(reason)}/, errors)
+    end
+  end
+
+  def test_SWR_COOP_010_refuses_a_hand_of_a_robot_without_a_force_sensor
+    without = WHOLE.sub(/^cards:.*\n/, '').sub(/^force:\n(?:  .*\n)+/, '')
+    status, errors, = compile(without)
+    assert_equal 1, status
+    assert_match(/hand: is of a robot without a force sensor; expected one/, errors)
+  end
+end
