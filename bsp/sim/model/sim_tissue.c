@@ -46,8 +46,14 @@ static uint32_t membrane_from(const sim_phantom_t *phantom, uint32_t layer)
 
 void sim_tissue_init(sim_tissue_t *self, const sim_phantom_t *phantom, double depth_mm)
 {
-    *self = (sim_tissue_t){
-        .depth_mm = depth_mm, .front_mm = phantom->surface_mm, .next = membrane_from(phantom, 0U)};
+    uint32_t layer = 0U;
+
+    while ((layer < phantom->layer_count) && (sim_tissue_front_mm(phantom, layer) < depth_mm)) {
+        layer++;
+    }
+    *self = (sim_tissue_t){.depth_mm = depth_mm,
+                           .front_mm = (depth_mm > phantom->surface_mm) ? depth_mm : phantom->surface_mm,
+                           .next = membrane_from(phantom, layer)};
 }
 
 /* What is left of a relaxing force, by the implicit rule: no exponential decides about the last

@@ -32,7 +32,7 @@
 
 #define SIM_LAYERS 8U /**< The most layers of a phantom. */
 
-/** A layer, and the membrane at its front. Ranges: docs/phantom.md. */
+/** A layer, and the membrane at its front. Forces are 0 or more. */
 typedef struct {
     double thickness_mm;
     double
@@ -87,8 +87,7 @@ typedef struct {
     double recoil_mm; /**< By so much was the tip farther in the tissue after the last of them. */
 } sim_tissue_t;
 
-/** Whole tissue, and the needle at `depth_mm`, which is taken to be outside or in a hole that is
- * there. */
+/** Whole tissue, but for the hole of a needle that is as deep as `depth_mm` already. */
 void sim_tissue_init(sim_tissue_t *self, const sim_phantom_t *phantom, double depth_mm);
 
 /**
