@@ -27,13 +27,19 @@ typedef struct {
 typedef struct {
     uint32_t pedal_holder;  /**< Holder of the pedal from afar; 0: none. */
     uint32_t button_holder; /**< The same of the button. */
+    uint32_t hand_holder;   /**< The same of the handle. */
+    int32_t grip_mn;        /**< Force with which a hand presses the handle, below 0 outwards. */
+    uint32_t layers;        /**< Layers of tissue in front of the needle. */
+    uint32_t force_hand;    /**< Fault of the load cell of the hand, */
+    uint32_t force_needle;  /**< and of the needle's. */
     uint32_t gate;          /**< 0: says nothing, 1: dose reached, 2: stop. */
     uint32_t is_probe_free; /**< 1: it is not coupled to the needle's axis. */
     bool is_pedal_pressed;  /**< Both channels are closed. */
     bool is_estop_pulled;
     bool is_scanner_active;
     bool is_button_pressed;
-    bool is_lamp_alive; /**< Lit, as those that follow. */
+    bool is_hand_pressed; /**< A hand is at the handle. */
+    bool is_lamp_alive;   /**< Lit, as those that follow. */
     bool is_lamp_may_move;
     bool is_lamp_moving;
     bool is_lamp_fault;

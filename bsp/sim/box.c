@@ -30,8 +30,6 @@ static void init_axis(box_axis_t *self, const robot_t *robot, uint32_t index, si
     sim_card_init(&self->card, config, &self->encoder, self->limit_switch.is_active, 0U);
 }
 
-/* A load cell at rest on two converters, as the platform has it: the force of the hand, and the
- * force on the needle. */
 static void init_sensor(box_sensor_t *self, uint32_t slot, uint32_t card_type, uint32_t time_us)
 {
     const axis_config_t config = {.slot = (uint8_t)slot, .card_type = (uint8_t)card_type};
@@ -39,8 +37,16 @@ static void init_sensor(box_sensor_t *self, uint32_t slot, uint32_t card_type, u
     (void)memset(self, 0, sizeof *self);
     sim_encoder_init(&self->encoder, &config, 0.0, 0, 1U);
     sim_card_init(&self->card, &config, &self->encoder, false, time_us);
-    self->card.adc[BOX_HAND_CONVERTER] = BOX_HAND_AT_REST;
-    self->card.adc[BOX_NEEDLE_CONVERTER] = BOX_NEEDLE_AT_REST;
+}
+
+/* On two converters, as the platform has it: the force of the hand, and the force on the needle. */
+void box_read_cells(box_t *self)
+{
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        uint32_t *const adc = self->sensors[slot].card.adc;
+        adc[BOX_HAND_CONVERTER] = self->force.cells[BOX_CELL_HAND].reading;
+        adc[BOX_NEEDLE_CONVERTER] = self->force.cells[BOX_CELL_NEEDLE].reading;
+    }
 }
 
 static bool has_sensor(const box_t *self, uint32_t slot)
@@ -56,7 +62,19 @@ void box_plug(box_t *self, uint32_t slot, uint32_t card_type)
     if (card_type != (uint32_t)CARD_TYPE_NONE) {
         init_sensor(&self->sensors[slot], slot, card_type, (uint32_t)self->time_us);
         self->sensor_slots |= bit;
+        box_read_cells(self);
     }
+}
+
+const box_phantom_t *box_usual_phantom(const robot_t *robot)
+{
+    static const box_phantom_t none = {.tissue = {.layer_count = 0U}};
+    bool has_sensor_card = false;
+
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        has_sensor_card = has_sensor_card || robot_cards_has_sensor(robot, slot);
+    }
+    return has_sensor_card ? &box_phantom_usual : &none;
 }
 
 void box_init(box_t *self, const robot_t *robot, uint32_t seed)
@@ -68,6 +86,7 @@ void box_init(box_t *self, const robot_t *robot, uint32_t seed)
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         init_axis(&self->axes[i], robot, i, &self->random);
     }
+    box_force_init(&self->force, box_usual_phantom(robot), box_depth_mm(self), &self->random);
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if (robot_cards_has_sensor(robot, slot)) {
             box_plug(self, slot, (uint32_t)CARD_TYPE_SENSOR);
@@ -145,6 +164,14 @@ uint32_t box_exchange(box_t *self, uint32_t send,
 static double ticks_of_nm(const axis_config_t *needle, double nm)
 {
     return nm * 65536.0 / (double)needle->unit_per_tick_q16;
+}
+
+double box_depth_mm(const box_t *self)
+{
+    const box_axis_t *const needle = &self->axes[self->robot->needle_axis];
+    const double ticks = needle->motor.position_ticks + self->probe.free_ticks;
+
+    return ticks * (double)needle->config->unit_per_tick_q16 / 65536.0 / 1e6;
 }
 
 void box_push(box_t *self, double mm)
@@ -227,6 +254,8 @@ static void step(box_t *self)
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         step_axis(&self->axes[i], (i == self->robot->needle_axis) ? pushed_ticks : 0.0, self);
     }
+    box_force_step(&self->force, SIM_STEP_US, box_depth_mm(self));
+    box_read_cells(self);
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if (has_sensor(self, slot)) {
             box_sensor_t *sensor = &self->sensors[slot];

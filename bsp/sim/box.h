@@ -2,9 +2,9 @@
 /**
  * @file
  * The simulated control box: daughter cards with their axes in up to ten slots, a two-channel foot
- * pedal, a button, an emergency stop, a scanner signal, and orders that press, pull and break them.
- * It has no clock of its own: box_advance() is its time. The same seed and the same calls give the
- * same bytes.
+ * pedal, a button, an emergency stop, a scanner signal, tissue and a hand at the handle, and orders
+ * that press, pull and break them. It has no clock of its own: box_advance() is its time. The same
+ * seed and the same calls give the same bytes.
  *
  * Direction bit 1 makes a position grow unless the axis' motor is inverted; a reading grows with
  * the position unless its encoder is inverted. Readings start anywhere, that of axis 1 just below
@@ -17,6 +17,7 @@
 #include "bsp_bench.h"
 #include "card/card_frame.h"
 #include "robot/robot.h"
+#include "sim/box_force.h"
 #include "sim/model/sim_card.h"
 #include "sim/model/sim_encoder.h"
 #include "sim/model/sim_motor.h"
@@ -30,12 +31,14 @@
 #define BOX_PULSE_US 300U               /**< `pulse`: open for this time. */
 #define BOX_HAND_NM_PER_S 5000000U      /**< Speed at which a hand pushes the probe. */
 #define BOX_PUSH_MOST_MM 200            /**< The longest push, in or out. */
-#define BOX_HAND_CONVERTER 1U   /**< Converter of a card without an axis: force of the hand, */
-#define BOX_NEEDLE_CONVERTER 2U /**< and force on the needle. */
-#define BOX_HAND_AT_REST 1970U  /**< Their readings at rest. */
-#define BOX_NEEDLE_AT_REST 1780U
-#define BOX_FORCE_MOST 4095U /**< Their greatest reading, of 12 bits. */
-#define BOX_REPLY_SIZE 2048U /**< Room for any reply. */
+#define BOX_HAND_CONVERTER 1U        /**< Converter of a card without an axis: force of the hand, */
+#define BOX_NEEDLE_CONVERTER 2U      /**< and force on the needle. */
+#define BOX_WISH_MOST_UM_PER_S 20000 /**< The fastest wish of a hand, in or out, */
+#define BOX_WISH_MOST_UM 200000      /**< and the farthest. */
+#define BOX_STIFFNESS_LEAST 100      /**< Stiffness of a hand, mN/mm. */
+#define BOX_STIFFNESS_MOST 10000
+#define BOX_GRIP_MOST_MN 30000 /**< The strongest press of a hand, in or out. */
+#define BOX_REPLY_SIZE 8192U   /**< Room for any reply. */
 
 typedef enum {
     BOX_CARD_NORMAL = 0,
@@ -82,8 +85,8 @@ typedef struct {
 } box_contact_t;
 
 /** Inputs that can be held from afar. */
-typedef enum { BOX_HELD_PEDAL = 0, BOX_HELD_BUTTON = 1 } box_held_t;
-#define BOX_HOLDS 2U
+typedef enum { BOX_HELD_PEDAL = 0, BOX_HELD_BUTTON = 1, BOX_HELD_HAND = 2 } box_held_t;
+#define BOX_HOLDS 3U
 
 /** Holder of one of them from afar. */
 typedef struct {
@@ -105,6 +108,7 @@ typedef struct {
     box_contact_t pedal_b;
     box_contact_t estop; /**< Closed: not pulled. */
     box_probe_t probe;
+    box_force_t force;
     bool scanner_active;
     bool button_pressed;         /**< The operator's, for confirming positions. */
     box_hold_t holds[BOX_HOLDS]; /**< By box_held_t. */
@@ -174,18 +178,29 @@ void box_plug(box_t *self, uint32_t slot, uint32_t card_type);
  */
 void box_push(box_t *self, double mm);
 
-/** Presses or releases pedal or button for good; it is not held from afar then. */
+/** Presses or releases pedal, button or handle for good; it is not held from afar then. The handle
+ * is pressed with the grip. */
 void box_press(box_t *self, box_held_t what, bool is_pressed);
 
-/** Presses pedal or button for `who`, not 0, who must renew it; see box_grip.h. False: another one
- * holds it, and nothing has changed. */
+/** Presses pedal, button or handle for `who`, not 0, who must renew it; see box_grip.h. False:
+ * another one holds it, and nothing has changed. */
 bool box_hold(box_t *self, box_held_t what, uint32_t who);
 
 /** Renews the inputs that `who` holds; one that is not held any more stays open. */
 void box_keep(box_t *self, uint32_t who);
 
-/** Releases pedal or button if `who` holds it. */
+/** Releases pedal, button or handle if `who` holds it. */
 void box_drop(box_t *self, box_held_t what, uint32_t who);
+
+/** Depth of the needle as the box knows it: its axis, and a free probe beyond. */
+double box_depth_mm(const box_t *self);
+
+/** Lets the cards without an axis read the load cells now. */
+void box_read_cells(box_t *self);
+
+/** The phantom that the box has of its own: box_phantom_usual with a force sensor, and none
+ * without. */
+const box_phantom_t *box_usual_phantom(const robot_t *robot);
 
 /** Writes what there is to see, but for the levels of inputs and lamps, to `seen`. */
 void box_show(const box_t *self, bsp_bench_t *seen);

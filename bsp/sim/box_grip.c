@@ -3,8 +3,10 @@
 
 #include "limits/requirement_limits.h"
 
-void box_grip_look(box_grip_t *self, box_t *box, uint64_t now_us)
+bool box_grip_look(box_grip_t *self, box_t *box, uint64_t now_us)
 {
+    bool has_opened = false;
+
     for (uint32_t i = 0U; i < BOX_HOLDS; i++) {
         const box_hold_t *hold = &box->holds[i];
         if (hold->renewals != self->renewals[i]) {
@@ -13,6 +15,8 @@ void box_grip_look(box_grip_t *self, box_t *box, uint64_t now_us)
         }
         if ((hold->holder != 0U) && (now_us >= self->until_us[i])) {
             box_press(box, (box_held_t)i, false);
+            has_opened = true;
         }
     }
+    return has_opened;
 }

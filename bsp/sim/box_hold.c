@@ -8,8 +8,12 @@ void box_press(box_t *self, box_held_t what, bool is_pressed)
     if (what == BOX_HELD_PEDAL) {
         box_contact_set(&self->pedal_a, is_pressed, is_pressed ? BOX_PEDAL_CLOSE_SPREAD_US : 0U);
         box_contact_set(&self->pedal_b, is_pressed, is_pressed ? 0U : BOX_PEDAL_OPEN_SPREAD_US);
-    } else {
+    } else if (what == BOX_HELD_BUTTON) {
         self->button_pressed = is_pressed;
+    } else if (is_pressed) {
+        sim_hand_press(&self->force.hand, (double)self->force.grip_mn / 1000.0);
+    } else {
+        sim_hand_release(&self->force.hand);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "sim/box_grip.h"
 #include "sim/wire.h"
 
+#include <errno.h>
 #include <sched.h>
 #include <signal.h>
 #include <stdio.h>
@@ -21,7 +22,7 @@
 #define EXIT_CANNOT_START 3
 #define PRIORITY 70
 
-enum { ROBOT = 0, BOX, SEED, SLOW, FAST, REAL_TIME, OPTIONS };
+enum { ROBOT = 0, BOX, SEED, SLOW, FAST, REAL_TIME, TISSUE, OPTIONS };
 
 static const command_option_t options[OPTIONS] = {
     [ROBOT] = {"robot", "NAME", .says = "whose cards it has; default " ROBOT_NAMES_DEFAULT},
@@ -33,6 +34,9 @@ static const command_option_t options[OPTIONS] = {
     [FAST] = {"fast", "NUMBER", .says = "its time passes up to so many times faster; default 1",
               .least = 1U, .most = LIMIT_BOX_FASTEST},
     [REAL_TIME] = {"real-time", NULL, .says = "it waits for nobody, as a real one"},
+    [TISSUE] = {"tissue", "FILE",
+                .says = "tissue before the needle: the file of a phantom, usual (two membranes), "
+                        "none, or auto, the default: usual if the robot has a force sensor"},
 };
 static const command_line_t command_line = {
     .program = "boresight-box",
@@ -172,12 +176,7 @@ static void hear_control(const wire_t *wire, box_clock_t *clock, uint32_t *waits
 /* An input held from afar opens in the cycle in which its time is over. */
 static void loosen(wire_t *wire, box_grip_t *grip)
 {
-    const uint32_t pedal = box.holds[BOX_HELD_PEDAL].holder;
-    const uint32_t button = box.holds[BOX_HELD_BUTTON].holder;
-
-    box_grip_look(grip, &box, wire_now_us());
-    if ((pedal != box.holds[BOX_HELD_PEDAL].holder) ||
-        (button != box.holds[BOX_HELD_BUTTON].holder)) {
+    if (box_grip_look(grip, &box, wire_now_us())) {
         publish_bench(wire);
     }
 }
@@ -236,13 +235,60 @@ static void handle_signals(void)
     (void)sigaction(SIGINT, &action, NULL);
 }
 
+/* False: the file cannot be read, and the standard error says why. */
+static bool read_phantom(const char *path, box_phantom_t *phantom)
+{
+    static char text[BOX_PHANTOM_SIZE];
+    char reason[256];
+    FILE *const file = fopen(path, "r");
+
+    if (file == NULL) {
+        (void)fprintf(stderr, "boresight-box: the phantom %s cannot be read (%s)\n", path,
+                      strerror(errno));
+        return false;
+    }
+    const size_t length = fread(text, 1U, sizeof text, file);
+    const bool is_whole = (ferror(file) == 0) && (length < sizeof text);
+    (void)fclose(file);
+    if (!is_whole) {
+        (void)fprintf(stderr, "boresight-box: the phantom %s is no file, or longer than %u bytes\n",
+                      path, (unsigned)sizeof text - 1U);
+        return false;
+    }
+    text[length] = '\0';
+    if (!box_phantom_read(phantom, text, reason, sizeof reason)) {
+        (void)fprintf(stderr, "boresight-box: the phantom %s, %s\n", path, reason);
+        return false;
+    }
+    return true;
+}
+
+/* Nothing is to do for "auto". */
+static bool lay_tissue(const char *tissue)
+{
+    box_phantom_t phantom = {.tissue = {.layer_count = 0U}};
+
+    if (strcmp(tissue, "auto") == 0) {
+        return true;
+    }
+    if (strcmp(tissue, "usual") == 0) {
+        phantom = box_phantom_usual;
+    } else if ((strcmp(tissue, "none") != 0) && !read_phantom(tissue, &phantom)) {
+        return false;
+    } else {
+        /* It is there. */
+    }
+    box_force_lay(&box.force, &phantom);
+    box_read_cells(&box);
+    return true;
+}
+
 static int serve(const char *name, const robot_t *robot, uint32_t seed, box_time_t time)
 {
     wire_port_t port;
     char error[256];
 
     handle_signals();
-    box_init(&box, robot, seed);
     if (!wire_serve(&port, name, time, error, sizeof error)) {
         (void)fprintf(stderr, "boresight-box: %s\n", error);
         return EXIT_CANNOT_START;
@@ -287,5 +333,10 @@ int main(int count, char **words)
                                    "--fast is of no use with --real-time, where the box keeps the "
                                    "world's time, nor with --slow; give one of them.");
     }
-    return serve(name_of(values[BOX]), robot, number_of(values[SEED], 1U), time);
+    const uint32_t seed = number_of(values[SEED], 1U);
+    box_init(&box, robot, seed);
+    if (!lay_tissue((values[TISSUE] != NULL) ? values[TISSUE] : "auto")) {
+        return EXIT_CANNOT_START;
+    }
+    return serve(name_of(values[BOX]), robot, seed, time);
 }

@@ -13,9 +13,15 @@ static const box_number_t numbers[] = {
     {"pedal", "drop", 1, UINT32_MAX, ""},
     {"button", "hold", 1, UINT32_MAX, ""},
     {"button", "drop", 1, UINT32_MAX, ""},
+    {"hand", "hold", 1, UINT32_MAX, ""},
+    {"hand", "drop", 1, UINT32_MAX, ""},
+    {"hand", "speed", -BOX_WISH_MOST_UM_PER_S, BOX_WISH_MOST_UM_PER_S, " um/s"},
+    {"hand", "go", -BOX_WISH_MOST_UM, BOX_WISH_MOST_UM, " um"},
+    {"hand", "stiffness", BOX_STIFFNESS_LEAST, BOX_STIFFNESS_MOST, " mN/mm"},
+    {"grip", NULL, -BOX_GRIP_MOST_MN, BOX_GRIP_MOST_MN, " mN"},
     {"keep", NULL, 1, UINT32_MAX, ""},
-    {"force", "hand", 0, BOX_FORCE_MOST, ""},
-    {"force", "needle", 0, BOX_FORCE_MOST, ""},
+    {"force", "hand", 0, SIM_LOAD_CELL_MOST, ""},
+    {"force", "needle", 0, SIM_LOAD_CELL_MOST, ""},
     {"push", NULL, -BOX_PUSH_MOST_MM, BOX_PUSH_MOST_MM, " mm"},
 };
 

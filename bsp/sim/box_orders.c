@@ -1,20 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sim/box.h"
+#include "sim/box_force_orders.h"
 #include "sim/box_number.h"
 #include "sim/box_reply.h"
+#include "sim/box_words.h"
 
 #include <string.h>
 
-#define WORD_COUNT 3U
-#define WORD_SIZE 16U
-
-typedef struct {
-    char words[WORD_COUNT][WORD_SIZE];
-    uint32_t count;
-} order_t;
-
 /* Words of which any may be taken; `plug` takes any slot that no axis has, `force` any reading,
- * `push` any way in mm. */
+ * `push` any way in mm, `hand` and `grip` any speed, way, stiffness and force of a hand. */
 static const char orders[] =
     "pedal press|release|pulse\n"
     "pedal hold|drop WHO\n"
@@ -31,6 +25,14 @@ static const char orders[] =
     "scanner on|off\n"
     "gate off|dose|stop\n"
     "force hand|needle 0|1780|1970|4095\n"
+    "force hand|needle stuck|broken|full|step|drift|noisy|normal\n"
+    "hand press|release\n"
+    "hand hold|drop WHO\n"
+    "hand speed 2000|-2000\n"
+    "hand go 1000|-1000\n"
+    "hand stiffness 200|1000|5000\n"
+    "grip 3000|-3000\n"
+    "tissue none|usual|whole|show\n"
     "probe coupled|free\n"
     "push 10|-10\n"
     "show\n";
@@ -38,42 +40,6 @@ static const char orders[] =
 const char *box_orders(void)
 {
     return orders;
-}
-
-static bool is_space(char character)
-{
-    return (character == ' ') || (character == '\t') || (character == '\n') || (character == '\r');
-}
-
-/* False when there are more words than any order has, or a longer one. */
-static bool split(const char *line, order_t *order)
-{
-    const char *at = line;
-
-    (void)memset(order, 0, sizeof *order);
-    for (;;) {
-        while (is_space(*at)) {
-            at++;
-        }
-        if (*at == '\0') {
-            return true;
-        }
-        uint32_t length = 0U;
-        while ((at[length] != '\0') && !is_space(at[length])) {
-            length++;
-        }
-        if ((order->count == WORD_COUNT) || (length >= WORD_SIZE)) {
-            return false;
-        }
-        (void)memcpy(order->words[order->count], at, length);
-        order->count++;
-        at += length;
-    }
-}
-
-static bool is_word(const order_t *order, uint32_t index, const char *word)
-{
-    return strcmp(order->words[index], word) == 0;
 }
 
 static bool is_slot(const char *word, uint32_t slot)
@@ -113,45 +79,32 @@ static void pulse(box_contact_t *contact)
     box_contact_set(contact, was_closed, BOX_PULSE_US);
 }
 
-static const box_number_t *find_number(const order_t *order)
-{
-    return box_number_find(order->words[0], order->words[1], order->count);
-}
-
-/* False: it takes none, or has none of its range. */
-static bool take_number(const order_t *order, int64_t *number)
-{
-    const box_number_t *taken = find_number(order);
-
-    return (taken != NULL) && box_number_read(taken, order->words[order->count - 1U], number);
-}
-
-static bool order_press(box_t *self, box_held_t what, const order_t *order)
+static bool order_press(box_t *self, box_held_t what, const box_words_t *order)
 {
     int64_t who = 0;
-    const bool is_press = is_word(order, 1U, "press");
+    const bool is_press = box_words_is(order, 1U, "press");
 
     if (order->count == 2U) {
-        const bool is_known = is_press || is_word(order, 1U, "release");
+        const bool is_known = is_press || box_words_is(order, 1U, "release");
         if (is_known) {
             box_press(self, what, is_press);
         }
         return is_known;
     }
-    if (!take_number(order, &who)) {
+    if (!box_words_take_number(order, &who)) {
         return false;
     }
-    if (is_word(order, 1U, "drop")) {
+    if (box_words_is(order, 1U, "drop")) {
         box_drop(self, what, (uint32_t)who);
         return true;
     }
     return box_hold(self, what, (uint32_t)who);
 }
 
-static bool order_keep(box_t *self, const order_t *order)
+static bool order_keep(box_t *self, const box_words_t *order)
 {
     int64_t who = 0;
-    const bool is_good = take_number(order, &who);
+    const bool is_good = box_words_take_number(order, &who);
 
     if (is_good) {
         box_keep(self, (uint32_t)who);
@@ -159,9 +112,9 @@ static bool order_keep(box_t *self, const order_t *order)
     return is_good;
 }
 
-static bool order_pedal(box_t *self, const order_t *order)
+static bool order_pedal(box_t *self, const box_words_t *order)
 {
-    if ((order->count == 2U) && is_word(order, 1U, "pulse")) {
+    if ((order->count == 2U) && box_words_is(order, 1U, "pulse")) {
         pulse(&self->pedal_a);
         pulse(&self->pedal_b);
         return true;
@@ -169,69 +122,59 @@ static bool order_pedal(box_t *self, const order_t *order)
     if (order_press(self, BOX_HELD_PEDAL, order)) {
         return true;
     }
-    const bool is_a = is_word(order, 1U, "a");
-    const bool is_close = is_word(order, 2U, "close");
-    if ((!is_a && !is_word(order, 1U, "b")) || (!is_close && !is_word(order, 2U, "open"))) {
+    const bool is_a = box_words_is(order, 1U, "a");
+    const bool is_close = box_words_is(order, 2U, "close");
+    if ((!is_a && !box_words_is(order, 1U, "b")) ||
+        (!is_close && !box_words_is(order, 2U, "open"))) {
         return false;
     }
     box_contact_set(is_a ? &self->pedal_a : &self->pedal_b, is_close, 0U);
     return true;
 }
 
-static bool order_estop(box_t *self, const order_t *order)
+static bool order_estop(box_t *self, const box_words_t *order)
 {
     if (order->count != 2U) {
         return false;
     }
-    if (is_word(order, 1U, "pulse")) {
+    if (box_words_is(order, 1U, "pulse")) {
         pulse(&self->estop);
         return true;
     }
-    const bool is_pull = is_word(order, 1U, "pull");
-    if (is_pull || is_word(order, 1U, "reset")) {
+    const bool is_pull = box_words_is(order, 1U, "pull");
+    if (is_pull || box_words_is(order, 1U, "reset")) {
         box_contact_set(&self->estop, !is_pull, 0U);
         return true;
     }
     return false;
 }
 
-static bool order_level(bool *level, const order_t *order, const char *on, const char *off)
+static bool order_level(bool *level, const box_words_t *order, const char *on, const char *off)
 {
-    const bool is_on = is_word(order, 1U, on);
+    const bool is_on = box_words_is(order, 1U, on);
 
-    if ((order->count != 2U) || (!is_on && !is_word(order, 1U, off))) {
+    if ((order->count != 2U) || (!is_on && !box_words_is(order, 1U, off))) {
         return false;
     }
     *level = is_on;
     return true;
 }
 
-/* Number of `word`, or -1. */
-static int number_of(const char *const words[], const char *word)
-{
-    for (int i = 0; words[i] != NULL; i++) {
-        if (strcmp(words[i], word) == 0) {
-            return i;
-        }
-    }
-    return -1;
-}
-
 /* The words for the faults of the part of an axis that an order names. */
-static const char *const *words_of(const order_t *order)
+static const char *const *words_of(const box_words_t *order)
 {
     const char *const *words = NULL;
 
-    words = is_word(order, 0U, "card") ? box_card_words : words;
-    words = is_word(order, 0U, "encoder") ? box_encoder_words : words;
-    words = is_word(order, 0U, "motor") ? box_motor_words : words;
-    return is_word(order, 0U, "switch") ? box_switch_words : words;
+    words = box_words_is(order, 0U, "card") ? box_card_words : words;
+    words = box_words_is(order, 0U, "encoder") ? box_encoder_words : words;
+    words = box_words_is(order, 0U, "motor") ? box_motor_words : words;
+    return box_words_is(order, 0U, "switch") ? box_switch_words : words;
 }
 
-static bool order_axis(const order_t *order, box_axis_t *axis)
+static bool order_axis(const box_words_t *order, box_axis_t *axis)
 {
     const char *const *words = words_of(order);
-    const int fault = number_of(words, order->words[2]);
+    const int fault = box_words_find(words, order->words[2]);
 
     if (fault < 0) {
         return false;
@@ -249,35 +192,19 @@ static bool order_axis(const order_t *order, box_axis_t *axis)
 }
 
 /* It has nothing else that could fail. */
-static bool order_sensor(const order_t *order, box_sensor_t *sensor)
+static bool order_sensor(const box_words_t *order, box_sensor_t *sensor)
 {
-    const int fault = number_of(box_card_words, order->words[2]);
+    const int fault = box_words_find(box_card_words, order->words[2]);
 
-    if (!is_word(order, 0U, "card") || (fault < 0)) {
+    if (!box_words_is(order, 0U, "card") || (fault < 0)) {
         return false;
     }
     sensor->card_fault = (box_card_fault_t)fault;
     return true;
 }
 
-/* Sets the reading of the load cell of each card without an axis. */
-static bool order_force(box_t *self, const order_t *order)
-{
-    const bool is_hand = is_word(order, 1U, "hand");
-    int64_t reading = 0;
-
-    if (!take_number(order, &reading)) {
-        return false;
-    }
-    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        self->sensors[slot].card.adc[is_hand ? BOX_HAND_CONVERTER : BOX_NEEDLE_CONVERTER] =
-            (uint32_t)reading;
-    }
-    return true;
-}
-
 /* Coupled, it is where its axis is. */
-static bool order_probe(box_t *self, const order_t *order)
+static bool order_probe(box_t *self, const box_words_t *order)
 {
     const bool is_done = order_level(&self->probe.is_free, order, "free", "coupled");
 
@@ -288,20 +215,20 @@ static bool order_probe(box_t *self, const order_t *order)
     return is_done;
 }
 
-static bool order_push(box_t *self, const order_t *order)
+static bool order_push(box_t *self, const box_words_t *order)
 {
     int64_t mm = 0;
 
-    if (!take_number(order, &mm)) {
+    if (!box_words_take_number(order, &mm)) {
         return false;
     }
     box_push(self, (double)mm);
     return true;
 }
 
-static bool order_gate(box_t *self, const order_t *order)
+static bool order_gate(box_t *self, const box_words_t *order)
 {
-    const int level = number_of(box_gate_words, order->words[1]);
+    const int level = box_words_find(box_gate_words, order->words[1]);
 
     if ((order->count != 2U) || (level < 0)) {
         return false;
@@ -311,9 +238,9 @@ static bool order_gate(box_t *self, const order_t *order)
 }
 
 /* Only where no axis has its card. */
-static bool order_plug(box_t *self, const order_t *order)
+static bool order_plug(box_t *self, const box_words_t *order)
 {
-    const int type = number_of(box_type_words, order->words[2]);
+    const int type = box_words_find(box_type_words, order->words[2]);
 
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if (is_slot(order->words[1], slot) && (type >= 0) &&
@@ -326,9 +253,9 @@ static bool order_plug(box_t *self, const order_t *order)
 }
 
 /** @satisfies SWR-BOX-320 */
-static void refuse(const order_t *order, const char *line, box_reply_t *reply)
+static void refuse(const box_words_t *order, const char *line, box_reply_t *reply)
 {
-    const box_number_t *number = find_number(order);
+    const box_number_t *number = box_words_number(order);
     int64_t read = 0;
 
     if ((number != NULL) && !box_number_read(number, order->words[order->count - 1U], &read)) {
@@ -340,36 +267,37 @@ static void refuse(const order_t *order, const char *line, box_reply_t *reply)
     box_reply_say(reply, "; the orders are:\n%s", orders);
 }
 
-static bool carry_out(box_t *self, const order_t *order)
+static bool carry_out(box_t *self, const box_words_t *order)
 {
-    if (is_word(order, 0U, "pedal")) {
+    if (box_words_is(order, 0U, "pedal")) {
         return order_pedal(self, order);
     }
-    if (is_word(order, 0U, "estop")) {
+    if (box_words_is(order, 0U, "estop")) {
         return order_estop(self, order);
     }
-    if (is_word(order, 0U, "button")) {
+    if (box_words_is(order, 0U, "button")) {
         return order_press(self, BOX_HELD_BUTTON, order);
     }
-    if (is_word(order, 0U, "keep")) {
+    if (box_words_is(order, 0U, "keep")) {
         return order_keep(self, order);
     }
-    if (is_word(order, 0U, "plug")) {
+    if (box_words_is(order, 0U, "plug")) {
         return order_plug(self, order);
     }
-    if (is_word(order, 0U, "force")) {
-        return order_force(self, order);
+    if (box_force_order_is(order)) {
+        return box_force_order(self, order) ||
+               (box_words_is(order, 0U, "hand") && order_press(self, BOX_HELD_HAND, order));
     }
-    if (is_word(order, 0U, "probe")) {
+    if (box_words_is(order, 0U, "probe")) {
         return order_probe(self, order);
     }
-    if (is_word(order, 0U, "push")) {
+    if (box_words_is(order, 0U, "push")) {
         return order_push(self, order);
     }
-    if (is_word(order, 0U, "gate")) {
+    if (box_words_is(order, 0U, "gate")) {
         return order_gate(self, order);
     }
-    if (is_word(order, 0U, "scanner")) {
+    if (box_words_is(order, 0U, "scanner")) {
         return order_level(&self->scanner_active, order, "on", "off");
     }
     return false;
@@ -378,15 +306,20 @@ static bool carry_out(box_t *self, const order_t *order)
 bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_size)
 {
     box_reply_t answer = {reply, reply_size, 0U};
-    order_t words;
+    box_words_t words;
 
-    if (!split(order, &words)) {
+    if (!box_words_split(order, &words)) {
         words.count = 0U;
         refuse(&words, order, &answer);
         return false;
     }
-    if (is_word(&words, 0U, "show") && (words.count == 1U)) {
+    if (box_words_is(&words, 0U, "show") && (words.count == 1U)) {
         box_reply_show(&answer, self);
+        return true;
+    }
+    if (box_words_is(&words, 0U, "tissue") && box_words_is(&words, 1U, "show") &&
+        (words.count == 2U)) {
+        box_reply_tissue(&answer, self);
         return true;
     }
     bool is_done;

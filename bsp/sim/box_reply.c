@@ -13,6 +13,8 @@ const char *const box_encoder_words[] = {"normal", "stuck", "reversed", "half", 
 const char *const box_motor_words[] = {"normal", "stuck", "half", "twice", "runs", "hot", NULL};
 const char *const box_gate_words[] = {"off", "dose", "stop", NULL};
 const char *const box_switch_words[] = {"normal", "stuck", "open", "chatter", "reversed", NULL};
+const char *const box_load_cell_words[] = {"normal", "stuck", "broken", "full",
+                                           "step",   "drift", "noisy",  NULL};
 
 /* In the order of card_type_t. */
 const char *const box_type_words[] = {"none",           "pwm",    "non_pwm", "sensor",
@@ -78,6 +80,49 @@ static void show_probe(const box_t *self, box_reply_t *reply)
                   nm / 1e6);
 }
 
+void box_reply_tissue(box_reply_t *reply, const box_t *self)
+{
+    char text[BOX_PHANTOM_SIZE];
+
+    box_phantom_write(&self->force.phantom, text, sizeof text);
+    box_reply_say(reply, "%s", text);
+}
+
+static void show_hand(const sim_hand_t *hand, box_reply_t *reply)
+{
+    switch (hand->act) {
+    case SIM_HAND_PRESS:
+        box_reply_say(reply, "hand presses with %.3f N", hand->press_n);
+        break;
+    case SIM_HAND_SPRING:
+        box_reply_say(reply, "hand of %.3f N/mm wishes %.4f mm and %.3f mm/s, %.3f N",
+                      hand->stiffness_n_per_mm, hand->wish_mm, hand->wish_mm_per_s, hand->force_n);
+        break;
+    case SIM_HAND_OFF:
+    default:
+        box_reply_say(reply, "hand off");
+        break;
+    }
+}
+
+static void show_force(const box_t *self, box_reply_t *reply)
+{
+    const box_force_t *const force = &self->force;
+
+    show_hand(&force->hand, reply);
+    box_reply_say(reply,
+                  ", needle at %.4f mm: %.3f N, of it membrane %.3f, cutting %.3f, friction %.3f "
+                  "N; %u of %u layers, %u ruptured\n",
+                  force->tissue.depth_mm, force->tissue.force_n, force->tissue.membrane_n,
+                  force->tissue.cutting_n, force->tissue.friction_n, (unsigned)force->tissue.next,
+                  (unsigned)force->phantom.tissue.layer_count, (unsigned)force->tissue.popped);
+    for (uint32_t i = 0U; i < BOX_CELLS; i++) {
+        box_reply_say(reply, "load cell %s %s, reads %u\n", box_cell_words[i],
+                      box_load_cell_words[force->cells[i].fault],
+                      (unsigned)force->cells[i].reading);
+    }
+}
+
 /* Outputs that control has set. */
 static void show_outputs(const box_t *self, box_reply_t *reply)
 {
@@ -114,6 +159,9 @@ void box_reply_show(box_reply_t *reply, const box_t *self)
         if (box_has_sensor(self, slot)) {
             show_sensor(&self->sensors[slot], reply);
         }
+    }
+    if (self->sensor_slots != 0U) {
+        show_force(self, reply);
     }
 }
 

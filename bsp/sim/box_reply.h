@@ -19,6 +19,7 @@ extern const char *const box_card_words[];
 extern const char *const box_encoder_words[];
 extern const char *const box_motor_words[];
 extern const char *const box_switch_words[];
+extern const char *const box_load_cell_words[];
 /* box_gate_t, */
 extern const char *const box_gate_words[];
 /* and card_type_t. */
@@ -36,6 +37,9 @@ void box_reply_say(box_reply_t *reply, const char *format, ...)
 
 /** States all that there is to see at the box. */
 void box_reply_show(box_reply_t *reply, const box_t *self);
+
+/** States the phantom, as a text that box_phantom_read() takes. */
+void box_reply_tissue(box_reply_t *reply, const box_t *self);
 
 /** States that no card is in the slot that `word` names, and where there are cards. */
 void box_reply_no_slot(box_reply_t *reply, const box_t *self, const char *word);

@@ -41,18 +41,34 @@ static void write_value(const request_field_t *field, const request_box_order_t 
     }
 }
 
-/* The first word of a member's name is that of the order: "card_fault" is "card". */
+/* Without unit or "fault", words of a member's name are those of the order: "card_fault" is "card",
+ * "force_hand" is "force hand". */
+static void write_name(const char *name, char *text, size_t size)
+{
+    static const char *const endings[] = {"_fault", "_mm", "_mn"};
+    size_t length = strlen(name);
+    for (size_t i = 0U; i < sizeof endings / sizeof endings[0]; i++) {
+        const char *const ending = strstr(name, endings[i]);
+        length = (ending != NULL) ? (size_t)(ending - name) : length;
+    }
+    (void)snprintf(text, size, "%.*s", (int)length, name);
+    for (char *at = text; *at != '\0'; at++) {
+        *at = (*at == '_') ? ' ' : *at;
+    }
+}
+
 static void write_words(const request_field_t *field, const request_box_order_t *request,
                         box_order_t *order)
 {
     char slot[4] = "";
+    char name[24];
     char value[24];
     if (needs_slot(field)) {
         (void)snprintf(slot, sizeof slot, " %u", (unsigned)(request->slot % 10U));
     }
     write_value(field, request, value, sizeof value);
-    (void)snprintf(order->words, sizeof order->words, "%.*s%s %s", (int)strcspn(field->name, "_"),
-                   field->name, slot, value);
+    write_name(field->name, name, sizeof name);
+    (void)snprintf(order->words, sizeof order->words, "%.16s%s %s", name, slot, value);
     const bool is_drop = strcmp(value, "drop") == 0;
     order->is_safe = is_drop || (strcmp(order->words, "estop pull") == 0);
     order->is_of_page = is_drop || (strcmp(value, "hold") == 0);

@@ -65,6 +65,12 @@ int http_box_show(http_server_t *server, const http_call_t *call)
                              .pedal_holder = seen.pedal_holder,
                              .is_button_pressed = seen.is_button_pressed,
                              .button_holder = seen.button_holder,
+                             .is_hand_pressed = seen.is_hand_pressed,
+                             .hand_holder = seen.hand_holder,
+                             .grip_mn = seen.grip_mn,
+                             .layers = seen.layers,
+                             .force_hand = box_order_word("force_hand", seen.force_hand),
+                             .force_needle = box_order_word("force_needle", seen.force_needle),
                              .is_estop_pulled = seen.is_estop_pulled,
                              .is_scanner_active = seen.is_scanner_active,
                              .is_lamp_alive = seen.is_lamp_alive,
@@ -106,7 +112,9 @@ static bool is_news(const http_server_t *server, const http_call_t *call, const 
     if (!order->is_of_page || !bsp_bench_look(server->identity.box, &seen)) {
         return true;
     }
-    const uint32_t holder = body->has_pedal ? seen.pedal_holder : seen.button_holder;
+    const uint32_t holder = body->has_pedal    ? seen.pedal_holder
+                            : body->has_button ? seen.button_holder
+                                               : seen.hand_holder;
     return (holder == call->page) == order->is_safe;
 }
 
@@ -173,6 +181,7 @@ int http_box_drop(http_server_t *server, const http_call_t *call)
 {
     static const box_order_t pedal = {.words = "pedal drop", .is_of_page = true};
     static const box_order_t button = {.words = "button drop", .is_of_page = true};
+    static const box_order_t hand = {.words = "hand drop", .is_of_page = true};
     const char *box = box_of(server);
     bsp_bench_t seen;
     if (box == NULL) {
@@ -180,7 +189,8 @@ int http_box_drop(http_server_t *server, const http_call_t *call)
     }
     const bool is_done = bsp_bench_look(box, &seen) &&
                          drop(server, call, seen.pedal_holder, &pedal) &&
-                         drop(server, call, seen.button_holder, &button);
+                         drop(server, call, seen.button_holder, &button) &&
+                         drop(server, call, seen.hand_holder, &hand);
     return is_done ? http_box_show(server, call)
                    : http_reply_refuse(call->connection, PROBLEM_BOX_SILENT);
 }

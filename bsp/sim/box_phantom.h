@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The phantom of a simulated box: tissue in front of the needle, and the properties of the two load
+ * cells. A phantom is a text, one key with its number in each line; "layer" begins a layer, and
+ * "cell hand" or "cell needle" the properties of a cell. A line that is empty or begins with # has
+ * no meaning. Each key stands once where it belongs, and none may be missing.
+ */
+#ifndef BORESIGHT_BOX_PHANTOM_H
+#define BORESIGHT_BOX_PHANTOM_H
+
+#include "sim/model/sim_load_cell.h"
+#include "sim/model/sim_tissue.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** The load cells. */
+typedef enum { BOX_CELL_HAND = 0, BOX_CELL_NEEDLE = 1 } box_cell_t;
+#define BOX_CELLS 2U
+
+#define BOX_PHANTOM_SIZE 8192U /**< Room for any phantom as text. */
+
+/** All zero: nothing is in front of the needle, and the cells are ideal. */
+typedef struct {
+    sim_phantom_t tissue;
+    sim_load_cell_config_t cells[BOX_CELLS];
+} box_phantom_t;
+
+/**
+ * The phantom that a robot with a force sensor has if no other is given: two membranes. All figures
+ * are within published ranges of soft tissue, and none is that of a certain patient.
+ *
+ * @satisfies SWR-BOX-531
+ */
+extern const box_phantom_t box_phantom_usual;
+
+/** In the order of box_cell_t; ends with NULL. */
+extern const char *const box_cell_words[];
+
+/**
+ * Reads `text`.
+ *
+ * @return false: `self` is undefined, and `reason` holds the number of the line and a sentence
+ *
+ * @satisfies SWR-BOX-529
+ * @satisfies SWR-BOX-530
+ */
+bool box_phantom_read(box_phantom_t *self, const char *text, char *reason, uint32_t reason_size);
+
+/**
+ * Writes a phantom as such a text, with its end in `size` bytes.
+ *
+ * @satisfies SWR-BOX-529
+ */
+void box_phantom_write(const box_phantom_t *self, char *text, uint32_t size);
+
+#endif
