@@ -4,6 +4,7 @@
 require_relative 'document'
 require_relative 'drive'
 require_relative 'followers'
+require_relative 'force'
 require_relative 'formula'
 require_relative 'hand'
 require_relative 'kinematics'
@@ -189,12 +190,12 @@ module Robot
 
     CARDS = %w[sensor].freeze # That go without an axis.
 
-    attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :hand, :geometry, :probe, :coupled_limits, :followers,
-                :poses, :told
+    attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :force, :hand, :geometry, :probe,
+                :coupled_limits, :followers, :poses, :told
 
     def initialize(path, text)
       nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes],
-                                             %w[cards hand poses told])
+                                             %w[cards force hand poses told])
       @name = nodes['name'].name
       @kinematics = nodes['kinematics'].choice(Kinematics.names)
       @expected = Kinematics.new(@kinematics)
@@ -207,7 +208,8 @@ module Robot
       @coupled_limits = read_coupled_limits(nodes['coupled_limits'])
       @axes = read_axes(nodes['axes'])
       @sensor_slots = nodes.key?('cards') ? read_sensors(nodes['cards']) : []
-      @hand = Hand.new(nodes['hand'], @axes[needle_axis], @sensor_slots.any?)
+      @force = Force.new(nodes['force'], @sensor_slots) if nodes.key?('force')
+      @hand = Hand.new(nodes['hand'], @axes[needle_axis], nodes.key?('force'))
       @followers = Followers.new(@axes)
       check_axes
       @poses = read_poses(nodes['poses'])
