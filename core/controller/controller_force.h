@@ -1,10 +1,21 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file The force sensor of the robot in a cycle: its readings, its doubts in the log, its zero.
- * No motion asks it, and none ends by it. */
+ * Only a mode in which a hand moves the needle asks it. */
 #ifndef BORESIGHT_CONTROLLER_FORCE_H
 #define BORESIGHT_CONTROLLER_FORCE_H
 
 #include "controller/controller_events.h"
+#include "safety/hand_guard.h"
+
+/** Force of the hand in this cycle; of a robot without a sensor for it one that is not trusted. */
+static inline hand_t controller_hand(const controller_t *self, const cycle_t *cycle)
+{
+    const force_channel_t *const channel = &self->force.sealed.channels[FORCE_CHANNEL_HAND];
+    const hand_t hand = {.force_mn = self->force.force_mn[FORCE_CHANNEL_HAND],
+                         .is_trusted = (cycle->robot->force.is_there != 0U) &&
+                                       force_channel_is_believed(channel)};
+    return hand;
+}
 
 /** After the link to the card in `slot`, one without an axis, was stepped: nothing, if that is not
  * the card of the force sensor.

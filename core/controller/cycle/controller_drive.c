@@ -3,6 +3,7 @@
 
 #include "controller/cycle/controller_dialect.h"
 #include "controller/controller_facts.h"
+#include "controller/controller_force.h"
 
 #include "base/clear.h"
 #include "card/card_dialect.h"

@@ -2,6 +2,7 @@
 #include "controller/cycle/controller_move.h"
 
 #include "controller/controller_facts.h"
+#include "controller/controller_force.h"
 #include "controller/controller_order.h"
 #include "safety/permit.h"
 

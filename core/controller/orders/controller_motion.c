@@ -4,6 +4,7 @@
 #include "controller/orders/controller_aim.h"
 #include "controller/orders/controller_axis.h"
 #include "controller/controller_facts.h"
+#include "controller/controller_force.h"
 #include "controller/controller_order.h"
 
 /* Request to the mode, by the command and the positions of the robot. */

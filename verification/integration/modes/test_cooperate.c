@@ -8,22 +8,29 @@
 
 #include "unity.h"
 
+#include "base/fixed.h"
 #include "controller/controller.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_prostate.h"
 #include "safety/permit.h"
 #include "unit/support/scenes.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #define NEEDLE PROSTATE_AXIS_INSERTION
-#define NO_FORCE 1970U      /* Reading of the hand's converter. */
-#define MN_PER_COUNT 8.8503 /* 0.902478 of 9.80665 mN. */
-#define OVERSHOOT_TICKS 166 /* 0.1 mm. */
+#define OVERSHOOT_TICKS 166.0 /* 0.1 mm. */
+#define DEADBAND_TICKS 10.0 /* Of the axis, a count, and what homing is inexact by. */
 #define LONG_CYCLES 60000U
 #define FILTERED_CYCLES 30U /* From a hand that lets go to a force below the dead zone. */
 #define STILL_TICKS 2       /* What a motor runs on for after it was switched off. */
+#define TICKS_PER_MM 1666.67
+#define SWING_TRIALS 60U
+#define SWING_CYCLES 500U
 #define JERK_SCENES 40U
+#define JERK_MN 4000 /* A larger step is doubted. */
+#define PULL_MN 5000
+#define HARD_MN 7500 /* The sensor says no more than 8.2 N. */
 
 static const command_t cooperate = {.kind = (uint32_t)COMMAND_COOPERATE};
 
@@ -48,9 +55,14 @@ static uint32_t random_below(uint32_t count)
 static void push(int32_t force_mn)
 {
     char order[32];
-    (void)snprintf(order, sizeof order, "force hand %d",
-                   (int)NO_FORCE + (int)((double)force_mn / MN_PER_COUNT));
+    (void)snprintf(order, sizeof order, "grip %d", (int)force_mn);
     rig_box(&rig, order);
+    rig_box(&rig, "hand press");
+}
+
+static void let_go(void)
+{
+    rig_box(&rig, "hand release");
 }
 
 static int32_t target_ticks(void)
@@ -58,9 +70,10 @@ static int32_t target_ticks(void)
     return rig.controller.plan.target_ticks[NEEDLE];
 }
 
-static int32_t depth_ticks(void)
+/* Where the needle truly is. */
+static double depth_ticks(void)
 {
-    return rig_position(&rig, NEEDLE);
+    return rig.box.axes[NEEDLE].motor.position_ticks;
 }
 
 static uint32_t status_of(command_t command)
@@ -134,8 +147,9 @@ void test_SWR_COOP_001_a_hand_brings_the_needle_to_its_depth(void)
     const answer_t answer = rig_finish(&rig, LONG_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, answer.kind);
     TEST_ASSERT_EQUAL_UINT32(COMMAND_COOPERATE, answer.command);
-    TEST_ASSERT_INT32_WITHIN(robot_prostate.axes[NEEDLE].deadband_ticks, target_ticks(),
-                             depth_ticks());
+    TEST_ASSERT_DOUBLE_WITHIN(DEADBAND_TICKS, (double)target_ticks(), depth_ticks());
+    rig_release(&rig);
+    rig_cycles(&rig, 50U);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_NOTHING, rig.outputs.snapshot.next_step);
 }
 
@@ -143,21 +157,80 @@ void test_SWR_COOP_001_a_hand_brings_the_needle_to_its_depth(void)
 void test_SWR_COOP_003_no_hand_takes_the_true_needle_past_its_depth(void)
 {
     for (uint32_t scene = 0U; scene < SCENES(JERK_SCENES); scene++) {
+        int32_t force_mn = 0;
         start_armed();
         random_state = scene;
         for (uint32_t i = 0U; i < LONG_CYCLES; i++) {
             if (random_below(40U) == 0U) {
-                push((int32_t)random_below(14000U) - 5000);
+                force_mn = fixed_saturate(fixed_within(
+                    force_mn + JERK_MN - (int64_t)random_below(2U * JERK_MN), -PULL_MN, HARD_MN));
+                push(force_mn);
             }
             rig_cycle(&rig);
-            TEST_ASSERT_LESS_OR_EQUAL_INT32(target_ticks() + OVERSHOOT_TICKS, depth_ticks());
+            TEST_ASSERT_TRUE(depth_ticks() <= ((double)target_ticks() + OVERSHOOT_TICKS));
             if (rig.outputs.snapshot.order == (uint32_t)ARMING_STATE_NONE) {
                 break;
             }
         }
-        TEST_ASSERT_GREATER_OR_EQUAL_INT32(
-            target_ticks() - robot_prostate.axes[NEEDLE].deadband_ticks, depth_ticks());
+        TEST_ASSERT_TRUE(depth_ticks() >= ((double)target_ticks() - DEADBAND_TICKS));
     }
+}
+
+/* Of its positions from the line that fits them best. */
+static double swing_mm(const double *places, uint32_t count)
+{
+    double sums[4] = {0.0, 0.0, 0.0, 0.0};
+    for (uint32_t i = 0U; i < count; i++) {
+        const double time = (double)i;
+        sums[0] += time;
+        sums[1] += time * time;
+        sums[2] += places[i];
+        sums[3] += time * places[i];
+    }
+    const double cycles = (double)count;
+    const double slope =
+        ((cycles * sums[3]) - (sums[0] * sums[2])) / ((cycles * sums[1]) - (sums[0] * sums[0]));
+    double lowest = INFINITY;
+    double highest = -INFINITY;
+    for (uint32_t i = 0U; i < count; i++) {
+        lowest = fmin(lowest, places[i] - (slope * (double)i));
+        highest = fmax(highest, places[i] - (slope * (double)i));
+    }
+    return (highest - lowest) / TICKS_PER_MM;
+}
+
+/* A hand of any stiffness goes on at a steady pace; the motor is up to a fifth faster or slower. */
+static double swing_of(uint32_t trial)
+{
+    static double places[SWING_CYCLES];
+    char order[32];
+    random_state = trial;
+    start_armed();
+    const double stiffness = 0.2 * pow(25.0, (double)random_below(1001U) / 1000.0);
+    sim_motor_t *const motor = &rig.box.axes[NEEDLE].motor;
+    motor->full_speed_ticks_per_s *= 0.8 + (0.4 * (double)random_below(1001U) / 1000.0);
+    count_balance_init(&rig.controller.axes[NEEDLE].supervision.sealed.account); /* It is another motor. */
+    controller_seal(&rig.controller);
+    (void)snprintf(order, sizeof order, "hand stiffness %d", (int)(stiffness * 1000.0));
+    rig_box(&rig, order);
+    (void)snprintf(order, sizeof order, "hand speed %d", 200 + (int)random_below(2000U));
+    rig_box(&rig, order);
+    rig_cycles(&rig, 500U + (uint32_t)(1000.0 / stiffness));
+    for (uint32_t i = 0U; i < SWING_CYCLES; i++) {
+        rig_cycle(&rig);
+        places[i] = depth_ticks();
+    }
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_MOVING, rig.outputs.snapshot.order);
+    return swing_mm(places, SWING_CYCLES);
+}
+
+void test_SWR_COOP_011_no_hand_and_needle_swing(void)
+{
+    double worst = 0.0;
+    for (uint32_t trial = 0U; trial < SCENES(SWING_TRIALS); trial++) {
+        worst = fmax(worst, swing_of(trial));
+    }
+    TEST_ASSERT_TRUE(worst <= ((double)LIMIT_HAND_SWING_UM / 1000.0));
 }
 
 void test_SWR_COOP_005_the_true_needle_stands_soon_after_the_hand_has_let_go(void)
@@ -166,13 +239,13 @@ void test_SWR_COOP_005_the_true_needle_stands_soon_after_the_hand_has_let_go(voi
     push(3000);
     rig_cycles(&rig, 1000U);
     TEST_ASSERT_TRUE(is_driven());
-    push(0);
+    let_go();
     rig_cycles(&rig, FILTERED_CYCLES + (LIMIT_HAND_OFF_US / LIMIT_CYCLE_US));
-    const int32_t there = depth_ticks();
+    const double there = depth_ticks();
     for (uint32_t i = 0U; i < 2000U; i++) {
         rig_cycle(&rig);
         TEST_ASSERT_FALSE(is_driven());
-        TEST_ASSERT_INT32_WITHIN(STILL_TICKS, there, depth_ticks());
+        TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, there, depth_ticks());
     }
     push(800);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
@@ -185,7 +258,7 @@ void test_SWR_COOP_006_a_doubtful_force_drives_nothing_and_ends_the_order(void)
     rig_cycles(&rig, 1000U);
     TEST_ASSERT_TRUE(is_driven());
     rig_forget(&rig);
-    rig_box(&rig, "force hand 0");
+    rig_box(&rig, "force hand broken");
     while (rig.outputs.snapshot.forces[FORCE_CHANNEL_HAND].doubts == 0U) {
         rig_cycle(&rig);
     }
@@ -204,7 +277,7 @@ void test_SWR_COOP_006_also_while_the_order_waits_for_the_pedal(void)
 {
     start_ready();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(cooperate));
-    rig_box(&rig, "force hand 0");
+    rig_box(&rig, "force hand broken");
     rig_cycles(&rig, 10U);
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
 }
