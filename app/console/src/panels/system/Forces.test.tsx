@@ -63,8 +63,8 @@ test("SWR-FORCE-578 force, reading, zero and noise of each channel are shown, an
     ],
   });
   expect(rows()).toEqual([
-    "hand1.23 N2110-0.09 N0.031 Nnothing",
-    "needle-0.50 N18360.00 N0.012 NIt is being zeroed. Its zero was not taken. No report of it comes.",
+    "hand1.23 N2110−0.09 N0.031 Nnothing",
+    "needle−0.50 N18360.00 N0.012 NIt is being zeroed. Its zero was not taken. No report of it comes.",
   ]);
 });
 
