@@ -32,6 +32,7 @@
 #include "safety/pedal_gate.h"
 #include "safety/reason_hold.h"
 #include "safety/speed_cap.h"
+#include "sensor/force_sensor.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -179,6 +180,7 @@ typedef struct {
     uint32_t is_end_told;                  /**< Its near end was reported: 0 or 1. */
     uint32_t unread;                       /**< That of the inputs before. */
     uint32_t is_estop_told;                /**< Its pull was reported: 0 or 1. */
+    force_sensor_t force;                  /**< Under the seal of the cards without an axis. */
     robot_cards_t cards;      /**< Cards of the robot, as its undamaged table says in each cycle. */
     target_way_t way;         /**< As it is shown; has a seal of its own. */
     program_list_t program;   /**< The treatment program that is held; has checksums of its own. */

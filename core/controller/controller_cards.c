@@ -2,6 +2,7 @@
 #include "controller/controller_cards.h"
 
 #include "controller/controller_facts.h"
+#include "controller/controller_force.h"
 #include "controller/controller_order.h"
 
 #include "card/card_dialect.h"
@@ -180,9 +181,13 @@ static void observe_sensors(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t slots = self->cards.sensor_slots;
     for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
-        if ((((slots >> i) & 1U) != 0U) && step_link(self, cycle, i).is_lost) {
+        if (((slots >> i) & 1U) == 0U) {
+            continue;
+        }
+        if (step_link(self, cycle, i).is_lost) {
             note_loss(self, cycle, i);
         }
+        controller_observe_force(self, cycle, i);
     }
 }
 

@@ -13,6 +13,16 @@ bool controller_is_homed(const controller_t *self)
     return true;
 }
 
+bool controller_is_at_rest(const controller_t *self)
+{
+    bool is_every_one =
+        !procedure_is_armed(&self->procedure) && (self->pedal.sealed.is_released != 0U);
+    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
+        is_every_one = is_every_one && encoder_is_at_rest(&self->axes[i].sealed.encoder);
+    }
+    return is_every_one;
+}
+
 static uint32_t fact(bool stands, uint32_t name)
 {
     return stands ? name : 0U;

@@ -37,6 +37,9 @@ static inline bool controller_is_spent(const controller_t *self)
     return self->sealed.account_state == (uint32_t)HOMING_ACCOUNT_SPENT;
 }
 
+/** Nothing is armed, the pedal is released, and no axis moves or counts. */
+bool controller_is_at_rest(const controller_t *self);
+
 /** Every axis is homed. */
 bool controller_is_homed(const controller_t *self);
 

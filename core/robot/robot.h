@@ -16,6 +16,7 @@
 #define ROBOT_AXIS_MAX 10U      /**< Most axes of any robot; what a robot has is axis_count. */
 #define ROBOT_COUPLED_LIMITS 4U /**< Most coupled limits of any robot. */
 #define ROBOT_GEOMETRY_MAX 11U  /**< Most lengths of the geometry of any robot. */
+#define ROBOT_FORCE_CHANNELS 2U /**< Channels of a force sensor, by force_channel_id_t. */
 #define ROBOT_HOME_STAGES 4U    /**< Most stages of homing. */
 #define ROBOT_PROBE_LENGTHS 4U  /**< Most lengths of the probe of any robot. */
 #define ROBOT_TOLD_LENGTHS 4U   /**< Most lengths that clients are sent. */
@@ -132,6 +133,31 @@ typedef struct {
     uint32_t seal; /**< seal_of() all before it. */
 } pose_t;
 
+/** A channel of the force sensor: how its converter's reading becomes a force, and which readings
+ * can be true. */
+typedef struct {
+    int32_t mn_per_count_q16; /**< Never 0; a push is a positive force. */
+    /** Butterworth low-pass of second order: y = b (x + 2 x1 + x2) - a1 y1 - a2 y2, with
+     * 4 b = 1 + a1 + a2. */
+    int32_t filter_b_q30;
+    int32_t filter_a1_q30;
+    int32_t filter_a2_q30;
+    uint32_t zero_count; /**< Reading without a force, as it was known last. */
+    uint32_t
+        minimum_count; /**< Both inclusive: readings of the forces that the sensor is made for. */
+    uint32_t maximum_count;
+    uint32_t step_counts; /**< Most from one report to the next. */
+    uint32_t converter;   /**< Of the card, from 0. */
+} force_channel_config_t;
+
+/** The force sensor of a robot. No padding before `seal`. */
+typedef struct {
+    uint32_t is_there; /**< 0 or 1; 0: all of it is 0. */
+    uint32_t slot;     /**< Slot of its card, one of sensor_slots. */
+    force_channel_config_t channels[ROBOT_FORCE_CHANNELS];
+    uint32_t seal; /**< seal_of() all before it. */
+} force_config_t;
+
 /** The lengths of a probe or needle, in the order of the robot file; named by the robot's own
  * header. 0 beyond those of the robot. */
 typedef struct {
@@ -168,6 +194,7 @@ typedef struct {
     uint32_t seal;                             /**< seal_of() all before it. */
     axis_config_t axes[ROBOT_AXIS_MAX];
     pose_t poses[POSE_NAME_COUNT]; /**< By pose_name_t. */
+    force_config_t force;          /**< Looked at only where sensor_slots is not 0. */
     int32_t
         start_ticks[ROBOT_AXIS_MAX]; /**< Places of the simulated axes when their box is switched
                                         on; nothing else reads it, so it has no seal. */

@@ -90,6 +90,7 @@ module Robot
        "    .seal = #{seal('robot_t', sealed)}",
        *array('axes', @robot.axes.each_with_index.map { |axis, i| entry(axis, i) }),
        *array('poses', @robot.poses.map { |name, ticks| pose(name, ticks) }),
+       *force,
        *array('start_ticks', @robot.axes.each_with_index.map { |axis, i| "        [#{i}] = #{axis['start_ticks']}" }),
        *array('probe_names', @robot.probe.names.each_with_index.map { |name, i| "        [#{i}] = \"#{name}\"" }),
        *array('told_joints', @robot.told.joints.each_with_index.map { |axis, i| "        [#{i}] = #{axis}U" }),
@@ -126,6 +127,16 @@ module Robot
     def pose(name, ticks)
       places = ticks.each_with_index.map { |one, i| "[#{i}] = #{one}" }.join(', ')
       "        [POSE_#{name.upcase}] = {.ticks = {#{places}}, .seal = #{seal('pose_t', 'ticks' => ticks)}}"
+    end
+
+    def force
+      return [] unless @robot.force
+
+      values = @robot.force.values
+      channels = values['channels'].each_with_index.map { |channel, i| "            [#{i}] = {#{initializers(channel)}}" }
+      lines = [*values.except('channels').map { |field, value| "        .#{field} = #{value}" },
+               "        .channels = {\n#{channels.join(",\n")}\n        }", "        .seal = #{seal('force_config_t', values)}"]
+      ["    .force = {\n#{lines.join(",\n")}\n    }"]
     end
 
     def told(name, length)

@@ -4,6 +4,7 @@
 require_relative 'document'
 require_relative 'drive'
 require_relative 'followers'
+require_relative 'force'
 require_relative 'formula'
 require_relative 'kinematics'
 require_relative 'limit'
@@ -188,12 +189,12 @@ module Robot
 
     CARDS = %w[sensor].freeze # That go without an axis.
 
-    attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :geometry, :probe, :coupled_limits, :followers,
-                :poses, :told
+    attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :force, :geometry, :probe, :coupled_limits,
+                :followers, :poses, :told
 
     def initialize(path, text)
       nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes],
-                                             %w[cards poses told])
+                                             %w[cards force poses told])
       @name = nodes['name'].name
       @kinematics = nodes['kinematics'].choice(Kinematics.names)
       @expected = Kinematics.new(@kinematics)
@@ -206,6 +207,7 @@ module Robot
       @coupled_limits = read_coupled_limits(nodes['coupled_limits'])
       @axes = read_axes(nodes['axes'])
       @sensor_slots = nodes.key?('cards') ? read_sensors(nodes['cards']) : []
+      @force = Force.new(nodes['force'], @sensor_slots) if nodes.key?('force')
       @followers = Followers.new(@axes)
       check_axes
       @poses = read_poses(nodes['poses'])

@@ -44,6 +44,14 @@ static status_t bare_outlook(const robot_t *robot, const snapshot_t *snapshot, b
     return is_in ? STATUS_NEEDLE_IN : status;
 }
 
+/* The reports of the card, and axes that count at rest, are judged when it comes. */
+static status_t force_outlook(const robot_t *robot, const snapshot_t *snapshot)
+{
+    return (robot->force.is_there == 0U)
+               ? STATUS_NO_FORCE_SENSOR
+               : bare_outlook(robot, snapshot, is_pedal_released(snapshot));
+}
+
 static status_t program_outlook(const snapshot_t *snapshot)
 {
     const status_t status = (snapshot->has_target == 0U) ? STATUS_NO_TARGET : STATUS_OK;
@@ -75,6 +83,9 @@ static status_t outlook_here(const robot_t *robot, const snapshot_t *snapshot, c
         break;
     case (uint32_t)COMMAND_PROBE:
         status = bare_outlook(robot, snapshot, true);
+        break;
+    case (uint32_t)COMMAND_ZERO_FORCE:
+        status = force_outlook(robot, snapshot);
         break;
     case (uint32_t)COMMAND_PROGRAM_BEGIN:
         status = program_outlook(snapshot);

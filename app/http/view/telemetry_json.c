@@ -133,6 +133,16 @@ static cJSON *new_cards(const telemetry_view_t *view)
     return cards;
 }
 
+static cJSON *new_forces(const telemetry_view_t *view)
+{
+    cJSON *forces = cJSON_CreateArray();
+    for (uint32_t i = 0U; (i < ROBOT_FORCE_CHANNELS) && (view->robot->force.is_there != 0U); i++) {
+        const json_force_t also = {.channel = force_channel_id_name((int32_t)i)};
+        (void)cJSON_AddItemToArray(forces, json_force(&view->snapshot.forces[i], &also));
+    }
+    return forces;
+}
+
 static const char *text_or_null(const char *text)
 {
     return (text[0] == '\0') ? NULL : text;
@@ -216,6 +226,7 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
                                 .time = new_time(view),
                                 .loop = new_loop(view),
                                 .cards = new_cards(view),
+                                .forces = new_forces(view),
                                 .counts = json_counts(&view->loop, &view->snapshot),
                                 .processes = json_processes(&processes),
                                 .ports = telemetry_json_ports(view)};

@@ -27,6 +27,7 @@ typedef struct {
  * The caller frees each result with cJSON_Delete(); NULL without memory.
  *
  * @satisfies SWR-DRIVE-014
+ * @satisfies SWR-FORCE-579
  * @satisfies SWR-CON-062
  */
 cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemetry_view_t *view);

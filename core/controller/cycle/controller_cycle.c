@@ -35,6 +35,7 @@ void controller_init(controller_t *self, const robot_t *robot)
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         link_init(&self->links[slot], robot_cards_type(robot, slot), robot->card_firmware);
     }
+    force_sensor_init(&self->force, &robot->force);
     robot_cards_find(&self->cards, robot);
     robot_cards_bound(&self->cards); /* The table is not checked yet. */
     self->refused_cycle = (UINT32_MAX - LIMIT_REFUSED_VALUES_MS) + 1U;

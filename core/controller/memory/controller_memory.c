@@ -21,10 +21,20 @@ static inline uint32_t seal_of_link(uint32_t seal, const link_t *link)
     return seal_of(seal, (const uint8_t *)&link->sealed, sizeof link->sealed);
 }
 
+/* Readings count while a zeroing runs. */
+static uint32_t seal_of_force(const force_sensor_t *force)
+{
+    const uint32_t seal =
+        seal_of(SEAL_START, (const uint8_t *)&force->sealed, sizeof force->sealed);
+    return force_sensor_is_zeroing(force)
+               ? seal_of(seal, (const uint8_t *)force->readings, sizeof force->readings)
+               : seal;
+}
+
 static uint32_t seal_of_sensors(const controller_t *self)
 {
     const uint32_t slots = self->cards.sensor_slots;
-    uint32_t seal = SEAL_START;
+    uint32_t seal = (slots != 0U) ? seal_of_force(&self->force) : SEAL_START;
     for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
         if (((slots >> i) & 1U) != 0U) {
             seal = seal_of_link(seal, &self->links[i]);
@@ -161,10 +171,15 @@ static void forget_card(controller_t *self, const cycle_t *cycle, uint32_t index
     controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }
 
-/* The cards without an axis: nothing rests on them. */
+/* The cards without an axis, and what they measure: nothing rests on them. */
 static void forget_sensors(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t slots = self->cards.sensor_slots;
+    const uint32_t channels = (cycle->robot->force.is_there == 0U) ? 0U : ROBOT_FORCE_CHANNELS;
+    force_sensor_init(&self->force, &cycle->robot->force);
+    for (uint32_t i = 0U; i < channels; i++) {
+        controller_note(self, cycle, EVENT_FORCE_DOUBTED, i, (int32_t)FORCE_DOUBT_NOT_ZEROED);
+    }
     for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
         if (((slots >> i) & 1U) != 0U) {
             link_distrust(&self->links[i], (uint32_t)CARD_TYPE_SENSOR, cycle->robot->card_firmware);
@@ -232,6 +247,7 @@ static void check_table(controller_t *self, const cycle_t *cycle, uint32_t damag
         return;
     }
     self->sealed.table_damage = damage;
+    force_sensor_miss(&self->force, true);
     for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         axis_distrust(&self->axes[i]);
     }

@@ -17,6 +17,7 @@
  * @satisfies SWR-MEMORY-006
  * @satisfies SWR-MEMORY-007
  * @satisfies SWR-MEMORY-260
+ * @satisfies SWR-FORCE-576
  */
 void controller_check_memory(controller_t *self, const cycle_t *cycle);
 

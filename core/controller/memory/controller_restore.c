@@ -84,16 +84,6 @@ void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index
     }
 }
 
-static bool is_at_rest(const controller_t *self)
-{
-    bool is_every_one =
-        !procedure_is_armed(&self->procedure) && (self->pedal.sealed.is_released != 0U);
-    for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
-        is_every_one = is_every_one && encoder_is_at_rest(&self->axes[i].sealed.encoder);
-    }
-    return is_every_one;
-}
-
 /* An axis may have been left somewhat beyond its soft limits. */
 static bool can_stand_at(const axis_config_t *config, int32_t ticks)
 {
@@ -135,7 +125,7 @@ static status_t judge_restore(const controller_t *self, const cycle_t *cycle,
         status = STATUS_UNKNOWN_COMMAND;
     } else if (!controller_is_of_workphase(self, command)) {
         status = STATUS_WRONG_WORKPHASE;
-    } else if (!is_at_rest(self)) {
+    } else if (!controller_is_at_rest(self)) {
         status = STATUS_NOT_AT_REST;
     } else {
         status = judge_axes(self, cycle, sent, answer);

@@ -393,11 +393,29 @@ static void show_mode(const controller_t *self, mode_kind_t kind, snapshot_t *sh
     shown->left_ms = share.left_ms;
 }
 
-/* Axes that the robot has not. */
+/* Axes that the robot has not, and the forces behind them. */
 static void clear_unused(const controller_t *self, snapshot_t *shown)
 {
-    clear_aligned_words((uint8_t *)&shown->axes[self->sealed.axis_count],
-                        (ROBOT_AXIS_MAX - self->sealed.axis_count) * sizeof shown->axes[0]);
+    uint8_t *const bytes = (uint8_t *)shown;
+    const size_t from =
+        offsetof(snapshot_t, axes) + (self->sealed.axis_count * sizeof shown->axes[0]);
+    const size_t end = offsetof(snapshot_t, forces) + sizeof shown->forces;
+    clear_aligned_words(&bytes[from], end - from);
+}
+
+static void show_forces(const controller_t *self, const robot_t *robot, snapshot_t *shown)
+{
+    for (uint32_t i = 0U; i < ROBOT_FORCE_CHANNELS; i++) {
+        const force_channel_config_t *const config = &robot->force.channels[i];
+        const force_channel_t *const channel = &self->force.sealed.channels[i];
+        snapshot_force_t *const force = &shown->forces[i];
+        force->force_mn = self->force.force_mn[i];
+        force->reading = channel->counts[0];
+        force->zero_mn = force_channel_zero_mn(channel, config);
+        force->noise_mn = force_channel_noise_mn(channel, config);
+        force->is_zeroing = ((uint32_t)self->force.sealed.zeroing >> i) & 1U;
+        force->doubts = channel->doubts;
+    }
 }
 
 void controller_look_ahead(controller_t *self, const cycle_t *cycle, uint32_t guards)
@@ -457,6 +475,9 @@ void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t gu
     clear_unused(self, shown);
     for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         show_axis(self, cycle, i);
+    }
+    if (cycle->robot->force.is_there != 0U) {
+        show_forces(self, cycle->robot, shown);
     }
     show_way(self, kind, shown);
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {

@@ -34,7 +34,8 @@ static const command_kind_t kinds[] = {COMMAND_REGISTRATION,
                                        COMMAND_DISABLE_AXIS,
                                        COMMAND_LIST_BEGIN,
                                        COMMAND_PROGRAM_BEGIN,
-                                       COMMAND_ACCEPT_NO_BLACK_BOX};
+                                       COMMAND_ACCEPT_NO_BLACK_BOX,
+                                       COMMAND_ZERO_FORCE};
 
 #define KINDS (sizeof kinds / sizeof kinds[0])
 

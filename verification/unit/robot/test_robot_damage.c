@@ -4,6 +4,7 @@
 #include "base/seal.h"
 #include "robot/robot_damage.h"
 #include "robot/robot_neuro.h"
+#include "robot/robot_prostate.h"
 #include "unity.h"
 
 #include <stdbool.h>
@@ -30,7 +31,9 @@ void test_SWR_MEMORY_004_the_structures_have_no_field_outside_the_seals_and_no_p
 {
     TEST_ASSERT_LESS_OR_EQUAL_size_t(offsetof(robot_t, seal) + 8U, offsetof(robot_t, axes));
     TEST_ASSERT_EQUAL_size_t(offsetof(robot_t, start_ticks),
-                             offsetof(robot_t, axes) + sizeof robot.axes + sizeof robot.poses);
+                             offsetof(robot_t, axes) + sizeof robot.axes + sizeof robot.poses +
+                                 sizeof robot.force);
+    TEST_ASSERT_EQUAL_size_t(offsetof(force_config_t, seal) + 4U, sizeof(force_config_t));
     TEST_ASSERT_EQUAL_size_t(offsetof(pose_t, seal) + 4U, sizeof(pose_t));
     TEST_ASSERT_LESS_OR_EQUAL_size_t(offsetof(axis_config_t, seal) + 8U, sizeof(axis_config_t));
 }
@@ -61,5 +64,26 @@ void test_SWR_MEMORY_004_a_pose_belongs_to_the_geometry_if_there_is_one(void)
     pose->seal = seal_of(SEAL_START, (const uint8_t *)pose, offsetof(pose_t, seal));
     TEST_ASSERT_EQUAL_HEX32(0U, robot_damage(&robot));
     pose->ticks[NEURO_AXIS_YAW] ^= 4;
+    TEST_ASSERT_EQUAL_HEX32((uint32_t)1U << ROBOT_PART_GEOMETRY, robot_damage(&robot));
+}
+
+void test_SWR_MEMORY_004_the_force_sensor_belongs_to_the_geometry_if_there_is_one(void)
+{
+    uint8_t *const bytes = (uint8_t *)&robot.force;
+    robot = robot_prostate;
+    TEST_ASSERT_EQUAL_HEX32(0U, robot_damage(&robot));
+    for (size_t i = 0U; i < sizeof robot.force; i++) {
+        bytes[i] ^= (uint8_t)(1U << (i % 8U));
+        TEST_ASSERT_EQUAL_HEX32((uint32_t)1U << ROBOT_PART_GEOMETRY, robot_damage(&robot));
+        bytes[i] = ((const uint8_t *)&robot_prostate.force)[i];
+    }
+}
+
+void test_SWR_MEMORY_004_a_card_without_an_axis_needs_no_force_sensor(void)
+{
+    robot.sensor_slots = 1U;
+    robot.seal = seal_of(SEAL_START, (const uint8_t *)&robot, offsetof(robot_t, seal));
+    TEST_ASSERT_EQUAL_HEX32(0U, robot_damage(&robot));
+    robot.force.is_there = 1U;
     TEST_ASSERT_EQUAL_HEX32((uint32_t)1U << ROBOT_PART_GEOMETRY, robot_damage(&robot));
 }

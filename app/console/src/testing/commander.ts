@@ -101,6 +101,7 @@ export const plainActs = [
   "SET_HOME",
   "ENABLE_AXIS",
   "DISABLE_AXIS",
+  "ZERO_FORCE",
 ] as const;
 
 /** The named workphases, modes and acts are allowed, all others are not. */

@@ -5,6 +5,7 @@ import type {
   Authority,
   Axis,
   Card,
+  Force,
   LogEntry,
   Named,
   PermitReason,
@@ -125,6 +126,20 @@ export function makeCard(change: Partial<Card> = {}): Card {
   };
 }
 
+/** A channel of a force sensor that is believed. */
+export function makeForce(change: Partial<Force> = {}): Force {
+  return {
+    channel: "HAND",
+    force_mn: 0,
+    reading: 1970,
+    zero_mn: 0,
+    noise_mn: 12,
+    is_zeroing: false,
+    doubts: [],
+    ...change,
+  };
+}
+
 /** Most of a thousand cycles took 16 to 31 us, and one was longer than the last class is wide. */
 export function makeStage(name: Stage["name"]): Stage {
   return {
@@ -199,6 +214,7 @@ export function makeStatus(change: Partial<Status> = {}): Status {
       rights: { fifo: true, core: true, memory: true },
     },
     cards: [makeCard()],
+    forces: [],
     counts: {
       events: 0,
       events_lost: 0,

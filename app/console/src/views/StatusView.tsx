@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useRobot } from "../state/outlook";
+import { useCommanding } from "../state/operation";
+import { reasonAgainst, useRobot } from "../state/outlook";
 import { CardHealth } from "../panels/system/CardHealth";
 import { Cards } from "../panels/system/Cards";
+import { Forces } from "../panels/system/Forces";
 import { Loop } from "../panels/system/Loop";
 import { Stages } from "../panels/procedure/Stages";
 import { System } from "../panels/system/System";
@@ -9,9 +11,10 @@ import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 
 /** The parts of the robot, and their state. */
-export function StatusView({ robot, operation }: ViewProperties) {
+export function StatusView({ robot, operation, outlook }: ViewProperties) {
   const { status } = robot;
   const told = useRobot(operation.page, status.boot_id);
+  const commanding = useCommanding(operation, status.authority);
   return (
     <>
       <Panel title="Cards" className="panel-wide">
@@ -20,6 +23,15 @@ export function StatusView({ robot, operation }: ViewProperties) {
       <Panel title="Health" className="panel-wide">
         <CardHealth cards={status.cards} />
       </Panel>
+      {status.forces.length > 0 && (
+        <Panel title="Forces" className="panel-wide">
+          <Forces
+            forces={status.forces}
+            commanding={commanding}
+            refusal={reasonAgainst(outlook, "ZERO_FORCE")}
+          />
+        </Panel>
+      )}
       <Panel title="System">
         <System status={status} robot={told} />
       </Panel>

@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "sensor/force_channel.h"
+
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
+
+#define ONE_Q30 INT64_C(1073741824)
+#define MEAN_Q16 (65536U / LIMIT_FORCE_ZERO_CYCLES) /* A sum of so many readings times this. */
+
+void force_channel_init(force_channel_t *self, const force_channel_config_t *config)
+{
+    *self = (force_channel_t){.zero_q16 = (int32_t)(config->zero_count * 65536U),
+                              .doubts = force_doubt_bit(FORCE_DOUBT_NOT_ZEROED) |
+                                        force_doubt_bit(FORCE_DOUBT_STALE)};
+}
+
+/* As if it had always been read. */
+static void begin(force_channel_t *self, uint32_t count)
+{
+    self->doubts &= ~force_doubt_bit(FORCE_DOUBT_STALE);
+    self->outputs_q16[0] = (int32_t)(count * 65536U);
+    self->outputs_q16[1] = self->outputs_q16[0];
+    self->counts[0] = (uint16_t)count;
+    self->counts[1] = (uint16_t)count;
+    self->still_cycles = 0U;
+}
+
+static uint32_t judge(const force_channel_t *self, const force_channel_config_t *config,
+                      uint32_t count)
+{
+    const uint32_t before = self->counts[0];
+    const uint32_t change = (count > before) ? (count - before) : (before - count);
+    uint32_t doubts = 0U;
+    if ((count < config->minimum_count) || (count > config->maximum_count)) {
+        doubts |= force_doubt_bit(FORCE_DOUBT_OUT_OF_RANGE);
+        if ((count == 0U) || (count == FORCE_CHANNEL_FULL_SCALE)) {
+            doubts |= force_doubt_bit(FORCE_DOUBT_BROKEN_WIRE);
+        }
+    }
+    if (change > config->step_counts) {
+        doubts |= force_doubt_bit(FORCE_DOUBT_STEP);
+    }
+    return doubts;
+}
+
+/* A reading that showed no noise at rest may stand still under a force that stays. */
+static uint32_t watch(force_channel_t *self, uint32_t count, bool is_moving)
+{
+    if (!is_moving || (count != (uint32_t)self->counts[0]) ||
+        (self->noise_q8 <= LIMIT_FORCE_STILL_NOISE)) {
+        self->still_cycles = 0U;
+        return 0U;
+    }
+    self->still_cycles++;
+    if (self->still_cycles < LIMIT_FORCE_STILL_CYCLES) {
+        return 0U;
+    }
+    self->still_cycles = 0U;
+    return force_doubt_bit(FORCE_DOUBT_STUCK);
+}
+
+static void filter(force_channel_t *self, const force_channel_config_t *config, uint32_t count)
+{
+    const uint32_t counts = count + (2U * (uint32_t)self->counts[0]) + (uint32_t)self->counts[1];
+    const int64_t sum = ((int64_t)config->filter_b_q30 * (int64_t)(counts * 65536U)) -
+                        ((int64_t)config->filter_a1_q30 * (int64_t)self->outputs_q16[0]) -
+                        ((int64_t)config->filter_a2_q30 * (int64_t)self->outputs_q16[1]);
+    self->outputs_q16[1] = self->outputs_q16[0];
+    self->outputs_q16[0] = (int32_t)((sum + (ONE_Q30 / 2)) / ONE_Q30);
+    self->counts[1] = self->counts[0];
+    self->counts[0] = (uint16_t)count;
+}
+
+uint32_t force_channel_step(force_channel_t *self, const force_channel_config_t *config,
+                            uint32_t reading, bool is_moving)
+{
+    const uint32_t count =
+        (reading < FORCE_CHANNEL_FULL_SCALE) ? reading : FORCE_CHANNEL_FULL_SCALE;
+    if ((self->doubts & force_doubt_bit(FORCE_DOUBT_STALE)) != 0U) {
+        begin(self, count);
+    }
+    const uint32_t doubts = judge(self, config, count) | watch(self, count, is_moving);
+    self->doubts |= doubts;
+    filter(self, config, count);
+    return doubts;
+}
+
+static uint32_t slope_q16(const force_channel_config_t *config)
+{
+    return (uint32_t)fixed_magnitude((int64_t)config->mn_per_count_q16);
+}
+
+uint32_t force_channel_noise_mn(const force_channel_t *self, const force_channel_config_t *config)
+{
+    return (uint32_t)(((uint64_t)self->noise_q8 * slope_q16(config)) / 16777216U);
+}
+
+/* As many readings as 2^8 make the root of n x squares - sum^2 the deviation in 256ths. */
+static uint16_t noise_of(const force_readings_t *readings)
+{
+    const uint64_t squares = (uint64_t)readings->squares * LIMIT_FORCE_ZERO_CYCLES;
+    const uint64_t sum = readings->sum;
+    const uint32_t noise_q8 = fixed_square_root(squares - (sum * sum));
+    return (noise_q8 < UINT16_MAX) ? (uint16_t)noise_q8 : UINT16_MAX;
+}
+
+force_zero_end_t force_channel_zero(force_channel_t *self, const force_channel_config_t *config,
+                                    const force_readings_t *readings, int32_t *moved_mn)
+{
+    const int32_t zero_q16 = (int32_t)(readings->sum * MEAN_Q16);
+    const int64_t moved_q16 = (int64_t)zero_q16 - (int64_t)self->zero_q16;
+    force_zero_end_t end = FORCE_ZERO_END_DONE;
+    *moved_mn = (int32_t)((moved_q16 * (int64_t)config->mn_per_count_q16) / INT64_C(4294967296));
+    self->noise_q8 = noise_of(readings);
+    self->still_cycles = 0U;
+    if (force_channel_noise_mn(self, config) > LIMIT_FORCE_NOISE_MOST_MN) {
+        end = FORCE_ZERO_END_NOISY;
+    } else if (fixed_magnitude((int64_t)*moved_mn) > (int64_t)LIMIT_FORCE_WANDER_MN) {
+        self->doubts |= force_doubt_bit(FORCE_DOUBT_ZERO_WANDERED);
+        end = FORCE_ZERO_END_WANDERED;
+    } else {
+        self->zero_q16 = zero_q16;
+        self->doubts = 0U;
+    }
+    return end;
+}
