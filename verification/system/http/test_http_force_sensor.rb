@@ -5,7 +5,7 @@
 
 require_relative '../support/page_test'
 
-class TestHttpForce < Minitest::Test
+class TestHttpForceSensor < Minitest::Test
   include PageTest
 
   def self.boresight
