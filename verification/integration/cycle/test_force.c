@@ -95,7 +95,7 @@ void test_SWR_FORCE_577_forces_noise_and_doubts_are_shown(void)
     TEST_ASSERT_EQUAL_UINT32(1970U, shown(HAND)->reading);
     TEST_ASSERT_EQUAL_UINT32(1780U, shown(NEEDLE)->reading);
     rig_box(&rig, "force hand 2083");
-    rig_box(&rig, "force needle 1667");
+    rig_box(&rig, "force needle 1893");
     rig_cycles(&rig, SETTLED_CYCLES);
     TEST_ASSERT_INT32_WITHIN(1, 1000, shown(HAND)->force_mn);
     TEST_ASSERT_INT32_WITHIN(1, 1000, shown(NEEDLE)->force_mn);
@@ -279,7 +279,7 @@ void test_SWR_FORCE_569_a_needle_pulled_in_is_doubted_only_while_it_goes_in(void
     jog(PROSTATE_AXIS_INSERTION, 20000);
     rig_cycles(&rig, 500U);
     rig_box(&rig, "force hand 2100");
-    rig_box(&rig, "force needle 1950");
+    rig_box(&rig, "force needle 1610");
     rig_cycles(&rig, LIMIT_FORCE_PAIR_CYCLES + SETTLED_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_NEEDLE_PULLED_IN));
 }
@@ -291,7 +291,7 @@ void test_SWR_FORCE_569_a_needle_that_is_held_in_is_possible(void)
     jog(PROSTATE_AXIS_INSERTION, 20000);
     (void)rig_finish(&rig, 20000U);
     rig_box(&rig, "force hand 2100");
-    rig_box(&rig, "force needle 1950");
+    rig_box(&rig, "force needle 1610");
     rig_cycles(&rig, LIMIT_FORCE_PAIR_CYCLES + SETTLED_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_FORCE_DOUBTED));
 }

@@ -87,12 +87,11 @@ void test_SWR_FORCE_561_a_reading_is_a_force_by_slope_and_zero(void)
 
 void test_SWR_FORCE_561_a_falling_slope_turns_the_sign(void)
 {
-    config = robot_prostate.force.channels[FORCE_CHANNEL_NEEDLE];
-    force_channel_init(&channel, &config);
-    (void)step(1780U);
-    TEST_ASSERT_EQUAL_INT32(0, force_channel_mn(&channel, &config));
+    config.mn_per_count_q16 = -config.mn_per_count_q16;
+    begin_zeroed(2U);
+    TEST_ASSERT_EQUAL_UINT32(17U, force_channel_noise_mn(&channel, &config));
     for (uint32_t i = 0U; i < SETTLED_CYCLES; i++) {
-        (void)step(1680U);
+        (void)step(REST - 100U);
     }
     TEST_ASSERT_INT32_WITHIN(1, 885, force_channel_mn(&channel, &config));
 }

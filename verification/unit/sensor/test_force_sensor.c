@@ -156,9 +156,9 @@ void test_SWR_FORCE_569_both_loaded_at_a_free_needle_is_doubted(void)
     (void)zero();
     load(HAND_AT_REST + LOAD, NEEDLE_AT_REST);
     TEST_ASSERT_FALSE(force_sensor_is_loaded(&sensor));
-    load(HAND_AT_REST, NEEDLE_AT_REST - LOAD);
+    load(HAND_AT_REST, NEEDLE_AT_REST + LOAD);
     TEST_ASSERT_FALSE(force_sensor_is_loaded(&sensor));
-    load(HAND_AT_REST + LOAD, NEEDLE_AT_REST - LOAD);
+    load(HAND_AT_REST + LOAD, NEEDLE_AT_REST + LOAD);
     TEST_ASSERT_TRUE(force_sensor_is_loaded(&sensor));
     judge(LIMIT_FORCE_PAIR_CYCLES - 1U, true, false);
     TEST_ASSERT_EQUAL_HEX32(0U, doubts(HAND) | doubts(NEEDLE));
@@ -175,7 +175,7 @@ void test_SWR_FORCE_569_one_doubtful_channel_is_no_pair(void)
 {
     zero_almost();
     (void)zero();
-    load(HAND_AT_REST + LOAD, NEEDLE_AT_REST - LOAD);
+    load(HAND_AT_REST + LOAD, NEEDLE_AT_REST + LOAD);
     sensor.sealed.channels[NEEDLE].doubts = force_doubt_bit(FORCE_DOUBT_STUCK);
     TEST_ASSERT_FALSE(force_sensor_is_loaded(&sensor));
     sensor.sealed.channels[NEEDLE].doubts = 0U;
@@ -187,7 +187,7 @@ void test_SWR_FORCE_569_a_needle_that_is_pulled_in_is_doubted(void)
 {
     zero_almost();
     (void)zero();
-    load(HAND_AT_REST + LOAD, NEEDLE_AT_REST + LOAD);
+    load(HAND_AT_REST + LOAD, NEEDLE_AT_REST - LOAD);
     TEST_ASSERT_TRUE(force_sensor_is_loaded(&sensor));
     judge(LIMIT_FORCE_PAIR_CYCLES, false, false);
     TEST_ASSERT_EQUAL_HEX32(0U, doubts(HAND) | doubts(NEEDLE));
@@ -199,8 +199,8 @@ void test_SWR_FORCE_569_a_needle_that_is_pulled_in_is_doubted(void)
 void test_SWR_FORCE_569_other_signs_are_possible_in_an_insertion(void)
 {
     static const uint32_t hands[] = {HAND_AT_REST + LOAD, HAND_AT_REST - LOAD, HAND_AT_REST - LOAD};
-    static const uint32_t needles[] = {NEEDLE_AT_REST - LOAD, NEEDLE_AT_REST - LOAD,
-                                       NEEDLE_AT_REST + LOAD};
+    static const uint32_t needles[] = {NEEDLE_AT_REST + LOAD, NEEDLE_AT_REST + LOAD,
+                                       NEEDLE_AT_REST - LOAD};
     zero_almost();
     (void)zero();
     for (uint32_t i = 0U; i < 3U; i++) {
