@@ -44,8 +44,8 @@ void box_read_cells(box_t *self)
 {
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         uint32_t *const adc = self->sensors[slot].card.adc;
-        adc[BOX_HAND_CONVERTER] = self->force.cells[BOX_CELL_HAND].reading;
-        adc[BOX_NEEDLE_CONVERTER] = self->force.cells[BOX_CELL_NEEDLE].reading;
+        adc[BOX_HAND_CONVERTER] = self->force.cells[SIM_CELL_HAND].reading;
+        adc[BOX_NEEDLE_CONVERTER] = self->force.cells[SIM_CELL_NEEDLE].reading;
     }
 }
 
@@ -66,15 +66,15 @@ void box_plug(box_t *self, uint32_t slot, uint32_t card_type)
     }
 }
 
-const box_phantom_t *box_usual_phantom(const robot_t *robot)
+const sim_phantom_file_t *box_usual_phantom(const robot_t *robot)
 {
-    static const box_phantom_t none = {.tissue = {.layer_count = 0U}};
+    static const sim_phantom_file_t none = {.tissue = {.layer_count = 0U}};
     bool has_sensor_card = false;
 
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         has_sensor_card = has_sensor_card || robot_cards_has_sensor(robot, slot);
     }
-    return has_sensor_card ? &box_phantom_usual : &none;
+    return has_sensor_card ? &sim_phantom_usual : &none;
 }
 
 void box_init(box_t *self, const robot_t *robot, uint32_t seed)

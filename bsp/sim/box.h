@@ -195,12 +195,17 @@ void box_drop(box_t *self, box_held_t what, uint32_t who);
 /** Depth of the needle as the box knows it: its axis, and a free probe beyond. */
 double box_depth_mm(const box_t *self);
 
-/** Lets the cards without an axis read the load cells now. */
+/**
+ * Lets the cards without an axis read the load cells now.
+ *
+ * @satisfies SWR-BOX-528
+ * @satisfies SWR-BOX-532
+ */
 void box_read_cells(box_t *self);
 
-/** The phantom that the box has of its own: box_phantom_usual with a force sensor, and none
+/** The phantom that the box has of its own: sim_phantom_usual with a force sensor, and none
  * without. */
-const box_phantom_t *box_usual_phantom(const robot_t *robot);
+const sim_phantom_file_t *box_usual_phantom(const robot_t *robot);
 
 /** Writes what there is to see, but for the levels of inputs and lamps, to `seen`. */
 void box_show(const box_t *self, bsp_bench_t *seen);

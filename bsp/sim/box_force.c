@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sim/box_force.h"
 
-/* In the order of box_cell_t. */
-static const double at_rest[BOX_CELLS] = {BOX_HAND_AT_REST, BOX_NEEDLE_AT_REST};
+/* In the order of sim_cell_t. */
+static const double at_rest[SIM_CELLS] = {BOX_HAND_AT_REST, BOX_NEEDLE_AT_REST};
 
-static void init_cells(box_force_t *self, const uint32_t seeds[BOX_CELLS])
+static void init_cells(box_force_t *self, const uint32_t seeds[SIM_CELLS])
 {
-    for (uint32_t i = 0U; i < BOX_CELLS; i++) {
+    for (uint32_t i = 0U; i < SIM_CELLS; i++) {
         sim_load_cell_init(&self->cells[i], &self->phantom.cells[i], at_rest[i], seeds[i]);
     }
 }
 
-void box_force_init(box_force_t *self, const box_phantom_t *phantom, double depth_mm,
+void box_force_init(box_force_t *self, const sim_phantom_file_t *phantom, double depth_mm,
                     sim_random_t *random)
 {
-    uint32_t seeds[BOX_CELLS];
+    uint32_t seeds[SIM_CELLS];
 
-    for (uint32_t i = 0U; i < BOX_CELLS; i++) {
+    for (uint32_t i = 0U; i < SIM_CELLS; i++) {
         seeds[i] = sim_random_next(random);
     }
     self->phantom = *phantom;
@@ -26,11 +26,11 @@ void box_force_init(box_force_t *self, const box_phantom_t *phantom, double dept
     init_cells(self, seeds);
 }
 
-void box_force_lay(box_force_t *self, const box_phantom_t *phantom)
+void box_force_lay(box_force_t *self, const sim_phantom_file_t *phantom)
 {
-    uint32_t seeds[BOX_CELLS];
+    uint32_t seeds[SIM_CELLS];
 
-    for (uint32_t i = 0U; i < BOX_CELLS; i++) {
+    for (uint32_t i = 0U; i < SIM_CELLS; i++) {
         seeds[i] = sim_random_next(&self->cells[i].random);
     }
     self->phantom = *phantom;
@@ -50,6 +50,6 @@ void box_force_step(box_force_t *self, uint32_t step_us, double depth_mm)
 
     sim_hand_step(&self->hand, step_s, depth_mm);
     sim_tissue_step(&self->tissue, &self->phantom.tissue, step_s, depth_mm, speed_mm_per_s);
-    sim_load_cell_step(&self->cells[BOX_CELL_HAND], step_us, self->hand.force_n);
-    sim_load_cell_step(&self->cells[BOX_CELL_NEEDLE], step_us, self->tissue.force_n);
+    sim_load_cell_step(&self->cells[SIM_CELL_HAND], step_us, self->hand.force_n);
+    sim_load_cell_step(&self->cells[SIM_CELL_NEEDLE], step_us, self->tissue.force_n);
 }

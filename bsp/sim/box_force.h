@@ -7,7 +7,7 @@
 #ifndef BORESIGHT_BOX_FORCE_H
 #define BORESIGHT_BOX_FORCE_H
 
-#include "sim/box_phantom.h"
+#include "sim/model/sim_phantom.h"
 #include "sim/model/sim_hand.h"
 
 #include <stdint.h>
@@ -18,20 +18,20 @@
 
 /** State of the forces; written by this module, and by orders to the box. */
 typedef struct {
-    box_phantom_t phantom;
+    sim_phantom_file_t phantom;
     sim_tissue_t tissue;
     sim_hand_t hand;
     int32_t grip_mn; /**< Force with which a hand presses, below 0 outwards. */
-    sim_load_cell_t cells[BOX_CELLS];
+    sim_load_cell_t cells[SIM_CELLS];
 } box_force_t;
 
 /** No hand, and `phantom` in front of a needle that is `depth_mm` deep. The cells take their chance
  * from `random`. */
-void box_force_init(box_force_t *self, const box_phantom_t *phantom, double depth_mm,
+void box_force_init(box_force_t *self, const sim_phantom_file_t *phantom, double depth_mm,
                     sim_random_t *random);
 
 /** Puts another phantom there; the cells begin anew. The hand stays. */
-void box_force_lay(box_force_t *self, const box_phantom_t *phantom);
+void box_force_lay(box_force_t *self, const sim_phantom_file_t *phantom);
 
 /** Makes all tissue whole again, but for the hole in which the needle is. */
 void box_force_heal(box_force_t *self);
@@ -39,7 +39,7 @@ void box_force_heal(box_force_t *self);
 /**
  * Advances by `step_us`, 1 to SIM_LOAD_CELL_PERIOD_US; the needle is at `depth_mm` then.
  *
- * @satisfies SWR-BOX-528
+ * @satisfies SWR-BOX-533
  */
 void box_force_step(box_force_t *self, uint32_t step_us, double depth_mm);
 

@@ -56,7 +56,7 @@ static bool order_grip(box_t *self, const box_words_t *order)
 /* A fault of a load cell, or its reading. */
 static bool order_force(box_t *self, const box_words_t *order)
 {
-    const int which = box_words_find(box_cell_words, order->words[1]);
+    const int which = box_words_find(sim_cell_words, order->words[1]);
     const int fault = box_words_find(box_load_cell_words, order->words[2]);
     int64_t reading = 0;
 
@@ -78,7 +78,7 @@ static bool order_force(box_t *self, const box_words_t *order)
 
 static bool order_tissue(box_t *self, const box_words_t *order)
 {
-    static const box_phantom_t none = {.tissue = {.layer_count = 0U}};
+    static const sim_phantom_file_t none = {.tissue = {.layer_count = 0U}};
 
     if (order->count != 2U) {
         return false;
@@ -89,7 +89,7 @@ static bool order_tissue(box_t *self, const box_words_t *order)
     }
     const bool is_none = box_words_is(order, 1U, "none");
     if (is_none || box_words_is(order, 1U, "usual")) {
-        box_force_lay(&self->force, is_none ? &none : &box_phantom_usual);
+        box_force_lay(&self->force, is_none ? &none : &sim_phantom_usual);
         box_read_cells(self);
         return true;
     }

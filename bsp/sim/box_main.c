@@ -236,9 +236,9 @@ static void handle_signals(void)
 }
 
 /* False: the file cannot be read, and the standard error says why. */
-static bool read_phantom(const char *path, box_phantom_t *phantom)
+static bool read_phantom(const char *path, sim_phantom_file_t *phantom)
 {
-    static char text[BOX_PHANTOM_SIZE];
+    static char text[SIM_PHANTOM_SIZE];
     char reason[256];
     FILE *const file = fopen(path, "r");
 
@@ -256,7 +256,7 @@ static bool read_phantom(const char *path, box_phantom_t *phantom)
         return false;
     }
     text[length] = '\0';
-    if (!box_phantom_read(phantom, text, reason, sizeof reason)) {
+    if (!sim_phantom_read(phantom, text, reason, sizeof reason)) {
         (void)fprintf(stderr, "boresight-box: the phantom %s, %s\n", path, reason);
         return false;
     }
@@ -266,13 +266,13 @@ static bool read_phantom(const char *path, box_phantom_t *phantom)
 /* Nothing is to do for "auto". */
 static bool lay_tissue(const char *tissue)
 {
-    box_phantom_t phantom = {.tissue = {.layer_count = 0U}};
+    sim_phantom_file_t phantom = {.tissue = {.layer_count = 0U}};
 
     if (strcmp(tissue, "auto") == 0) {
         return true;
     }
     if (strcmp(tissue, "usual") == 0) {
-        phantom = box_phantom_usual;
+        phantom = sim_phantom_usual;
     } else if ((strcmp(tissue, "none") != 0) && !read_phantom(tissue, &phantom)) {
         return false;
     } else {

@@ -82,9 +82,9 @@ static void show_probe(const box_t *self, box_reply_t *reply)
 
 void box_reply_tissue(box_reply_t *reply, const box_t *self)
 {
-    char text[BOX_PHANTOM_SIZE];
+    char text[SIM_PHANTOM_SIZE];
 
-    box_phantom_write(&self->force.phantom, text, sizeof text);
+    sim_phantom_write(&self->force.phantom, text, sizeof text);
     box_reply_say(reply, "%s", text);
 }
 
@@ -116,8 +116,8 @@ static void show_force(const box_t *self, box_reply_t *reply)
                   force->tissue.depth_mm, force->tissue.force_n, force->tissue.membrane_n,
                   force->tissue.cutting_n, force->tissue.friction_n, (unsigned)force->tissue.next,
                   (unsigned)force->phantom.tissue.layer_count, (unsigned)force->tissue.popped);
-    for (uint32_t i = 0U; i < BOX_CELLS; i++) {
-        box_reply_say(reply, "load cell %s %s, reads %u\n", box_cell_words[i],
+    for (uint32_t i = 0U; i < SIM_CELLS; i++) {
+        box_reply_say(reply, "load cell %s %s, reads %u\n", sim_cell_words[i],
                       box_load_cell_words[force->cells[i].fault],
                       (unsigned)force->cells[i].reading);
     }

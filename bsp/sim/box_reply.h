@@ -38,7 +38,7 @@ void box_reply_say(box_reply_t *reply, const char *format, ...)
 /** States all that there is to see at the box. */
 void box_reply_show(box_reply_t *reply, const box_t *self);
 
-/** States the phantom, as a text that box_phantom_read() takes. */
+/** States the phantom, as a text that sim_phantom_read() takes. */
 void box_reply_tissue(box_reply_t *reply, const box_t *self);
 
 /** States that no card is in the slot that `word` names, and where there are cards. */

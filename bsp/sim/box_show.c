@@ -12,8 +12,8 @@ void box_show(const box_t *self, bsp_bench_t *seen)
     seen->is_hand_pressed = self->force.hand.act != SIM_HAND_OFF;
     seen->grip_mn = self->force.grip_mn;
     seen->layers = self->force.phantom.tissue.layer_count;
-    seen->force_hand = (uint32_t)self->force.cells[BOX_CELL_HAND].fault;
-    seen->force_needle = (uint32_t)self->force.cells[BOX_CELL_NEEDLE].fault;
+    seen->force_hand = (uint32_t)self->force.cells[SIM_CELL_HAND].fault;
+    seen->force_needle = (uint32_t)self->force.cells[SIM_CELL_NEEDLE].fault;
     seen->gate = (uint32_t)self->gate;
     seen->is_probe_free = self->probe.is_free ? 1U : 0U;
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {

@@ -52,7 +52,8 @@ void sim_tissue_init(sim_tissue_t *self, const sim_phantom_t *phantom, double de
         layer++;
     }
     *self = (sim_tissue_t){.depth_mm = depth_mm,
-                           .front_mm = (depth_mm > phantom->surface_mm) ? depth_mm : phantom->surface_mm,
+                           .front_mm =
+                               (depth_mm > phantom->surface_mm) ? depth_mm : phantom->surface_mm,
                            .next = membrane_from(phantom, layer)};
 }
 

@@ -274,12 +274,12 @@ void test_SWR_BOX_003_show_states_hand_tissue_and_cells(void)
 
 void test_SWR_BOX_529_the_phantom_is_shown_as_its_file(void)
 {
-    box_phantom_t read;
+    sim_phantom_file_t read;
     char reason[128];
 
     order("tissue show");
-    TEST_ASSERT_TRUE_MESSAGE(box_phantom_read(&read, reply, reason, sizeof reason), reason);
-    TEST_ASSERT_EQUAL_MEMORY(&box_phantom_usual, &read, sizeof read);
+    TEST_ASSERT_TRUE_MESSAGE(sim_phantom_read(&read, reply, reason, sizeof reason), reason);
+    TEST_ASSERT_EQUAL_MEMORY(&sim_phantom_usual, &read, sizeof read);
 }
 
 /* A course of hand, needle and faults, in strides of this length. */

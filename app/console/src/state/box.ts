@@ -10,7 +10,7 @@ const BOX_PATH: Path = "/api/v1/box";
 export const KEEP_MS = 500;
 export const LOOK_MS = 1000;
 
-export type Handle = "pedal" | "button";
+export type Handle = "pedal" | "button" | "hand";
 
 /** Latched: it stays until it is let go by another act, or by what ends a hold of any kind. */
 export type Hold = "none" | "held" | "latched";
@@ -20,11 +20,12 @@ export interface BoxView {
   box: Box | null;
   pedal: Hold;
   button: Hold;
+  hand: Hold;
   /** Why the last thing was not done, or a hold has ended. */
   problem: string | null;
 }
 
-const handles: readonly Handle[] = ["pedal", "button"];
+const handles: readonly Handle[] = ["pedal", "button", "hand"];
 const NO_ANSWER = "The server does not answer.";
 const LET_GO = "It was let go at the box.";
 
@@ -36,6 +37,7 @@ export class BoxHands {
     box: null,
     pedal: "none",
     button: "none",
+    hand: "none",
     problem: null,
   };
   private looks: ReturnType<typeof setInterval> | null = null;

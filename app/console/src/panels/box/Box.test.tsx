@@ -36,7 +36,7 @@ let shown: ReturnType<typeof render>;
 
 /** As the box does it. */
 function obey(method: string, order: Record<string, unknown>): void {
-  for (const handle of ["pedal", "button"] as const) {
+  for (const handle of ["pedal", "button", "hand"] as const) {
     const isHeld = box[`${handle}_holder`] === operation.page.number;
     if (order[handle] === "hold") {
       box[`${handle}_holder`] = operation.page.number;
@@ -47,7 +47,7 @@ function obey(method: string, order: Record<string, unknown>): void {
   }
 }
 
-function letGo(handle: "pedal" | "button"): void {
+function letGo(handle: "pedal" | "button" | "hand"): void {
   box[`${handle}_holder`] = 0;
   box[`is_${handle}_pressed`] = false;
 }
@@ -135,6 +135,12 @@ beforeEach(() => {
     pedal_holder: 0,
     is_button_pressed: false,
     button_holder: 0,
+    is_hand_pressed: false,
+    hand_holder: 0,
+    grip_mn: 3000,
+    layers: 2,
+    force_hand: "normal",
+    force_needle: "normal",
     is_estop_pulled: false,
     is_scanner_active: false,
     is_lamp_alive: true,
@@ -399,6 +405,69 @@ test.each([
   await show();
   fireEvent.click(button(name));
   expect(asked).toEqual([order]);
+});
+
+function choose(name: string, value: string): void {
+  const label = [...document.querySelectorAll("label")].find(
+    (one) => one.querySelector(".box-name")?.textContent === name,
+  );
+  fireEvent.change(label?.querySelector("select") as Element, {
+    target: { value },
+  });
+}
+
+test("SWR-BOX-534 the handle is pressed as long as the pointer is down", async () => {
+  await show();
+  fireEvent.pointerDown(button("Hold handle"), pointer);
+  await pass(KEEP_MS);
+  expect(box.is_hand_pressed).toBe(true);
+  fireEvent.pointerUp(button("Hold handle"), pointer);
+  await pass(0);
+  expect(asked).toEqual(['{"hand":"hold"}', "PUT", '{"hand":"drop"}']);
+  expect(box.is_hand_pressed).toBe(false);
+});
+
+test("SWR-BOX-534 grip, tissue and faults of load cells are orders", async () => {
+  await show();
+  choose("Hand", "5000");
+  choose("Load cell of the hand", "stuck");
+  choose("Load cell of the needle", "drift");
+  fireEvent.click(button("Make tissue whole"));
+  fireEvent.click(button("Take tissue away"));
+  expect(asked).toEqual([
+    '{"grip_mn":5000}',
+    '{"force_hand":"stuck"}',
+    '{"force_needle":"drift"}',
+    '{"tissue":"whole"}',
+    '{"tissue":"none"}',
+  ]);
+});
+
+test("SWR-BOX-534 the box is shown as it is", async () => {
+  box.grip_mn = -1234;
+  box.layers = 0;
+  box.force_needle = "full";
+  await show();
+  expect(
+    document.querySelector('[aria-label="Hand"] select')?.textContent,
+  ).toContain("pulls with 1.234 N");
+  expect(
+    document.querySelector('[aria-label="Tissue"] strong')?.textContent,
+  ).toBe("none");
+  fireEvent.click(button("Put tissue there"));
+  expect(asked).toEqual(['{"tissue":"usual"}']);
+  expect(
+    document.querySelector<HTMLSelectElement>(
+      '[aria-label="Load cell of the needle"] select',
+    )?.value,
+  ).toBe("full");
+});
+
+test("SWR-BOX-534 a box without a sensor card has neither handle nor tissue", async () => {
+  box.slots = box.slots.filter(({ card_type }) => card_type !== "sensor");
+  await show();
+  expect(document.querySelector('[aria-label="Handle"]')).toBeNull();
+  expect(document.querySelector('[aria-label="Tissue"]')).toBeNull();
 });
 
 test("SWR-CON-040 the button shows what is at the box, and the other way", async () => {

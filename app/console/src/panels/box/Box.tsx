@@ -17,6 +17,8 @@ import type { Freshness } from "../../state/freshness";
 import { mayCommand, obstacleOf, type Operation } from "../../state/operation";
 import { HoldButton } from "../../parts/HoldButton";
 import { BoxFaults } from "./BoxFaults";
+import { BoxForce } from "./BoxForce";
+import { hasForceSensor } from "./force";
 import "./Box.css";
 
 const gates: Record<BoxState["gate"], string> = {
@@ -69,6 +71,7 @@ function stateOf(isPressed: boolean, holder: number, hold: Hold): string {
 const handleNames: Record<Handle, string> = {
   pedal: "Pedal",
   button: "Button",
+  hand: "Handle",
 };
 
 function Held({
@@ -80,6 +83,7 @@ function Held({
 }: WorkProperties & { handle: Handle }) {
   const hold = view[handle];
   const isLatched = hold === "latched";
+  const name = handleNames[handle].toLowerCase();
   return (
     <Group
       name={handleNames[handle]}
@@ -90,7 +94,7 @@ function Held({
       )}
     >
       <HoldButton
-        label={`Hold ${handle}`}
+        label={`Hold ${name}`}
         isHeld={hold !== "none"}
         isDisabled={isDisabled}
         onHold={() => void hands.hold(handle, "held")}
@@ -105,9 +109,20 @@ function Held({
           void (isLatched ? hands.drop(handle) : hands.hold(handle, "latched"))
         }
       >
-        Keep {handle} pressed
+        Keep {name} pressed
       </button>
     </Group>
+  );
+}
+
+/** Without a force sensor nothing at the box feels a hand at the handle. */
+function Handles(properties: WorkProperties) {
+  return (
+    <>
+      <Held {...properties} handle="pedal" />
+      <Held {...properties} handle="button" />
+      {hasForceSensor(properties.box) && <Held {...properties} handle="hand" />}
+    </>
   );
 }
 
@@ -223,14 +238,14 @@ function Open({
       ) : (
         <>
           <div className="box-groups">
-            <Held {...properties} box={box} handle="pedal" />
-            <Held {...properties} box={box} handle="button" />
+            <Handles {...properties} box={box} />
             <Levels {...properties} box={box} />
             <Group name="Lamps" state={litOf(box)} />
           </div>
           <details>
             <summary>Gate, probe and faults</summary>
             <div className="box-groups">
+              <BoxForce hands={hands} isDisabled={isDisabled} box={box} />
               <Treatment {...properties} box={box} />
               <BoxFaults hands={hands} isDisabled={isDisabled} box={box} />
             </div>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "sim/box_phantom.h"
+#include "sim/model/sim_phantom.h"
 
 #include <stddef.h>
 #include <stdio.h>
@@ -62,10 +62,10 @@ static const part_t parts[] = {{"phantom", whole_fields, COUNT_OF(whole_fields)}
                                {"layer", layer_fields, COUNT_OF(layer_fields)},
                                {"cell", cell_fields, COUNT_OF(cell_fields)}};
 
-const char *const box_cell_words[] = {"hand", "needle", NULL};
+const char *const sim_cell_words[] = {"hand", "needle", NULL};
 
 /* Skin and what is behind it; the prostate behind its capsule, as far as the needle goes. */
-const box_phantom_t box_phantom_usual = {
+const sim_phantom_file_t sim_phantom_usual = {
     .tissue = {.surface_mm = 30.0,
                .presliding_mm = 0.2,
                .stick_mm_per_s = 0.05,
@@ -105,7 +105,7 @@ const box_phantom_t box_phantom_usual = {
 
 /* Reading of a text: the part under way, and where it began. */
 typedef struct {
-    box_phantom_t *phantom;
+    sim_phantom_file_t *phantom;
     part_kind_t kind;
     void *place;         /* Of the part. */
     uint32_t begun_at;   /* Its line. */
@@ -171,9 +171,9 @@ static bool begin_layer(reader_t *self, const char *more)
 
 static bool begin_cell(reader_t *self, const char *name)
 {
-    for (uint32_t i = 0U; i < BOX_CELLS; i++) {
+    for (uint32_t i = 0U; i < SIM_CELLS; i++) {
         const uint32_t bit = 1U << i;
-        if (strcmp(name, box_cell_words[i]) == 0) {
+        if (strcmp(name, sim_cell_words[i]) == 0) {
             if ((self->cells_told & bit) != 0U) {
                 return refuse(self, self->line, "there is a second part of the cell", name);
             }
@@ -270,7 +270,8 @@ static bool read_lines(reader_t *self, const char *text)
     return is_good;
 }
 
-bool box_phantom_read(box_phantom_t *self, const char *text, char *reason, uint32_t reason_size)
+bool sim_phantom_read(sim_phantom_file_t *self, const char *text, char *reason,
+                      uint32_t reason_size)
 {
     reader_t reader = {.phantom = self,
                        .kind = PART_WHOLE,
@@ -283,9 +284,9 @@ bool box_phantom_read(box_phantom_t *self, const char *text, char *reason, uint3
     if (!read_lines(&reader, text) || !end_part(&reader)) {
         return false;
     }
-    for (uint32_t i = 0U; i < BOX_CELLS; i++) {
+    for (uint32_t i = 0U; i < SIM_CELLS; i++) {
         if (((reader.cells_told >> i) & 1U) == 0U) {
-            return refuse(&reader, reader.line, "there is no part of the cell", box_cell_words[i]);
+            return refuse(&reader, reader.line, "there is no part of the cell", sim_cell_words[i]);
         }
     }
     return true;
@@ -312,7 +313,7 @@ static uint32_t write_title(char *text, uint32_t size, uint32_t length, const ch
                            : length;
 }
 
-void box_phantom_write(const box_phantom_t *self, char *text, uint32_t size)
+void sim_phantom_write(const sim_phantom_file_t *self, char *text, uint32_t size)
 {
     uint32_t length = write_fields(PART_WHOLE, &self->tissue, text, size, 0U);
 
@@ -320,8 +321,8 @@ void box_phantom_write(const box_phantom_t *self, char *text, uint32_t size)
         length = write_title(text, size, length, "layer", "");
         length = write_fields(PART_LAYER, &self->tissue.layers[i], text, size, length);
     }
-    for (uint32_t i = 0U; i < BOX_CELLS; i++) {
-        length = write_title(text, size, length, "cell ", box_cell_words[i]);
+    for (uint32_t i = 0U; i < SIM_CELLS; i++) {
+        length = write_title(text, size, length, "cell ", sim_cell_words[i]);
         length = write_fields(PART_CELL, &self->cells[i], text, size, length);
     }
 }

@@ -6,8 +6,8 @@
  * "cell hand" or "cell needle" the properties of a cell. A line that is empty or begins with # has
  * no meaning. Each key stands once where it belongs, and none may be missing.
  */
-#ifndef BORESIGHT_BOX_PHANTOM_H
-#define BORESIGHT_BOX_PHANTOM_H
+#ifndef BORESIGHT_SIM_PHANTOM_H
+#define BORESIGHT_SIM_PHANTOM_H
 
 #include "sim/model/sim_load_cell.h"
 #include "sim/model/sim_tissue.h"
@@ -16,16 +16,16 @@
 #include <stdint.h>
 
 /** The load cells. */
-typedef enum { BOX_CELL_HAND = 0, BOX_CELL_NEEDLE = 1 } box_cell_t;
-#define BOX_CELLS 2U
+typedef enum { SIM_CELL_HAND = 0, SIM_CELL_NEEDLE = 1 } sim_cell_t;
+#define SIM_CELLS 2U
 
-#define BOX_PHANTOM_SIZE 8192U /**< Room for any phantom as text. */
+#define SIM_PHANTOM_SIZE 8192U /**< Room for any phantom as text. */
 
 /** All zero: nothing is in front of the needle, and the cells are ideal. */
 typedef struct {
     sim_phantom_t tissue;
-    sim_load_cell_config_t cells[BOX_CELLS];
-} box_phantom_t;
+    sim_load_cell_config_t cells[SIM_CELLS];
+} sim_phantom_file_t;
 
 /**
  * The phantom that a robot with a force sensor has if no other is given: two membranes. All figures
@@ -33,10 +33,10 @@ typedef struct {
  *
  * @satisfies SWR-BOX-531
  */
-extern const box_phantom_t box_phantom_usual;
+extern const sim_phantom_file_t sim_phantom_usual;
 
-/** In the order of box_cell_t; ends with NULL. */
-extern const char *const box_cell_words[];
+/** In the order of sim_cell_t; ends with NULL. */
+extern const char *const sim_cell_words[];
 
 /**
  * Reads `text`.
@@ -46,13 +46,14 @@ extern const char *const box_cell_words[];
  * @satisfies SWR-BOX-529
  * @satisfies SWR-BOX-530
  */
-bool box_phantom_read(box_phantom_t *self, const char *text, char *reason, uint32_t reason_size);
+bool sim_phantom_read(sim_phantom_file_t *self, const char *text, char *reason,
+                      uint32_t reason_size);
 
 /**
  * Writes a phantom as such a text, with its end in `size` bytes.
  *
  * @satisfies SWR-BOX-529
  */
-void box_phantom_write(const box_phantom_t *self, char *text, uint32_t size);
+void sim_phantom_write(const sim_phantom_file_t *self, char *text, uint32_t size);
 
 #endif

@@ -6,19 +6,19 @@
 #include "robot/robot_neuro.h"
 #include "robot/robot_prostate.h"
 #include "sim/box.h"
-#include "sim/box_phantom.h"
+#include "sim/model/sim_phantom.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static box_phantom_t phantom;
-static char text[BOX_PHANTOM_SIZE];
+static sim_phantom_file_t phantom;
+static char text[SIM_PHANTOM_SIZE];
 static char reason[256];
 
 void setUp(void)
 {
-    box_phantom_write(&box_phantom_usual, text, sizeof text);
+    sim_phantom_write(&sim_phantom_usual, text, sizeof text);
 }
 
 void tearDown(void)
@@ -28,7 +28,7 @@ void tearDown(void)
 /* Replaces the first `old` of the text. */
 static void replace(const char *old, const char *new)
 {
-    static char changed[BOX_PHANTOM_SIZE];
+    static char changed[SIM_PHANTOM_SIZE];
     const char *const at = strstr(text, old);
 
     TEST_ASSERT_NOT_NULL_MESSAGE(at, old);
@@ -39,40 +39,40 @@ static void replace(const char *old, const char *new)
 
 static void expect_refused(const char *sentence)
 {
-    TEST_ASSERT_FALSE_MESSAGE(box_phantom_read(&phantom, text, reason, sizeof reason), sentence);
+    TEST_ASSERT_FALSE_MESSAGE(sim_phantom_read(&phantom, text, reason, sizeof reason), sentence);
     TEST_ASSERT_EQUAL_STRING(sentence, reason);
     setUp();
 }
 
 static void expect_read(void)
 {
-    TEST_ASSERT_TRUE_MESSAGE(box_phantom_read(&phantom, text, reason, sizeof reason), reason);
+    TEST_ASSERT_TRUE_MESSAGE(sim_phantom_read(&phantom, text, reason, sizeof reason), reason);
 }
 
 void test_SWR_BOX_529_a_phantom_is_read_as_it_was_written(void)
 {
     expect_read();
-    TEST_ASSERT_EQUAL_MEMORY(&box_phantom_usual, &phantom, sizeof phantom);
+    TEST_ASSERT_EQUAL_MEMORY(&sim_phantom_usual, &phantom, sizeof phantom);
 }
 
 void test_SWR_BOX_529_blanks_and_remarks_have_no_meaning(void)
 {
     replace("surface_mm 30", "# A remark\n\n  surface_mm \t 30 \r");
     expect_read();
-    TEST_ASSERT_EQUAL_MEMORY(&box_phantom_usual, &phantom, sizeof phantom);
+    TEST_ASSERT_EQUAL_MEMORY(&sim_phantom_usual, &phantom, sizeof phantom);
 }
 
 void test_SWR_BOX_529_any_number_of_layers_up_to_eight_is_taken(void)
 {
-    box_phantom_t many = box_phantom_usual;
+    sim_phantom_file_t many = sim_phantom_usual;
 
     for (uint32_t count = 0U; count <= SIM_LAYERS; count++) {
         many.tissue.layer_count = count;
         for (uint32_t i = 0U; i < SIM_LAYERS; i++) {
             many.tissue.layers[i] =
-                (i < count) ? box_phantom_usual.tissue.layers[i % 2U] : (sim_layer_t){0.0};
+                (i < count) ? sim_phantom_usual.tissue.layers[i % 2U] : (sim_layer_t){0.0};
         }
-        box_phantom_write(&many, text, sizeof text);
+        sim_phantom_write(&many, text, sizeof text);
         expect_read();
         TEST_ASSERT_EQUAL_MEMORY(&many, &phantom, sizeof phantom);
     }
@@ -143,7 +143,7 @@ void test_SWR_BOX_529_a_text_without_room_is_cut(void)
     char small[64];
 
     (void)memset(small, 'x', sizeof small);
-    box_phantom_write(&box_phantom_usual, small, 40U);
+    sim_phantom_write(&sim_phantom_usual, small, 40U);
     TEST_ASSERT_EQUAL_UINT32(39U, strlen(small));
     TEST_ASSERT_EQUAL_CHAR('x', small[40]);
 }
@@ -153,7 +153,7 @@ static double fall_in_a_second(sim_tissue_t *tissue, double depth_mm)
     const double before = tissue->force_n;
 
     for (uint32_t i = 0U; i < 10000U; i++) {
-        sim_tissue_step(tissue, &box_phantom_usual.tissue, 0.0001, depth_mm, 0.0);
+        sim_tissue_step(tissue, &sim_phantom_usual.tissue, 0.0001, depth_mm, 0.0);
     }
     return 1.0 - tissue->force_n / before;
 }
@@ -166,11 +166,11 @@ void test_SWR_BOX_531_the_usual_phantom_has_two_membranes_and_relaxes_as_soft_ti
     for (double v = 2.0; v < 6.5; v += 1.0) {
         sim_tissue_t tissue;
         double depth_mm = 0.0;
-        sim_tissue_init(&tissue, &box_phantom_usual.tissue, depth_mm);
+        sim_tissue_init(&tissue, &sim_phantom_usual.tissue, depth_mm);
         for (uint32_t stop = 0U; stop < 4U; stop++) {
             while (depth_mm < stops_mm[stop]) {
                 depth_mm += v * 0.0001;
-                sim_tissue_step(&tissue, &box_phantom_usual.tissue, 0.0001, depth_mm, v);
+                sim_tissue_step(&tissue, &sim_phantom_usual.tissue, 0.0001, depth_mm, v);
             }
             const double fallen = fall_in_a_second(&tissue, depth_mm);
             TEST_ASSERT_TRUE((fallen > 0.2) && (fallen < 0.4));
@@ -181,6 +181,6 @@ void test_SWR_BOX_531_the_usual_phantom_has_two_membranes_and_relaxes_as_soft_ti
 
 void test_SWR_BOX_531_a_robot_with_a_force_sensor_has_the_usual_phantom(void)
 {
-    TEST_ASSERT_EQUAL_PTR(&box_phantom_usual, box_usual_phantom(&robot_prostate));
+    TEST_ASSERT_EQUAL_PTR(&sim_phantom_usual, box_usual_phantom(&robot_prostate));
     TEST_ASSERT_EQUAL_UINT32(0U, box_usual_phantom(&robot_neuro)->tissue.layer_count);
 }

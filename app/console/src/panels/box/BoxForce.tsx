@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Box } from "@interface";
+import type { BoxHands } from "../../state/box";
+import { hasForceSensor } from "./force";
+
+type Cell = "force_hand" | "force_needle";
+
+const cellNames: Record<Cell, string> = {
+  force_hand: "Load cell of the hand",
+  force_needle: "Load cell of the needle",
+};
+const cells = Object.keys(cellNames) as Cell[];
+
+const faults: Record<Box[Cell], string> = {
+  normal: "works",
+  stuck: "reading is stuck",
+  broken: "wire is cut, reads nothing",
+  full: "wire is cut, reads all",
+  step: "zero has jumped",
+  drift: "zero wanders",
+  noisy: "is noisy",
+};
+
+/** Grips that can be chosen, mN; below 0 the hand pulls. */
+const grips = [500, 1000, 2000, 3000, 5000, 10000, -3000];
+
+function gripText(mn: number): string {
+  return `${mn < 0 ? "pulls" : "presses"} with ${Math.abs(mn) / 1000} N`;
+}
+
+interface ForceProperties {
+  hands: BoxHands;
+  box: Box;
+  isDisabled: boolean;
+}
+
+interface ChoiceProperties {
+  name: string;
+  /** The one that is now, and all by their texts. */
+  value: string;
+  texts: ReadonlyMap<string, string>;
+  isDisabled: boolean;
+  onChoose: (value: string) => void;
+}
+
+function Choice({
+  name,
+  value,
+  texts,
+  isDisabled,
+  onChoose,
+}: ChoiceProperties) {
+  return (
+    <div className="box-group" role="group" aria-label={name}>
+      <label>
+        <span className="box-name">{name}</span>
+        <select
+          value={value}
+          disabled={isDisabled}
+          onChange={(event) => onChoose(event.target.value)}
+        >
+          {[...texts].map(([one, text]) => (
+            <option key={one} value={one}>
+              {text}
+            </option>
+          ))}
+        </select>
+      </label>
+    </div>
+  );
+}
+
+function Tissue({ hands, box, isDisabled }: ForceProperties) {
+  const isNone = box.layers === 0;
+  return (
+    <div className="box-group" role="group" aria-label="Tissue">
+      <p>
+        <span className="box-name">Tissue</span>{" "}
+        <strong>{isNone ? "none" : `layers: ${box.layers}`}</strong>
+      </p>
+      <button
+        type="button"
+        disabled={isDisabled || isNone}
+        onClick={() => void hands.order({ tissue: "whole" })}
+      >
+        Make tissue whole
+      </button>
+      <button
+        type="button"
+        disabled={isDisabled}
+        onClick={() => void hands.order({ tissue: isNone ? "usual" : "none" })}
+      >
+        {isNone ? "Put tissue there" : "Take tissue away"}
+      </button>
+    </div>
+  );
+}
+
+/**
+ * The force of the hand that holds the handle, the tissue in front of the needle, and faults of the load cells; where there
+ * is a force sensor.
+ *
+ * @satisfies SWR-BOX-534
+ */
+export function BoxForce(properties: ForceProperties) {
+  const { hands, box, isDisabled } = properties;
+  if (!hasForceSensor(box)) {
+    return null;
+  }
+  const present = grips.includes(box.grip_mn) ? [] : [box.grip_mn];
+  return (
+    <>
+      <Choice
+        name="Hand"
+        value={String(box.grip_mn)}
+        texts={
+          new Map(
+            [...present, ...grips].map((mn) => [String(mn), gripText(mn)]),
+          )
+        }
+        isDisabled={isDisabled}
+        onChoose={(mn) => void hands.order({ grip_mn: Number(mn) })}
+      />
+      <Tissue {...properties} />
+      {cells.map((cell) => (
+        <Choice
+          key={cell}
+          name={cellNames[cell]}
+          value={box[cell]}
+          texts={new Map(Object.entries(faults))}
+          isDisabled={isDisabled}
+          onChoose={(fault) => void hands.order({ [cell]: fault })}
+        />
+      ))}
+    </>
+  );
+}

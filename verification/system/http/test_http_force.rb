@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: hand and tissue of the simulated box are felt by the sensor card, through all programs.
+
+require_relative '../support/page_test'
+
+class TestHttpForce < Minitest::Test
+  include PageTest
+
+  SENSOR = 'sensor'
+  AT_REST = [1970, 1780].freeze # Of hand and needle.
+  NOISE = 12
+  NEWTON = 113 # Counts.
+
+  def self.boresight
+    @boresight ||= Boresight.start(arguments: ['--robot', 'prostate', '--accounts', accounts, *Boresight::FAST]).tap(&:home_fast)
+  end
+
+  def teardown
+    boresight.simctl('hand', 'release')
+    super
+  end
+
+  # Readings of hand and needle.
+  def forces
+    fetch_json('/api/v1/status').fetch('cards').find { |card| card['type'] == SENSOR }.fetch('converters')[1..2]
+  end
+
+  def jog(anna, millimetres)
+    order = { position: millimetres, unit: 'mm' }
+    assert_answer '202', 'accepted', anna.act('motors/insertion/jog', order)
+    id = anna.id
+    boresight.simctl('pace', Boresight::FAST.last)
+    boresight.simctl('pedal', 'press')
+    wait_until("the needle is at #{millimetres} mm") { JSON.parse(anna.act('motors/insertion/jog', order, id:).body)['state'] == 'done' }
+  ensure
+    boresight.simctl('pedal', 'release')
+    boresight.simctl('pace', '1')
+  end
+
+  def ruptured
+    boresight.simctl('show')[/(\d) ruptured/, 1].to_i
+  end
+
+  def test_SWR_BOX_532_the_needle_feels_membranes_on_its_way_in
+    anna = holder
+    assert_answer '200', 'done', anna.act('workphase', { workphase: 'MANUAL' })
+    jog(anna, 29)
+    forces.zip(AT_REST) { |reading, rest| assert_in_delta rest, reading, NOISE }
+    jog(anna, 32)
+    assert_operator forces.last, :>, AT_REST.last + (0.6 * NEWTON)
+    assert_equal 0, ruptured
+    jog(anna, 50)
+    assert_equal 1, ruptured
+    assert_operator forces.last, :<, AT_REST.last + (0.6 * NEWTON)
+    assert_in_delta AT_REST.first, forces.first, NOISE
+  end
+
+  def ask(one, method, order = nil)
+    one.request(method, '/api/v1/box', order && JSON.generate(order), { SessionClient::PAGE => one.page.to_s })
+  end
+
+  def await_hand(newtons)
+    wait_until("the hand presses with #{newtons} N") { (forces.first - AT_REST.first - (newtons * NEWTON)).abs < NOISE }
+  end
+
+  def test_SWR_HTTP_039_a_page_holds_the_handle_with_its_grip_until_it_is_silent
+    anna = client('anna')
+    assert_equal 5000, JSON.parse(ask(anna, 'post', { grip_mn: 5000 }).body)['grip_mn']
+    assert_equal anna.page, JSON.parse(ask(anna, 'post', { hand: 'hold' }).body)['hand_holder']
+    wait_until('the handle is pressed, while the page says so') do
+      ask(anna, 'post', { hand: 'hold' })
+      (forces.first - AT_REST.first - (5 * NEWTON)).abs < NOISE
+    end
+    await_hand(0)
+    refute fetch_json('/api/v1/box')['is_hand_pressed']
+  end
+end
