@@ -83,11 +83,11 @@ static void expect_rest(void)
 void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
 {
     static const char *const runs[WORKPHASE_COUNT] = {
-        [WORKPHASE_UNDEFINED] = ".............", [WORKPHASE_START_UP] = ".H..r........",
-        [WORKPHASE_PLANNING] = "....r........",  [WORKPHASE_CALIBRATION] = "....r........",
-        [WORKPHASE_TARGETING] = "....r...l....", [WORKPHASE_MOVE_TO_TARGET] = "..M.r....i.g.",
-        [WORKPHASE_MANUAL] = "...jratv..p.s",    [WORKPHASE_STOP] = "....r........",
-        [WORKPHASE_EMERGENCY] = "....r........",
+        [WORKPHASE_UNDEFINED] = "..............", [WORKPHASE_START_UP] = ".H..r.........",
+        [WORKPHASE_PLANNING] = "....r.........",  [WORKPHASE_CALIBRATION] = "....r.........",
+        [WORKPHASE_TARGETING] = "....r...l.....", [WORKPHASE_MOVE_TO_TARGET] = "..M.r....i.g.c",
+        [WORKPHASE_MANUAL] = "...jratv..p.s.",    [WORKPHASE_STOP] = "....r.........",
+        [WORKPHASE_EMERGENCY] = "....r.........",
     };
     for (uint32_t i = 0U; i < WORKPHASE_COUNT; i++) {
         mode_kind_t own = MODE_NONE;
@@ -114,7 +114,8 @@ void test_SWR_MODE_001_each_mode_is_armed_by_its_command(void)
                                                           [COMMAND_INSERT] = MODE_INSERT,
                                                           [COMMAND_POSE] = MODE_POSE,
                                                           [COMMAND_RUN_PROGRAM] = MODE_PROGRAM,
-                                                          [COMMAND_SWEEP] = MODE_SWEEP};
+                                                          [COMMAND_SWEEP] = MODE_SWEEP,
+                                                          [COMMAND_COOPERATE] = MODE_COOPERATE};
     for (uint32_t i = 0U; i < COMMAND_KIND_COUNT; i++) {
         TEST_ASSERT_EQUAL(armed[i], mode_of_command(i));
     }
@@ -205,6 +206,22 @@ void test_SWR_AXIS_006_a_move_needs_its_axes_homed(void)
     TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_INSERT));
     TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_POSE));
     TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_SWEEP));
+}
+
+void test_SWR_ALIGN_001_a_mode_ends_at_its_place_at_the_target(void)
+{
+    TEST_ASSERT_EQUAL(MODE_AIM_LINE, mode_aim_of((uint32_t)MODE_ALIGN));
+    TEST_ASSERT_EQUAL(MODE_AIM_DEPTH, mode_aim_of((uint32_t)MODE_COOPERATE));
+    TEST_ASSERT_EQUAL(MODE_AIM_STEPS, mode_aim_of((uint32_t)MODE_PROGRAM));
+    TEST_ASSERT_EQUAL(MODE_AIM_NONE, mode_aim_of((uint32_t)MODE_JOG));
+    TEST_ASSERT_EQUAL(MODE_AIM_NONE, mode_aim_of((uint32_t)MODE_KIND_COUNT));
+}
+
+void test_SWR_COOP_008_a_hand_moves_the_needle_in_one_mode_alone(void)
+{
+    for (uint32_t kind = 0U; kind < MODE_KIND_COUNT; kind++) {
+        TEST_ASSERT_EQUAL(kind == (uint32_t)MODE_COOPERATE, mode_is_by_hand((mode_kind_t)kind));
+    }
 }
 
 static bool heeds(mode_kind_t kind, uint32_t axis, bool is_driven)
