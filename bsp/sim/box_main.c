@@ -34,9 +34,7 @@ static const command_option_t options[OPTIONS] = {
     [FAST] = {"fast", "NUMBER", .says = "its time passes up to so many times faster; default 1",
               .least = 1U, .most = LIMIT_BOX_FASTEST},
     [REAL_TIME] = {"real-time", NULL, .says = "it waits for nobody, as a real one"},
-    [TISSUE] = {"tissue", "FILE",
-                .says = "tissue before the needle: the file of a phantom, usual (two membranes), "
-                        "none, or auto, the default: usual if the robot has a force sensor"},
+    [TISSUE] = {"tissue", "FILE", .says = "none, usual, auto or a phantom's file; default auto"},
 };
 static const command_line_t command_line = {
     .program = "boresight-box",

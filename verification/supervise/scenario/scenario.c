@@ -154,12 +154,19 @@ static bool ends_with(const char *line, const char *word)
     return (length >= strlen(word)) && begins_with(&line[length - strlen(word)], word);
 }
 
+/* Of hand, tissue and load cells; no motion follows a force. */
+static bool is_force(const char *line)
+{
+    return begins_with(line, "hand ") || begins_with(line, "grip ") ||
+           begins_with(line, "tissue ") || begins_with(line, "force hand|needle stuck");
+}
+
 /* To be drawn by lot: orders that disturb. By where the axes are the oracle would take a hand for a
  * drive. A client that holds from afar is timed in the world's time, of which a scene has none. */
 static bool is_disturbance(const char *line)
 {
     return !begins_with(line, "show") && !begins_with(line, "probe ") &&
-           !begins_with(line, "push ") && !ends_with(line, " WHO");
+           !begins_with(line, "push ") && !is_force(line) && !ends_with(line, " WHO");
 }
 
 /* Any such order that the box knows, whatever its list says today. */

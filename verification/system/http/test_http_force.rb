@@ -31,12 +31,13 @@ class TestHttpForce < Minitest::Test
     order = { position: millimetres, unit: 'mm' }
     assert_answer '202', 'accepted', anna.act('motors/insertion/jog', order)
     id = anna.id
-    boresight.simctl('pace', Boresight::FAST.last)
     boresight.simctl('pedal', 'press')
-    wait_until("the needle is at #{millimetres} mm") { JSON.parse(anna.act('motors/insertion/jog', order, id:).body)['state'] == 'done' }
+    wait_until("the needle is at #{millimetres} mm") do
+      anna.keep
+      JSON.parse(anna.act('motors/insertion/jog', order, id:).body)['state'] == 'done'
+    end
   ensure
     boresight.simctl('pedal', 'release')
-    boresight.simctl('pace', '1')
   end
 
   def ruptured
@@ -46,12 +47,12 @@ class TestHttpForce < Minitest::Test
   def test_SWR_BOX_532_the_needle_feels_membranes_on_its_way_in
     anna = holder
     assert_answer '200', 'done', anna.act('workphase', { workphase: 'MANUAL' })
-    jog(anna, 29)
+    jog(anna, 25)
     forces.zip(AT_REST) { |reading, rest| assert_in_delta rest, reading, NOISE }
     jog(anna, 32)
     assert_operator forces.last, :>, AT_REST.last + (0.6 * NEWTON)
     assert_equal 0, ruptured
-    jog(anna, 50)
+    jog(anna, 40)
     assert_equal 1, ruptured
     assert_operator forces.last, :<, AT_REST.last + (0.6 * NEWTON)
     assert_in_delta AT_REST.first, forces.first, NOISE
