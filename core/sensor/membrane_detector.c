@@ -9,7 +9,8 @@
 #define UN_PER_MN 1000U
 #define UM_PER_MM 1000
 #define MS_PER_S 1000
-#define PERCENT 100
+#define NM_PER_UM 1000
+#define MOST_WAY_UM INT64_C(50000)
 #define SPEED_PARTS (LIMIT_MEMBRANE_SPEED_MS / MEMBRANE_PART_MS)
 #define RECENT_PARTS (LIMIT_MEMBRANE_RECENT_MS / MEMBRANE_PART_MS)
 #define FORGET_PARTS ((int64_t)(LIMIT_MEMBRANE_FORGET_MS / MEMBRANE_PART_MS))
@@ -39,23 +40,37 @@ static const membrane_part_t *earlier(const membrane_detector_t *self, uint32_t 
     return &self->parts[((self->at + MEMBRANE_PARTS) - parts) % MEMBRANE_PARTS];
 }
 
+/* A way that no needle makes in a window counts as MOST_WAY_UM. */
 static int64_t way_since(const membrane_detector_t *self, uint32_t parts)
 {
-    return (int64_t)self->parts[self->at].depth_um - (int64_t)earlier(self, parts)->depth_um;
+    const int64_t way_um =
+        (int64_t)self->parts[self->at].depth_um - (int64_t)earlier(self, parts)->depth_um;
+    return fixed_within(way_um, -MOST_WAY_UM, MOST_WAY_UM);
 }
 
-/* Speeds are known while all parts have a beginning. */
+/* The fastest mean speed of the window; where its parts have none yet, 0. */
+static int64_t fastest_nm_per_s(const membrane_detector_t *self)
+{
+    int64_t fastest_nm_per_s = 0;
+    for (uint32_t i = 0U; i < MEMBRANE_PARTS; i++) {
+        fastest_nm_per_s = fixed_larger(fastest_nm_per_s, self->parts[i].speed_nm_per_s);
+    }
+    return fastest_nm_per_s;
+}
+
+/* Speeds are known once all parts have a beginning. */
 static void measure_speeds(membrane_detector_t *self)
 {
     if (self->begun < MEMBRANE_PARTS) {
         return;
     }
-    self->speed_um_per_s =
-        (way_since(self, SPEED_PARTS) * MS_PER_S) / (int64_t)LIMIT_MEMBRANE_SPEED_MS;
-    self->recent_um_per_s =
-        (way_since(self, RECENT_PARTS) * MS_PER_S) / (int64_t)LIMIT_MEMBRANE_RECENT_MS;
-    self->before_um_per_s = fixed_larger(
-        self->speed_um_per_s, self->before_um_per_s - (self->before_um_per_s / FORGET_PARTS));
+    self->speed_nm_per_s =
+        (way_since(self, SPEED_PARTS) * NM_PER_UM * MS_PER_S) / (int64_t)LIMIT_MEMBRANE_SPEED_MS;
+    self->recent_nm_per_s =
+        (way_since(self, RECENT_PARTS) * NM_PER_UM * MS_PER_S) / (int64_t)LIMIT_MEMBRANE_RECENT_MS;
+    self->parts[self->at].speed_nm_per_s = self->speed_nm_per_s;
+    self->before_nm_per_s = fixed_larger(
+        fastest_nm_per_s(self), self->before_nm_per_s - (self->before_nm_per_s / FORGET_PARTS));
 }
 
 static void begin_part(membrane_detector_t *self, int32_t depth_um)
@@ -80,7 +95,8 @@ static bool is_near_last(const membrane_detector_t *self, int32_t depth_um)
 /* Whether the force of this millisecond may be part of a puncture. */
 static bool is_looking(membrane_detector_t *self, const membrane_view_t *view)
 {
-    const bool is_slow = self->speed_um_per_s < (int64_t)LIMIT_MEMBRANE_SLOWEST_UM_PER_S;
+    const bool is_slow =
+        self->speed_nm_per_s < ((int64_t)LIMIT_MEMBRANE_SLOWEST_UM_PER_S * NM_PER_UM);
     if (view->is_blind || !view->is_inserting || is_slow) {
         self->from_um = fixed_saturate((int64_t)view->depth_um + (int64_t)LIMIT_MEMBRANE_BEGIN_UM);
         self->is_blind = (view->is_blind || (self->is_blind != 0U)) ? 1U : 0U;
@@ -115,9 +131,8 @@ static const membrane_part_t *find_peak(const membrane_detector_t *self)
 
 static bool is_by_slowing(const membrane_detector_t *self, int64_t peak_mn_q12, int64_t fall_mn_q12)
 {
-    const int64_t lost_um_per_s = self->before_um_per_s - self->recent_um_per_s;
-    return (fall_mn_q12 * PERCENT * self->before_um_per_s) <
-           (peak_mn_q12 * (int64_t)LIMIT_MEMBRANE_SLOWING_PERCENT * lost_um_per_s);
+    const int64_t lost_nm_per_s = self->before_nm_per_s - self->recent_nm_per_s;
+    return (fall_mn_q12 * self->before_nm_per_s) < (peak_mn_q12 * lost_nm_per_s);
 }
 
 /* The fall of a puncture, mN with 12 fraction bits; 0: there is none. */

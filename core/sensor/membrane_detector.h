@@ -10,13 +10,13 @@
  *
  *     P - F >= max(LIMIT_MEMBRANE_FLOOR_SIGMAS s, LIMIT_MEMBRANE_LEAST_MN)
  *     P - F >= LIMIT_MEMBRANE_SLOPE_MN_PER_MM (d - d_P),  d > d_P
- *     P - F >= LIMIT_MEMBRANE_SLOWING_PERCENT P (V - v) / V
+ *     P - F >= P (V - v) / V
  *
  * A smaller drop is not found at all: with noise of 0.1 N a sample, none below 0.17 N. v is the
- * mean speed of the last LIMIT_MEMBRANE_RECENT_MS, V the largest mean of LIMIT_MEMBRANE_SPEED_MS,
- * which falls with the time constant LIMIT_MEMBRANE_FORGET_MS. Force for travel instead of time is
- * from Gonenc 2017 (PMC5677255), that friction and relaxation depend on speed from Mahvash and
- * Dupont 2010 (IEEE TBME 57(4) 934).
+ * mean speed of the last LIMIT_MEMBRANE_RECENT_MS, V the largest mean of LIMIT_MEMBRANE_SPEED_MS in
+ * the window, and falls with the time constant LIMIT_MEMBRANE_FORGET_MS at most. Force for travel
+ * instead of time is from Gonenc 2017 (PMC5677255), that friction and relaxation depend on speed
+ * from Mahvash and Dupont 2010 (IEEE TBME 57(4) 934).
  *
  * The owner has one for each needle, a list of expected membranes with it, and steps it once each
  * millisecond. It finds membranes of a simulated tissue; in real tissue, published detectors are
@@ -59,9 +59,10 @@ typedef struct {
 } membrane_event_t;
 
 typedef struct {
-    int32_t depth_um;      /**< Where it began. */
-    int32_t peak_depth_um; /**< Depth of its largest force. */
-    int32_t peak_mn_q12;   /**< That force, filtered. */
+    int32_t depth_um;       /**< Where it began. */
+    int32_t peak_depth_um;  /**< Depth of its largest force. */
+    int32_t peak_mn_q12;    /**< That force, filtered. */
+    int64_t speed_nm_per_s; /**< Mean of the LIMIT_MEMBRANE_SPEED_MS before it. */
 } membrane_part_t;
 
 typedef struct {
@@ -72,9 +73,9 @@ typedef struct {
     uint32_t begun;          /**< Parts that have a beginning, saturates at MEMBRANE_PARTS. */
     uint32_t looked;         /**< Parts that have a peak, the one that is being filled included. */
     int32_t floor_mn_q12;    /**< Least fall. */
-    int64_t speed_um_per_s;  /**< Mean of LIMIT_MEMBRANE_SPEED_MS. */
-    int64_t recent_um_per_s; /**< v. */
-    int64_t before_um_per_s; /**< V. */
+    int64_t speed_nm_per_s;  /**< Mean of LIMIT_MEMBRANE_SPEED_MS. */
+    int64_t recent_nm_per_s; /**< v. */
+    int64_t before_nm_per_s; /**< V. */
     int32_t from_um;         /**< It looks from here on, after rest and blindness. */
     int32_t last_um;         /**< Depth of the last puncture. */
     uint32_t has_last;       /**< 0 or 1. */

@@ -10,15 +10,6 @@
 #define OUTPUT_1_Q28 INT64_C(-489275943)
 #define OUTPUT_2_Q28 INT64_C(224729239)
 
-static int32_t bounded_mn(int32_t force_mn)
-{
-    const int32_t most_mn = (int32_t)LIMIT_MEMBRANE_MOST_MN;
-    if (force_mn > most_mn) {
-        return most_mn;
-    }
-    return (force_mn < -most_mn) ? -most_mn : force_mn;
-}
-
 static void begin(membrane_filter_t *self, int32_t in_mn_q12)
 {
     for (uint32_t i = 0U; i < 2U; i++) {
@@ -30,7 +21,9 @@ static void begin(membrane_filter_t *self, int32_t in_mn_q12)
 
 int32_t membrane_filter_step(membrane_filter_t *self, int32_t force_mn)
 {
-    const int32_t in_mn_q12 = bounded_mn(force_mn) * MEMBRANE_MN_Q12;
+    const int64_t most_mn = (int64_t)LIMIT_MEMBRANE_MOST_MN;
+    const int64_t bounded_mn = fixed_within((int64_t)force_mn, -most_mn, most_mn);
+    const int32_t in_mn_q12 = (int32_t)bounded_mn * MEMBRANE_MN_Q12;
     if (self->is_running == 0U) {
         begin(self, in_mn_q12);
     }
