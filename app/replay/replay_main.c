@@ -8,7 +8,8 @@
  * layout or robot, or nothing to replay. 3: what is there is equal, but something is missing: a
  * recording is cut short, cycles are not there or follow no checkpoint, or the run has no beginning
  * or no end there. Tables and files, which are of the motion as replayed, end alike; events and
- * intervals, which are in the recording, end with 0, 2 or 3.
+ * intervals, which are in the recording, end with 0, 2 or 3. --membranes, which reads tables of
+ * force and depth and no recording, ends with 0 or 2.
  */
 #include "base/contract.h"
 #include "common/command_line.h"
@@ -69,8 +70,8 @@ static const command_line_t command_line = {
     .fewest_words = 1,
     .most_words = COMMAND_LINE_MANY,
     .more = "Of a FOLDER all recordings of one run are gone through in their order.\n"
-            "FILE may be -, the standard output; not of --membranes, which reads tables of text\n"
-            "with columns time_ms, depth_mm and force_n, one of each insertion.\n"
+            "FILE may be -, the standard output; those of --membranes are tables of text with\n"
+            "the columns time_ms, depth_mm and force_n, of one insertion each.\n"
             "Exit code 0: every output of it is equal, of a FOLDER of the whole run. 1: there\n"
             "is a difference. 2: the command line is wrong, or a recording damaged,\n"
             "unreadable or not for this build. 3: what is there is equal, but something is\n"
