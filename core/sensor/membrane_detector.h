@@ -102,6 +102,7 @@ void membrane_detector_init(membrane_detector_t *self, uint32_t noise_un);
  * @satisfies SWR-PUNCT-545
  * @satisfies SWR-PUNCT-546
  * @satisfies SWR-PUNCT-547
+ * @satisfies SWR-PUNCT-551
  */
 membrane_event_t membrane_detector_step(membrane_detector_t *self, membrane_list_t *list,
                                         const membrane_view_t *view);

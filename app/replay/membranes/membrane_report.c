@@ -157,7 +157,7 @@ static void write_event(const membrane_report_t *self, const membrane_event_t *e
         (void)printf("%.0f ms: missed the membrane at %.3f mm\n", time_ms, at_mm);
         return;
     }
-    (void)printf("%.0f ms: puncture at %.3f mm, the force fell by %.3f N", time_ms, at_mm,
+    (void)printf("%.0f ms: puncture at %.3f mm, a fall of %.3f N or more", time_ms, at_mm,
                  event->fall_mn / MN_PER_N);
     if (event->kind == (uint32_t)MEMBRANE_EVENT_EXPECTED) {
         (void)printf(", expected at %.3f mm", self->depths_um[event->place] / UM_PER_MM);
@@ -231,9 +231,9 @@ void membrane_report_end(const membrane_report_t *self)
     if (membranes == 0U) {
         return;
     }
-    (void)printf("%" PRIu32 " of %" PRIu32 " membranes found in %" PRIu32
-                 " insertions: recall %.1f %%\n",
-                 self->found, membranes, self->insertions, 100.0 * share(self->found, membranes));
+    (void)printf("found %" PRIu32 " of %" PRIu32 " membranes, recall %.1f %%; insertions: %" PRIu32
+                 "\n",
+                 self->found, membranes, 100.0 * share(self->found, membranes), self->insertions);
     (void)printf("false alarms per insertion: %.2f with the window, %.2f without\n",
                  share(self->false_in_window, self->insertions),
                  share(self->false_alarms, self->insertions));

@@ -209,12 +209,15 @@ static void expect_membranes(void)
                       membrane_list_set(&scene.list, depths_um, scene.phantom.layer_count));
 }
 
-static void insert(motion_t motion, uint64_t seed, bool has_membranes)
+static void begin(motion_t motion, uint64_t seed)
 {
     (void)memset(&scene, 0, sizeof scene);
     scene.random.state = seed;
     scene.motion = motion;
-    make_phantom(has_membranes);
+}
+
+static void insert(void)
+{
     sim_tissue_init(&scene.tissue, &scene.phantom, 0.0);
     expect_membranes();
     zero();
@@ -245,7 +248,9 @@ static void expect_score(void)
 static void insert_many(motion_t motion, uint32_t count, bool has_membranes)
 {
     for (uint32_t i = 0U; i < count; i++) {
-        insert(motion, ((uint64_t)motion * 1000U) + i, has_membranes);
+        begin(motion, ((uint64_t)motion * 1000U) + i);
+        make_phantom(has_membranes);
+        insert();
     }
 }
 
@@ -266,4 +271,18 @@ void test_SWR_PUNCT_551_where_no_membrane_is_none_is_found(void)
     }
     TEST_ASSERT_EQUAL_UINT32(0U, score.membranes);
     expect_score();
+}
+
+void test_SWR_PUNCT_540_the_end_of_a_harder_layer_is_taken_for_a_puncture(void)
+{
+    begin(STEADY_2, 1U);
+    make_phantom(false);
+    scene.phantom.layer_count = 2U;
+    scene.phantom.layers[0].thickness_mm = 15.0;
+    scene.phantom.layers[0].cutting_n = 0.7;
+    scene.phantom.layers[1].thickness_mm = WAY_MM;
+    scene.phantom.layers[1].cutting_n = 0.2;
+    insert();
+    TEST_ASSERT_EQUAL_UINT32(0U, score.membranes);
+    TEST_ASSERT_EQUAL_UINT32(1U, score.unwanted);
 }
