@@ -195,6 +195,25 @@ void test_SWR_PUNCT_544_on_the_way_out_and_not_inserted_no_fall_is_one(void)
     TEST_ASSERT_EQUAL_UINT32(0U, punctures);
 }
 
+void test_SWR_PUNCT_540_a_fall_on_the_way_back_is_none(void)
+{
+    view.force_mn = 0;
+    begin(5);
+    view.force_mn = -400;
+    move(12U, -10, 0);
+    TEST_ASSERT_EQUAL_UINT32(0U, punctures);
+}
+
+void test_SWR_PUNCT_544_a_peak_before_it_was_not_inserted_is_forgotten(void)
+{
+    begin(10);
+    view.is_inserting = false;
+    move(1U, 10, -900);
+    view.is_inserting = true;
+    move(300U, 10, 0);
+    TEST_ASSERT_EQUAL_UINT32(0U, punctures);
+}
+
 void test_SWR_PUNCT_544_after_rest_it_begins_with_its_way(void)
 {
     begin(2);
