@@ -13,17 +13,18 @@
 #define MOST_WAY_UM INT64_C(50000)
 #define SPEED_PARTS (LIMIT_MEMBRANE_SPEED_MS / MEMBRANE_PART_MS)
 #define RECENT_PARTS (LIMIT_MEMBRANE_RECENT_MS / MEMBRANE_PART_MS)
-#define FORGET_PARTS ((int64_t)(LIMIT_MEMBRANE_FORGET_MS / MEMBRANE_PART_MS))
+#define FORGET_PARTS (LIMIT_MEMBRANE_FORGET_MS / MEMBRANE_PART_MS)
 
 static int32_t as_mn_q12(uint64_t un)
 {
-    return (int32_t)((un * (uint64_t)MEMBRANE_MN_Q12) / UN_PER_MN);
+    const uint64_t mn_q12 = (un * (uint64_t)MEMBRANE_MN_Q12) / UN_PER_MN;
+    return (int32_t)mn_q12;
 }
 
 void membrane_detector_init(membrane_detector_t *self, uint32_t noise_un)
 {
-    const uint64_t noise = (noise_un < MOST_NOISE_UN) ? noise_un : MOST_NOISE_UN;
-    const int32_t floor = as_mn_q12(noise * LIMIT_MEMBRANE_FLOOR_SIGMAS);
+    const uint32_t most_un = (noise_un < MOST_NOISE_UN) ? noise_un : MOST_NOISE_UN;
+    const int32_t floor = as_mn_q12((uint64_t)most_un * LIMIT_MEMBRANE_FLOOR_SIGMAS);
     const int32_t least = (int32_t)LIMIT_MEMBRANE_LEAST_MN * MEMBRANE_MN_Q12;
     (void)memset(self, 0, sizeof *self);
     self->floor_mn_q12 = (floor > least) ? floor : least;
@@ -69,8 +70,10 @@ static void measure_speeds(membrane_detector_t *self)
     self->recent_nm_per_s =
         (way_since(self, RECENT_PARTS) * NM_PER_UM * MS_PER_S) / (int64_t)LIMIT_MEMBRANE_RECENT_MS;
     self->parts[self->at].speed_nm_per_s = self->speed_nm_per_s;
-    self->before_nm_per_s = fixed_larger(
-        fastest_nm_per_s(self), self->before_nm_per_s - (self->before_nm_per_s / FORGET_PARTS));
+    const uint32_t forget_parts = FORGET_PARTS;
+    const int64_t left_nm_per_s =
+        self->before_nm_per_s - (self->before_nm_per_s / (int64_t)forget_parts);
+    self->before_nm_per_s = fixed_larger(fastest_nm_per_s(self), left_nm_per_s);
 }
 
 static void begin_part(membrane_detector_t *self, int32_t depth_um)
@@ -99,7 +102,9 @@ static bool is_looking(membrane_detector_t *self, const membrane_view_t *view)
         self->speed_nm_per_s < ((int64_t)LIMIT_MEMBRANE_SLOWEST_UM_PER_S * NM_PER_UM);
     if (view->is_blind || !view->is_inserting || is_slow) {
         self->from_um = fixed_saturate((int64_t)view->depth_um + (int64_t)LIMIT_MEMBRANE_BEGIN_UM);
-        self->is_blind = (view->is_blind || (self->is_blind != 0U)) ? 1U : 0U;
+        if (view->is_blind) {
+            self->is_blind = 1U;
+        }
         return false;
     }
     if (view->depth_um < self->from_um) {
