@@ -65,10 +65,10 @@ static void measure_speeds(membrane_detector_t *self)
     if (self->begun < MEMBRANE_PARTS) {
         return;
     }
-    self->speed_nm_per_s =
-        (way_since(self, SPEED_PARTS) * NM_PER_UM * MS_PER_S) / (int64_t)LIMIT_MEMBRANE_SPEED_MS;
-    self->recent_nm_per_s =
-        (way_since(self, RECENT_PARTS) * NM_PER_UM * MS_PER_S) / (int64_t)LIMIT_MEMBRANE_RECENT_MS;
+    self->speed_nm_per_s = fixed_divide_by(way_since(self, SPEED_PARTS) * NM_PER_UM * MS_PER_S,
+                                           LIMIT_MEMBRANE_SPEED_MS);
+    self->recent_nm_per_s = fixed_divide_by(way_since(self, RECENT_PARTS) * NM_PER_UM * MS_PER_S,
+                                            LIMIT_MEMBRANE_RECENT_MS);
     self->parts[self->at].speed_nm_per_s = self->speed_nm_per_s;
     const uint32_t forget_parts = FORGET_PARTS;
     const int64_t left_nm_per_s =
@@ -146,10 +146,10 @@ static int64_t find_fall(const membrane_detector_t *self, int32_t force_mn_q12, 
     const membrane_part_t *const peak = find_peak(self);
     const int64_t fall_mn_q12 = (int64_t)peak->peak_mn_q12 - (int64_t)force_mn_q12;
     const int64_t way_um = (int64_t)depth_um - (int64_t)peak->peak_depth_um;
-    const int64_t steep_mn_q12 =
-        ((int64_t)LIMIT_MEMBRANE_SLOPE_MN_PER_MM * MEMBRANE_MN_Q12 * way_um) / UM_PER_MM;
+    /* Times UM_PER_MM, for want of a division. */
+    const int64_t steep_mn_q12 = (int64_t)LIMIT_MEMBRANE_SLOPE_MN_PER_MM * MEMBRANE_MN_Q12 * way_um;
     const bool is_fall = (fall_mn_q12 >= (int64_t)self->floor_mn_q12) && (way_um > 0) &&
-                         (fall_mn_q12 >= steep_mn_q12) &&
+                         ((fall_mn_q12 * UM_PER_MM) >= steep_mn_q12) &&
                          !is_by_slowing(self, (int64_t)peak->peak_mn_q12, fall_mn_q12);
     return is_fall ? fall_mn_q12 : 0;
 }
