@@ -8,11 +8,13 @@
  * layout or robot, or nothing to replay. 3: what is there is equal, but something is missing: a
  * recording is cut short, cycles are not there or follow no checkpoint, or the run has no beginning
  * or no end there. Tables and files, which are of the motion as replayed, end alike; events and
- * intervals, which are in the recording, end with 0, 2 or 3.
+ * intervals, which are in the recording, end with 0, 2 or 3. --membranes, which reads tables of
+ * force and depth and no recording, ends with 0 or 2.
  */
 #include "base/contract.h"
 #include "common/command_line.h"
 #include "replay/export/file_output.h"
+#include "replay/membranes/membrane_report.h"
 #include "replay/verify/printed.h"
 #include "replay/verify/run.h"
 #include "replay/verify/verdict.h"
@@ -24,7 +26,22 @@
 #include <string.h>
 #include <sys/stat.h>
 
-enum { TABLE = 0, EVENTS, LOOP, BOARD, CSV, MCAP, HTML, WHAT_IF, RUN, OPTIONS };
+enum {
+    TABLE = 0,
+    EVENTS,
+    LOOP,
+    BOARD,
+    CSV,
+    MCAP,
+    HTML,
+    WHAT_IF,
+    MEMBRANES,
+    EXCLUSIVE, /* Those before exclude each other. */
+    RUN = EXCLUSIVE,
+    EXPECTED,
+    NOISE,
+    OPTIONS
+};
 
 static const command_option_t options[OPTIONS] = {
     [TABLE] = {"table", NULL, .says = "write the motion as comma-separated values instead"},
@@ -35,6 +52,9 @@ static const command_option_t options[OPTIONS] = {
     [MCAP] = {"mcap", "FILE", .says = "the same for Foxglove and PlotJuggler, with the events"},
     [HTML] = {"html", "FILE", .says = "the same for people: one page that needs nothing else"},
     [WHAT_IF] = {"what-if", "CYCLES", .says = "say what differs if inputs had been others"},
+    [MEMBRANES] = {"membranes", NULL, .says = "find membranes in FILEs of force and depth"},
+    [EXPECTED] = {"expected", "DEPTHS", .says = "of --membranes: where they are, mm, as 30,55.5"},
+    [NOISE] = {"noise", "MN", .says = "of --membranes: of the filtered force, not measured"},
     [RUN] = {"run", "NAME", .says = "of a FOLDER go through this run, not the newest"},
 };
 static const command_line_t command_line = {
@@ -43,13 +63,15 @@ static const command_line_t command_line = {
     .usage = "[--table|--events|--loop|--board] [--run NAME] FOLDER\n"
              "[--table|--events|--loop|--board] RECORDING\n"
              "[--csv FILE|--mcap FILE|--html FILE] RECORDING\n"
-             "--what-if CYCLE[-CYCLE] INPUT=VALUE... RECORDING",
+             "--what-if CYCLE[-CYCLE] INPUT=VALUE... RECORDING\n"
+             "--membranes [--expected DEPTHS] [--noise MN] FILE...",
     .options = options,
     .count = OPTIONS,
     .fewest_words = 1,
-    .most_words = WHAT_IF_CHANGES + 1,
+    .most_words = COMMAND_LINE_MANY,
     .more = "Of a FOLDER all recordings of one run are gone through in their order.\n"
-            "FILE may be -, the standard output.\n"
+            "FILE may be -, the standard output; those of --membranes are tables of text with\n"
+            "the columns time_ms, depth_mm and force_n, of one insertion each.\n"
             "Exit code 0: every output of it is equal, of a FOLDER of the whole run. 1: there\n"
             "is a difference. 2: the command line is wrong, or a recording damaged,\n"
             "unreadable or not for this build. 3: what is there is equal, but something is\n"
@@ -58,6 +80,7 @@ static const command_line_t command_line = {
 static walk_t walk;
 static run_t run;
 static what_if_t what_if;
+static membrane_report_t membranes;
 
 void contract_broken(const char *module, uint32_t id)
 {
@@ -72,7 +95,7 @@ static uint32_t count_given(const char *const values[])
 {
     uint32_t given = 0U;
 
-    for (uint32_t i = 0U; i < (uint32_t)RUN; i++) {
+    for (uint32_t i = 0U; i < (uint32_t)EXCLUSIVE; i++) {
         given += (values[i] != NULL) ? 1U : 0U;
     }
     return given;
@@ -232,24 +255,55 @@ static int read_what_if(const char *cycles, int words, char *const word[])
     return COMMAND_LINE_GO_ON;
 }
 
+/* Finds membranes in each of `files`. */
+static int find_membranes(const char *const values[], int count, char *const files[])
+{
+    const char *const depths = values[EXPECTED];
+    const char *const noise = values[NOISE];
+
+    if ((depths != NULL) && !membrane_report_expect(&membranes, depths)) {
+        return command_line_refuse(&command_line, "\"%s\" is no list of depths in mm.", depths);
+    }
+    if ((noise != NULL) && !membrane_report_take_noise(&membranes, noise)) {
+        return command_line_refuse(&command_line, "\"%s\" is no noise in mN.", noise);
+    }
+    for (int i = 0; i < count; i++) {
+        if (!membrane_report_file(&membranes, files[i])) {
+            return EXIT_REFUSED;
+        }
+    }
+    membrane_report_end(&membranes);
+    return EXIT_SUCCESS;
+}
+
+/* Does what was asked for with `words`, which are one or more. */
+static int answer(const char *const values[], int count, char *const words[])
+{
+    if (count_given(values) > 1U) {
+        return command_line_refuse(&command_line, "All its options exclude each other.");
+    }
+    if (values[MEMBRANES] != NULL) {
+        return (values[RUN] == NULL)
+                   ? find_membranes(values, count, words)
+                   : command_line_refuse(&command_line, "--run needs a folder of recordings.");
+    }
+    if ((values[EXPECTED] != NULL) || (values[NOISE] != NULL)) {
+        return command_line_refuse(&command_line, "--expected and --noise need --membranes.");
+    }
+    if (values[WHAT_IF] == NULL) {
+        return (count == 1)
+                   ? treat(words[0], values)
+                   : command_line_refuse(&command_line, "\"%s\" is not expected here.", words[1]);
+    }
+    const int wrong = read_what_if(values[WHAT_IF], count, words);
+    return (wrong == COMMAND_LINE_GO_ON) ? treat(words[count - 1], values) : wrong;
+}
+
 int main(int count, char **arguments)
 {
     const char *values[OPTIONS];
     int first;
     const int code = command_line_read(&command_line, count, arguments, values, &first);
 
-    if (code != COMMAND_LINE_GO_ON) {
-        return code;
-    }
-    if (count_given(values) > 1U) {
-        return command_line_refuse(&command_line, "All its options exclude each other.");
-    }
-    if (values[WHAT_IF] == NULL) {
-        return ((count - first) == 1)
-                   ? treat(arguments[first], values)
-                   : command_line_refuse(&command_line, "\"%s\" is not expected here.",
-                                         arguments[first + 1]);
-    }
-    const int wrong = read_what_if(values[WHAT_IF], count - first, &arguments[first]);
-    return (wrong == COMMAND_LINE_GO_ON) ? treat(arguments[count - 1], values) : wrong;
+    return (code == COMMAND_LINE_GO_ON) ? answer(values, count - first, &arguments[first]) : code;
 }

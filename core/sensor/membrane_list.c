@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "sensor/membrane_list.h"
+
+#include "base/fixed.h"
+
+static bool are_in_order(const int32_t depths_um[], uint32_t count)
+{
+    int32_t least_um = 0;
+    for (uint32_t i = 0U; i < count; i++) {
+        if ((depths_um[i] < least_um) || (depths_um[i] > (int32_t)LIMIT_MEMBRANE_DEEPEST_UM)) {
+            return false;
+        }
+        least_um = depths_um[i] + 1;
+    }
+    return true;
+}
+
+status_t membrane_list_set(membrane_list_t *self, const int32_t depths_um[], uint32_t count)
+{
+    if ((count > LIMIT_MEMBRANES_MOST) || !are_in_order(depths_um, count)) {
+        return STATUS_OUT_OF_RANGE;
+    }
+    self->count = count;
+    self->unexpected = 0U;
+    for (uint32_t i = 0U; i < count; i++) {
+        self->membranes[i] = (membrane_t){.depth_um = depths_um[i]};
+    }
+    return STATUS_OK;
+}
+
+static bool is_ahead(const membrane_t *membrane)
+{
+    return membrane->state == (uint32_t)MEMBRANE_AHEAD;
+}
+
+uint32_t membrane_list_take(membrane_list_t *self, int32_t depth_um)
+{
+    uint32_t nearest = MEMBRANE_NONE;
+    int64_t least_um = (int64_t)LIMIT_MEMBRANE_WINDOW_UM + 1;
+    for (uint32_t i = 0U; i < self->count; i++) {
+        const membrane_t *const membrane = &self->membranes[i];
+        const int64_t away_um = fixed_magnitude((int64_t)depth_um - (int64_t)membrane->depth_um);
+        if (is_ahead(membrane) && (away_um < least_um)) {
+            nearest = i;
+            least_um = away_um;
+        }
+    }
+    if (nearest == MEMBRANE_NONE) {
+        self->unexpected++;
+    } else {
+        self->membranes[nearest].found_um = depth_um;
+        self->membranes[nearest].state = (uint32_t)MEMBRANE_FOUND;
+    }
+    return nearest;
+}
+
+uint32_t membrane_list_pass(membrane_list_t *self, int32_t depth_um)
+{
+    const int64_t behind_um = (int64_t)depth_um - (int64_t)LIMIT_MEMBRANE_WINDOW_UM;
+    for (uint32_t i = 0U; i < self->count; i++) {
+        membrane_t *const membrane = &self->membranes[i];
+        if (is_ahead(membrane) && ((int64_t)membrane->depth_um < behind_um)) {
+            membrane->state = (uint32_t)MEMBRANE_MISSED;
+            return i;
+        }
+    }
+    return MEMBRANE_NONE;
+}
+
+uint32_t membrane_list_left(const membrane_list_t *self)
+{
+    uint32_t left = 0U;
+    for (uint32_t i = 0U; i < self->count; i++) {
+        left += is_ahead(&self->membranes[i]) ? 1U : 0U;
+    }
+    return left;
+}
