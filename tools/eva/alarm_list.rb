@@ -11,7 +11,7 @@ module Eva
       # SPDX-License-Identifier: Apache-2.0
       # What Eva could not rule out, by robot, file and function: why it cannot happen, or `open`. `N x` stands before a
       # text that is in N places of its function. `ceiling` is how many are open; it may only fall. Written by
-      # `make eva-list`, which keeps the reasons; they are written by hand.
+      # `make eva-list`, which keeps the reasons; they are written by hand, and each names the lines that it rests on.
     TEXT
     OPEN = 'open'
 
@@ -41,6 +41,11 @@ module Eva
     # [file, function] of the open alarms.
     def open_functions(robot)
       paths(robot).select { |_, reason| reason == OPEN }.keys.map { |path| path.take(2) }.uniq
+    end
+
+    # By the place of their alarm.
+    def reasons(robot)
+      paths(robot).reject { |_, reason| reason == OPEN }.transform_keys { |path| path.join(': ') }
     end
 
     # The alarms found become the list; what is still there keeps its reason.

@@ -26,7 +26,16 @@ module Eva
     INCLUDES = "-D__FC_MACHDEP_GCC_X86_32 -include #{HERE}/compiler.h -I#{HERE}/instead -Icore -Ibuild/gen"
     CONTROLLER = %w[core/*/*.c core/*/*/*.c build/gen/charts/*_chart.c build/gen/robot/*.c
                     build/gen/interface/*.c].freeze
-    PRECISION = %w[-eva-precision 0].freeze
+    # Below the least precision in time, but each axis, card and command is told from the next: loops over them are
+    # unrolled, sets hold the places of two nested indexes, and writes are followed to as many.
+    PRECISION = %w[-eva-precision 0 -eva-min-loop-unroll 8 -eva-auto-loop-unroll 12 -eva-ilevel 80 -eva-plevel 400].freeze
+    # Functions whose branches are kept apart: a list of rows is judged by several facts at the same time; the entry point, if
+    # there is one, is known; a mode that is not known has asked for no drive. Frama-C has numbered their names.
+    APART = %w[-eva-slevel-function trajectory_list_add:10,judge:10,judge_0:10,find_scanner_target:4,mode_dispatch_step:20,run:4
+               -eva-split-return-function mode_dispatch_step:0].freeze
+    # Sources with a function of which the controller sees a contract (instead); sums.c and parts.c include them.
+    BY_CONTRACT = %w[core/base/crc.c core/controller/controller_events.c build/gen/charts/axis_chart.c].freeze
+    DRIVER = %W[#{HERE}/driver.c #{HERE}/parts.c #{HERE}/state.c #{HERE}/sums.c].freeze
     # Frama-C numbers what has the same name in several files.
     NUMBER = /(?<=\w)_\d+\b/
     # Of a contract as a whole; each call at which it is not seen to hold is an alarm of its own.
@@ -36,18 +45,19 @@ module Eva
     FIGURES = /(\d+) functions analyzed \(out of (\d+)\).*?(\d+) statements reached \(out of (\d+)\)/m
 
     def self.of_controller(robot)
-      new('run_controller', Dir.glob(CONTROLLER).sort + ["#{HERE}/driver.c"], "build/eva/#{robot}",
-          defines: " -include robot/robot_#{robot}.h -DEVA_ROBOT=robot_#{robot}")
+      new('run_controller', Dir.glob(CONTROLLER).sort - BY_CONTRACT + DRIVER, "build/eva/#{robot}",
+          defines: " -include robot/robot_#{robot}.h -DEVA_ROBOT=robot_#{robot}", options: APART)
     end
 
     attr_reader :alarms
 
-    def initialize(entry, sources, folder, root: '.', defines: '')
+    def initialize(entry, sources, folder, root: '.', defines: '', options: [])
       @entry = entry
       @sources = sources
       @folder = folder
       @root = root
       @defines = defines
+      @options = options
     end
 
     def run
@@ -93,7 +103,7 @@ module Eva
     def command
       FileUtils.rm_f(report)
       ['frama-c', *MACHINE, "-cpp-extra-args=#{INCLUDES}#{@defines}", *@sources, '-main', @entry, '-eva',
-       '-eva-msg-key=-initial-state,-final-states', *PRECISION, '-then', '-report-no-proven', '-report-csv', report]
+       '-eva-msg-key=-initial-state,-final-states', *PRECISION, *@options, '-then', '-report-no-proven', '-report-csv', report]
     end
 
     def read(lines)

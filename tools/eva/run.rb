@@ -13,6 +13,7 @@
 
 require_relative 'alarm_list'
 require_relative 'analysis'
+require_relative 'reasons'
 require_relative '../proof/coverage'
 require_relative '../proof/proved_list'
 
@@ -28,11 +29,12 @@ if $PROGRAM_NAME == __FILE__
     analysis = Eva::Analysis.of_controller(robot).run
     puts "eva: #{robot}: #{analysis.figures}"
     list.replace(robot, analysis.alarms) if write
-    next list.problems(robot, analysis.alarms) unless robot == Proof::ProvedList::ROBOT
+    found = list.problems(robot, analysis.alarms) + Eva::Reasons.new.problems(list.reasons(robot))
+    next found unless robot == Proof::ProvedList::ROBOT
 
     states = Proof::Coverage.new(reached: analysis.functions, with_open: list.open_functions(robot)).states
     proved.replace(states) if write
-    list.problems(robot, analysis.alarms) + proved.problems(states)
+    found + proved.problems(states)
   end
   [list, proved].each(&:save) if write
   puts problems, "eva: #{problems.size} problems"

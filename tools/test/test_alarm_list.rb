@@ -8,6 +8,7 @@ require 'minitest/autorun'
 require 'tmpdir'
 require_relative '../eva/alarm_list'
 require_relative '../eva/analysis'
+require_relative '../eva/reasons'
 
 class TestAlarmList < Minitest::Test
   KNOWN = { 'gate.c' => { 'open_gate' => { 'index_bound: i < 10U' => 'the caller has refused it',
@@ -53,7 +54,27 @@ class TestAlarmList < Minitest::Test
     end
   end
 
+  def test_SWR_TOOL_500_a_reason_whose_line_is_there_is_no_problem
+    assert_empty problems_of_reason('i was compared: gate.c `if (i < 10U)`', "if (i <\n    10U) {\n")
+  end
+
+  def test_SWR_TOOL_500_a_reason_whose_line_has_changed_is_a_problem
+    assert_equal ['line of a reason is gone: gate.c: open_gate: index: gate.c `if (i < 10U)`'],
+                 problems_of_reason('i was compared: gate.c `if (i < 10U)`', "if (i < 11U) {\n")
+  end
+
+  def test_SWR_TOOL_500_a_reason_without_a_line_is_a_problem
+    assert_equal ['reason without a line of a source: gate.c: open_gate: index'], problems_of_reason('it cannot be', '')
+  end
+
   private
+
+  def problems_of_reason(reason, source)
+    Dir.mktmpdir do |folder|
+      File.write("#{folder}/gate.c", source)
+      Eva::Reasons.new(folder).problems('gate.c: open_gate: index' => reason)
+    end
+  end
 
   def list(reason: nil, ceiling: 1, file: '')
     known = Marshal.load(Marshal.dump(KNOWN))

@@ -36,6 +36,11 @@ class TestProved < Minitest::Test
                  states(reached: [OPEN_GATE, SHUT_GATE], with_open: with_open, harnesses: []))
   end
 
+  def test_SWR_TOOL_280_an_open_alarm_of_what_a_function_ensures_takes_it_out_of_the_proofs_of_eva
+    assert_equal({ OPEN_GATE => 'eva', SHUT_GATE => 'open', IS_OPEN => 'unreached' },
+                 states(reached: [OPEN_GATE, SHUT_GATE], with_open: [['verification/eva/contracts.h', SHUT_GATE.last]], harnesses: []))
+  end
+
   def test_SWR_TOOL_280_a_function_is_proved_by_the_harness_that_names_it
     assert_equal({ OPEN_GATE => 'cbmc eva', SHUT_GATE => 'unreached', IS_OPEN => 'cbmc' }, states(reached: [OPEN_GATE]))
   end

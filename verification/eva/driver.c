@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* What Frama-C's Eva follows: the controller from its start on for ever, with any kept positions,
- * any list of rows and, in each cycle, any inputs. The seals of the state and of the robot's table
- * hold any value, so that each section may be found damaged in any cycle. EVA_ROBOT is the table of
- * the robot. */
+ * any list of rows and, in each cycle, any inputs, into any memory. The seals of the state and of
+ * the robot's table hold any value, so that each section may be found damaged in any cycle.
+ * EVA_ROBOT is the table of the robot. */
 #include "contracts.h"
+#include "parts.h"
+#include "state.h"
+#include "sums.h"
 
 #include "controller/controller.h"
 
@@ -54,10 +57,19 @@ static void start(void)
 
 void run_controller(void)
 {
+    follow_sums();
+    follow_frames();
+    follow_trace();
+    follow_axis_chart();
+    follow_notes();
     start();
+    if (Frama_C_nondet(0, 1) != 0) {
+        age_state(&controller);
+    }
     /*@ loop unroll 0; */
     for (;;) {
         damage_seals();
+        Frama_C_make_unknown((char *)&outputs, sizeof outputs);
         Frama_C_make_unknown((char *)&inputs, sizeof inputs);
         inputs.command_count = Frama_C_unsigned_int_interval(0U, CONTROLLER_COMMANDS);
         controller_step(&controller, &robot, &inputs, &outputs);

@@ -7,6 +7,7 @@
 require 'minitest/autorun'
 require_relative '../../tools/eva/alarm_list'
 require_relative '../../tools/eva/analysis'
+require_relative '../../tools/eva/reasons'
 require_relative '../../tools/proof/coverage'
 require_relative '../../tools/proof/proved_list'
 
@@ -24,6 +25,11 @@ class TestController < Minitest::Test
     alarms = self.class.controller.alarms
     puts "eva: #{ROBOT}: #{self.class.controller.figures}"
     assert_empty Eva::AlarmList.read(File.join(ROOT, Eva::AlarmList::FILE)).problems(ROBOT, alarms)
+  end
+
+  def test_SWR_TOOL_500_every_line_that_a_reason_rests_on_is_there
+    list = Eva::AlarmList.read(File.join(ROOT, Eva::AlarmList::FILE))
+    assert_empty Eva::Reasons.new(ROOT).problems(list.reasons(ROBOT))
   end
 
   def test_SWR_TOOL_280_the_functions_that_are_proved_are_those_of_their_list
