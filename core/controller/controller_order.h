@@ -8,6 +8,13 @@
 /** Adds an answer to this cycle's outputs. */
 answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle);
 
+/** Adds the axis and the end of the limit to the answer to a command that is refused as `judged`
+ * says, as far as its status names them.
+ *
+ * @satisfies SWR-CMD-481
+ */
+void controller_blame(answer_t *answer, const solution_t *judged);
+
 /**
  * The chart has armed a motion: `kind`, with `request`. `command` is to be answered for good later.
  *

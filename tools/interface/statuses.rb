@@ -5,7 +5,7 @@ require_relative 'c'
 require_relative 'node'
 
 module Interface
-  # The columns of a status: the code by which OpenIGTLink reports it, and for which refused commands it names an axis.
+  # The columns of a status: the code by which OpenIGTLink reports it, and of which refused commands it names the axis.
   #
   # @satisfies SWR-TOOL-071
   class Statuses
@@ -41,8 +41,12 @@ module Interface
     end
 
     def files
-      { 'igtl_codes.h' => codes_header, 'igtl_codes.c' => codes_source,
-        'refused_axis.h' => axis_header, 'refused_axis.c' => axis_source }
+      { 'igtl_codes.h' => codes_header, 'igtl_codes.c' => codes_source }
+    end
+
+    # The commands of which a refusal with `status` names the axis: their names; ANY; nil: none.
+    def named(status)
+      @rows.find { |row| row.value == status }.commands
     end
 
     private
@@ -96,44 +100,6 @@ module Interface
             }
         }
       CODE
-    end
-
-    def axis_header
-      C.file('Which refusals name an axis.', FROM) + C.guard('refused_axis', <<~CODE)
-        #include <stdbool.h>
-        #include <stdint.h>
-
-        /** Whether an answer that refuses the command_kind_t `command` with `status` names the axis for which it does. */
-        bool refused_axis_is_named(uint32_t status, uint32_t command);
-      CODE
-    end
-
-    def axis_source
-      <<~CODE
-        #{C.file('Which refusals name an axis.', FROM).chomp}
-        #include "refused_axis.h"
-
-        #{"#include \"interface/command.h\"\n" if @rows.any? { |row| row.commands.is_a?(Array) }}#include "interface/status.h"
-
-        bool refused_axis_is_named(uint32_t status, uint32_t command)
-        {
-            switch ((int)status) {
-        #{axis_cases.join}    default:
-                return #{axis_cases.any? { |one| one.include?('command') } ? '' : '(void)command, '}false;
-            }
-        }
-      CODE
-    end
-
-    def axis_cases
-      @rows.select(&:commands).group_by(&:commands).map do |commands, rows|
-        tests = commands == ANY ? ['true'] : commands.map { |name| "(command == (uint32_t)#{kind(name)})" }
-        "#{labels(rows)}        return #{tests.join(" ||\n               ")};\n"
-      end
-    end
-
-    def kind(name)
-      "#{@model.enumeration('command_kind').prefix}_#{name}"
     end
 
     def labels(rows)

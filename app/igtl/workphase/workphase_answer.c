@@ -119,7 +119,7 @@ static void write_end(const workphase_dialect_t *self, const igtl_request_t *req
                                  workphase_name((int32_t)answer->workphase), text};
 
     if (is_fault) {
-        workphase_notifications_fault_text(self, answer->axis, moment, text);
+        workphase_notifications_fault_text(self, answer_as_ended(answer)->axis, moment, text);
     } else if (answer->status != (uint32_t)STATUS_OK) {
         igtl_reason_text(self->robot, answer, moment, text);
     } else {
@@ -197,14 +197,15 @@ static void answer_target(const workphase_dialect_t *self, workphase_peer_t *pee
                           const answer_t *answer, const igtl_moment_t *moment)
 {
     tell_outcome(self, peer, "TARGET", answer, moment);
-    if (answer->kind != (uint32_t)ANSWER_ACCEPTED) {
+    if (answer_form(answer) != ANSWER_FORM_POSE) {
         return;
     }
+    const rigid_t *reachable = &answer_as_pose(answer)->pose;
     if (peer->language == IGTL_LANGUAGE_BRP_2021) {
-        igtl_tell_pose(peer->outbox, "REACHABLE_TARGET", &answer->pose, moment);
+        igtl_tell_pose(peer->outbox, "REACHABLE_TARGET", reachable, moment);
     } else {
-        igtl_tell_pose(peer->outbox, "TARGET", &answer->pose, moment);
-        workphase_peer_defer_pose(peer, "REACHABLE_TARGET", &answer->pose, moment);
+        igtl_tell_pose(peer->outbox, "TARGET", reachable, moment);
+        workphase_peer_defer_pose(peer, "REACHABLE_TARGET", reachable, moment);
     }
 }
 
@@ -222,14 +223,14 @@ static void answer_entry(const workphase_dialect_t *self, workphase_peer_t *peer
                          const igtl_request_t *request, const answer_t *answer,
                          const igtl_moment_t *moment)
 {
-    const point_t *entry = &answer->pose.translation;
     char text[IGTL_REASON_SIZE];
     const igtl_status_t taken = {IGTL_STATUS_OK, workphase_name((int32_t)answer->workphase), text};
 
-    if (answer->kind != (uint32_t)ANSWER_ACCEPTED) {
+    if (answer_form(answer) != ANSWER_FORM_POINT) {
         tell_outcome(self, peer, subject_of(peer, request), answer, moment);
         return;
     }
+    const point_t *entry = &answer_as_point(answer)->point;
     (void)snprintf(text, sizeof text, "%.3f, %.3f, %.3f mm", igtl_units_mm(entry->x_nm),
                    igtl_units_mm(entry->y_nm), igtl_units_mm(entry->z_nm));
     igtl_tell_status(peer->outbox, subject_of(peer, request), &taken, moment);
@@ -281,11 +282,11 @@ static void answer_list(const workphase_dialect_t *self, workphase_peer_t *peer,
     char text[IGTL_REASON_SIZE];
     const igtl_status_t held = {IGTL_STATUS_OK, workphase_name((int32_t)answer->workphase), text};
 
-    if ((answer->kind != (uint32_t)ANSWER_ACCEPTED) || (answer->command != (uint32_t)list->end)) {
+    if (answer_form(answer) != ANSWER_FORM_CHECKSUM) {
         tell_outcome(self, peer, list->word, answer, moment);
         return;
     }
-    (void)snprintf(text, sizeof text, "Checksum %u.", (unsigned)answer->checksum);
+    (void)snprintf(text, sizeof text, "Checksum %u.", (unsigned)answer_as_checksum(answer)->checksum);
     igtl_tell_status(peer->outbox, list->word, &held, moment);
 }
 

@@ -38,8 +38,7 @@ status_t controller_obey_motion(controller_t *self, const cycle_t *cycle, const 
     if (judged.status == STATUS_OK) {
         judged = mode_judge(kind, &request, cycle->robot, self->axes);
     }
-    answer->axis = (uint32_t)judged.axis;
-    answer->is_maximum = (uint32_t)judged.is_maximum;
+    controller_blame(answer, &judged);
     if (judged.status != STATUS_OK) {
         return judged.status;
     }

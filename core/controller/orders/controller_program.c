@@ -2,6 +2,7 @@
 #include "controller/orders/controller_program.h"
 
 #include "controller/controller_facts.h"
+#include "controller/controller_order.h"
 
 static status_t add_step(controller_t *self, const cycle_t *cycle, const command_t *command,
                          answer_t *answer)
@@ -12,8 +13,7 @@ static status_t add_step(controller_t *self, const cycle_t *cycle, const command
     program_step_place(robot, sent->ticks, &step);
     const solution_t judged =
         program_list_add(&self->program, robot, self->plan.target_ticks, sent->index, &step);
-    answer->axis = (uint32_t)judged.axis;
-    answer->is_maximum = (uint32_t)judged.is_maximum;
+    controller_blame(answer, &judged);
     return judged.status;
 }
 
@@ -27,9 +27,10 @@ static status_t change(controller_t *self, const cycle_t *cycle, const command_t
     } else if (command->kind == (uint32_t)COMMAND_PROGRAM_STEP) {
         status = add_step(self, cycle, command, answer);
     } else {
-        answer->checksum = command_as_list(command)->checksum;
-        status = program_list_end(&self->program, answer->checksum);
+        const uint32_t checksum = command_as_list(command)->checksum;
+        status = program_list_end(&self->program, checksum);
         if (status == STATUS_OK) {
+            answer->as.checksum.checksum = checksum;
             controller_note(self, cycle, EVENT_PROGRAM_HELD, 0U, (int32_t)self->program.count);
         }
     }

@@ -3,6 +3,7 @@
 
 #include "base/contract.h"
 #include "controller/controller_facts.h"
+#include "controller/controller_order.h"
 
 #include <string.h>
 
@@ -30,8 +31,7 @@ static status_t add_row(controller_t *self, const cycle_t *cycle, const command_
     (void)memcpy(row.speeds_ticks_per_s, sent->speeds_ticks_per_s, sizeof row.speeds_ticks_per_s);
     const solution_t judged =
         trajectory_list_add(&self->mode.sealed.list, self->rows, cycle->robot, sent->index, &row);
-    answer->axis = (uint32_t)judged.axis;
-    answer->is_maximum = (uint32_t)judged.is_maximum;
+    controller_blame(answer, &judged);
     return judged.status;
 }
 
@@ -48,9 +48,10 @@ status_t controller_obey_trajectory(controller_t *self, const cycle_t *cycle,
     } else if (command->kind == (uint32_t)COMMAND_LIST_ROW) {
         status = add_row(self, cycle, command, answer);
     } else {
-        answer->checksum = command_as_list(command)->checksum;
-        status = trajectory_list_end(&self->mode.sealed.list, answer->checksum);
+        const uint32_t checksum = command_as_list(command)->checksum;
+        status = trajectory_list_end(&self->mode.sealed.list, checksum);
         if (status == STATUS_OK) {
+            answer->as.checksum.checksum = checksum;
             controller_note(self, cycle, EVENT_TRAJECTORY_HELD, 0U,
                             (int32_t)self->mode.sealed.list.count);
         }

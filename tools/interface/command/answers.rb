@@ -13,7 +13,7 @@ module Interface
     FROM = 'core/interface'
     SAYS = 'The answers that each command may get.'
     KIND = 'answer_kind'
-    PARTS = %w[refused ended].freeze
+    PARTS = %w[refused ended gives].freeze
     # In place of the refusals of the robots' kinematics.
     ROBOTS = 'robots'
     ROBOT_REFUSALS = "a refusal of the robot's kinematics"

@@ -73,7 +73,7 @@ void test_SWR_PLAN_017_a_proposed_entry_decides_after_it_was_accepted_and_not_be
     const command_t accept = of(COMMAND_ACCEPT_ENTRY, 0U);
     const answer_t accepted = rig_command(&rig, accept);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, accepted.status);
-    TEST_ASSERT_EQUAL_INT32(246000000, accepted.pose.translation.y_nm);
+    TEST_ASSERT_EQUAL_INT32(246000000, answer_as_point(&accepted)->point.y_nm);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ENTRY_TAKEN));
     TEST_ASSERT_EQUAL_INT32(free_ticks, depth_ticks());
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, target().status);
@@ -172,7 +172,6 @@ void test_SWR_PLAN_020_a_target_refused_because_of_an_entry_says_so_and_how_to_g
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
     const answer_t answer = target();
     TEST_ASSERT_EQUAL_UINT32(STATUS_ENTRY_POINT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(of(COMMAND_WITHDRAW, COMMAND_ENTRY)));
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, target().status);

@@ -275,7 +275,7 @@ void test_SWR_MODE_005_a_switch_that_never_comes_ends_at_the_stop_with_a_fault(v
     rig_press(&rig);
     const answer_t answer = rig_finish(&rig, 60000U);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, answer.kind);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_INSERTION, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_INSERTION, answer_axis(&answer));
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
 }
 

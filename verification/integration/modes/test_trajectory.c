@@ -267,8 +267,8 @@ void test_SWR_TRAJ_001_a_refused_row_is_named_and_nothing_is_held(void)
     row.ticks[NEURO_AXIS_YAW] = rig.robot.axes[NEURO_AXIS_YAW].maximum_ticks + 1;
     const answer_t answer = send_row(1U, 1000U);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, answer.axis);
-    TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, answer_axis(&answer));
+    TEST_ASSERT_EQUAL_UINT32(1U, answer_as_limit(&answer)->is_maximum);
     TEST_ASSERT_EQUAL_UINT32(STATUS_TRAJECTORY_ORDER, list(COMMAND_LIST_END, sum).status);
     expect_run(STATUS_TRAJECTORY_EMPTY);
 }

@@ -213,8 +213,8 @@ static int32_t angle_of(uint32_t axis)
     const answer_t refused = rig_command(&rig, jog);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_SHARED_LOWER_LIMIT) +
                                      rig_count(&rig, EVENT_SHARED_UPPER_LIMIT));
-    return value_of((refused.is_maximum != 0U) ? EVENT_SHARED_UPPER_ANGLE
-                                               : EVENT_SHARED_LOWER_ANGLE,
+    return value_of((answer_as_shared_limit(&refused)->is_maximum != 0U) ? EVENT_SHARED_UPPER_ANGLE
+                                                                         : EVENT_SHARED_LOWER_ANGLE,
                     refused.status);
 }
 

@@ -398,7 +398,7 @@ static void end_by(const command_t *order, uint32_t axis)
                           .kind = (uint32_t)ANSWER_ABORTED,
                           .status = (uint32_t)STATUS_FAULT_PRESENT,
                           .is_final = 1U,
-                          .axis = axis,
+                          .as.ended = {.axis = axis},
                           .workphase = (uint32_t)command_kinds_workphase(order)};
 
     TEST_ASSERT_TRUE(workphase_dialect_answer(&dialect, &end, &moment));
