@@ -173,21 +173,37 @@ void controller_credit(controller_t *self, const cycle_t *cycle, const command_t
     }
 }
 
-static status_t obey_take(controller_t *self, const cycle_t *cycle, const command_t *command)
+status_t controller_obey_take(controller_t *self, const cycle_t *cycle, const command_t *command,
+                              answer_t *answer)
 {
+    (void)answer;
     const authority_party_t party = party_of(command);
     take(self, cycle, command);
     return authority_is_of(&self->authority, &party) ? STATUS_OK : STATUS_NO_AUTHORITY;
 }
 
-static void obey_release(controller_t *self, const cycle_t *cycle, const command_t *command)
+/* That it is accepted renews. */
+status_t controller_obey_renew(controller_t *self, const cycle_t *cycle, const command_t *command,
+                               answer_t *answer)
 {
+    (void)self;
+    (void)cycle;
+    (void)command;
+    (void)answer;
+    return STATUS_OK;
+}
+
+status_t controller_obey_release(controller_t *self, const cycle_t *cycle, const command_t *command,
+                                 answer_t *answer)
+{
+    (void)answer;
     if (is_of_sender(&self->authority.sealed.requester, command)) {
         controller_end_request(self);
     }
     if (is_of_sender(&self->authority.sealed.holder, command)) {
         lose(self, cycle, AUTHORITY_LOSS_RELEASED);
     }
+    return STATUS_OK;
 }
 
 status_t controller_ask_button(controller_t *self, const cycle_t *cycle, const command_t *command,
@@ -207,8 +223,10 @@ status_t controller_ask_button(controller_t *self, const cycle_t *cycle, const c
     return STATUS_OK;
 }
 
-static status_t obey_request(controller_t *self, const cycle_t *cycle, const command_t *command)
+status_t controller_obey_request(controller_t *self, const cycle_t *cycle, const command_t *command,
+                                 answer_t *answer)
 {
+    (void)answer;
     const uint32_t request = command_as_request(command)->request;
     if ((request != (uint32_t)AUTHORITY_REQUEST_CONFIRM) &&
         (request != (uint32_t)AUTHORITY_REQUEST_TAKE)) {
@@ -226,27 +244,6 @@ static status_t obey_request(controller_t *self, const cycle_t *cycle, const com
         controller_ask_button(self, cycle, command, (authority_request_t)request, 0U);
     if (status == STATUS_OK) {
         controller_note(self, cycle, EVENT_AUTHORITY_ASKED, request, 0);
-    }
-    return status;
-}
-
-status_t controller_obey_authority(controller_t *self, const cycle_t *cycle,
-                                   const command_t *command, answer_t *answer)
-{
-    (void)answer;
-    status_t status = STATUS_OK;
-    switch (command->kind) {
-    case (uint32_t)COMMAND_TAKE:
-        status = obey_take(self, cycle, command);
-        break;
-    case (uint32_t)COMMAND_RELEASE:
-        obey_release(self, cycle, command);
-        break;
-    case (uint32_t)COMMAND_REQUEST:
-        status = obey_request(self, cycle, command);
-        break;
-    default: /* RENEW: that it is accepted renews. */
-        break;
     }
     return status;
 }

@@ -116,7 +116,7 @@ void test_SWR_VEL_011_a_limit_aborts_it_by_its_name(void)
     const answer_t soft = run(speed_of(NEURO_AXIS_YAW, -833, 20000));
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, soft.kind);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, soft.status);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, soft.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, answer_axis(&soft));
     TEST_ASSERT_EQUAL_INT32(VELOCITY_END_SOFT_LIMIT, end_told(NEURO_AXIS_YAW));
     TEST_ASSERT_EQUAL_INT32(robot_neuro.axes[NEURO_AXIS_YAW].minimum_ticks,
                             rig_position(&rig, NEURO_AXIS_YAW));
