@@ -9,11 +9,13 @@ module Interface
   #
   # @satisfies SWR-TOOL-071
   class Statuses
-    KEYS = %w[igtl_code names_axis refuses ends].freeze
+    KEYS = %w[igtl_code names_axis refuses ends given_by].freeze
     # Those of the protocol that a refusal may have.
     CODES = %w[OK ACCESS_DENIED BUSY TIME_OUT CONFIG_ERROR UNKNOWN_INSTRUCTION NOT_READY].freeze
     # That of a number which is no status.
     UNKNOWN = 'NOT_READY'
+    # Those that give a status which the core does not give.
+    GIVERS = %w[processes].freeze
     # Instead of a list of commands.
     ANY = 'any'
     FROM = 'core/interface/status.yml'
@@ -47,6 +49,13 @@ module Interface
     # The commands of which a refusal with `status` names the axis: their names; ANY; nil: none.
     def named(status)
       @rows.find { |row| row.value == status }.commands
+    end
+
+    # Whether the core gives it.
+    #
+    # @satisfies SWR-TOOL-481
+    def of_core?(status)
+      status.more['given_by']&.choice(GIVERS).nil?
     end
 
     private

@@ -12,5 +12,5 @@ $(OUT)/verification/digests/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNIT
 
 digests: bootstrap-test ## Digests of 10,000 random scenes, or SCENES=n, into FILE; with BEFORE=file the scenes that differ from it
 	@$(MAKE) --no-print-directory build/gcc/bin/digests
-	@ruby verification/digests/digests.rb $(or $(FILE),$(error FILE is missing: the file for the digests)) $(SCENES)
-	@$(if $(BEFORE),ruby verification/digests/digests.rb --compare $(BEFORE) $(FILE))
+	@ruby tools/digests/digests.rb $(or $(FILE),$(error FILE is missing: the file for the digests)) $(SCENES)
+	@$(if $(BEFORE),ruby tools/digests/digests.rb --compare $(BEFORE) $(FILE))

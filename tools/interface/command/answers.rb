@@ -129,7 +129,7 @@ module Interface
     end
 
     def common
-      @statuses.values.reject(&:robot).map(&:name) - ['OK']
+      @statuses.values.reject(&:robot).select { |status| @model.statuses.of_core?(status) }.map(&:name) - ['OK']
     end
 
     def of_robots

@@ -4,15 +4,17 @@
 # Compares two builds by random scenes: a text file has a line for each scene, which ends in a digest of all frames, answers and events of
 # its cycles.
 #
-#   ruby verification/digests/digests.rb FILE [SCENES]          plays the scenes by build/gcc/bin/digests; a FILE that was begun
+#   ruby tools/digests/digests.rb FILE [SCENES]          plays the scenes by build/gcc/bin/digests; a FILE that was begun
 #                                                                is continued
-#   ruby verification/digests/digests.rb --compare BEFORE AFTER  names the scenes whose digests differ
+#   ruby tools/digests/digests.rb --compare BEFORE AFTER  names the scenes whose digests differ
 #
 # Ends with 1 when scenes differ or are in one file only.
 
 require 'open3'
 
 # The scenes and their digests.
+#
+# @satisfies SWR-TOOL-482
 module Digests
   PROGRAM = File.expand_path('../../build/gcc/bin/digests', __dir__)
   SCENES = 10_000
