@@ -165,10 +165,10 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
     }
 }
 
-void controller_tell_order(controller_t *self, const cycle_t *cycle, arming_event_t event,
-                           status_t fault)
+void controller_notify_order(controller_t *self, const cycle_t *cycle, arming_event_t event,
+                             status_t fault)
 {
-    controller_report_order(self, cycle, procedure_tell(&self->procedure, event), fault);
+    controller_report_order(self, cycle, procedure_notify(&self->procedure, event), fault);
 }
 
 void controller_enter_emergency(controller_t *self, const cycle_t *cycle)
@@ -185,5 +185,5 @@ void controller_fail_order(controller_t *self, const cycle_t *cycle, event_cause
                            uint32_t peer)
 {
     const cycle_t because = controller_with_cause(cycle, cause, peer);
-    controller_tell_order(self, &because, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    controller_notify_order(self, &because, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }

@@ -39,8 +39,8 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
                              status_t fault);
 
 /** Sends the order an event and reports. */
-void controller_tell_order(controller_t *self, const cycle_t *cycle, arming_event_t event,
-                           status_t fault);
+void controller_notify_order(controller_t *self, const cycle_t *cycle, arming_event_t event,
+                             status_t fault);
 
 /**
  * The operator has said or confirmed where an axis is: a spent account of vain homing begins anew.

@@ -9,7 +9,7 @@ require_relative 'kinematics'
 require_relative 'limit'
 require_relative 'pose'
 require_relative 'probe'
-require_relative 'told'
+require_relative 'reported'
 
 module Robot
   # An axis as the file gives it: values by key, and the nodes they came from.
@@ -189,7 +189,7 @@ module Robot
     CARDS = %w[sensor].freeze # That go without an axis.
 
     attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :geometry, :probe, :coupled_limits, :followers,
-                :poses, :told
+                :poses, :reported
 
     def initialize(path, text)
       nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes],
@@ -209,7 +209,7 @@ module Robot
       @followers = Followers.new(@axes)
       check_axes
       @poses = read_poses(nodes['poses'])
-      @told = Told.new(nodes['told'], @axes.map { |axis| axis['name'] }, @geometry, @probe)
+      @reported = Reported.new(nodes['told'], @axes.map { |axis| axis['name'] }, @geometry, @probe)
     end
 
     def needle_axis

@@ -30,7 +30,7 @@ static void lose(controller_t *self, const cycle_t *cycle, authority_loss_t loss
     const uint32_t actions = authority_lose(&self->authority, self->sealed.time_us);
     if ((actions & AUTHORITY_ACTION_DISCARD_ORDER) != 0U) {
         controller_note(self, cycle, EVENT_AUTHORITY_LOST, peer, (int32_t)loss);
-        controller_tell_order(self, cycle, ARMING_EVENT_DISCARD, STATUS_NO_AUTHORITY);
+        controller_notify_order(self, cycle, ARMING_EVENT_DISCARD, STATUS_NO_AUTHORITY);
     }
 }
 
@@ -80,7 +80,7 @@ void controller_observe_authority(controller_t *self, const cycle_t *cycle)
     if (authority_check(&self->authority)) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_AUTHORITY, 0);
         confirm_button_renew(&self->confirm);
-        controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
+        controller_notify_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
     }
     const bool is_at_rest = authority_is_ending(&self->authority) && are_axes_at_rest(self);
     if (authority_step(&self->authority, is_at_rest, cycle->inputs->elapsed_us, now_of(self))) {

@@ -42,8 +42,8 @@ static void note_lengths(controller_t *self, const cycle_t *cycle, const command
     }
 }
 
-static void note_told(controller_t *self, const cycle_t *cycle, const command_t *command,
-                      const answer_t *answer)
+static void note_sent_values(controller_t *self, const cycle_t *cycle, const command_t *command,
+                             const answer_t *answer)
 {
     const bool is_refused = answer->kind == (uint32_t)ANSWER_REFUSED;
     switch (command->kind) {
@@ -131,9 +131,9 @@ void controller_note_values(controller_t *self, const cycle_t *cycle, const comm
                             const answer_t *answer)
 {
     if (answer->kind == (uint32_t)ANSWER_ACCEPTED) {
-        note_told(self, cycle, command, answer);
+        note_sent_values(self, cycle, command, answer);
     } else if (is_time(self)) {
-        note_told(self, cycle, command, answer);
+        note_sent_values(self, cycle, command, answer);
         note_limit(self, cycle, answer);
         note_shared_limit(self, cycle, answer);
     } else {

@@ -369,7 +369,7 @@ void test_SWR_REF_011_each_change_of_trust_names_its_axis(void)
     TEST_ASSERT_EQUAL_INT32(12, last_event(EVENT_AXIS_REFERENCE_LOST)->value);
 }
 
-void test_SWR_REF_011_what_an_axis_in_doubt_loses_is_told_and_what_was_never_known_is_not(void)
+void test_SWR_REF_011_what_an_axis_in_doubt_loses_is_reported_and_what_was_never_known_is_not(void)
 {
     start_with_doubt(NEURO_AXIS_ROTATION);
     axis_lose_reference(&rig.controller.axes[NEURO_AXIS_ROTATION]);
@@ -381,7 +381,7 @@ void test_SWR_REF_011_what_an_axis_in_doubt_loses_is_told_and_what_was_never_kno
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_REFERENCE_LOST));
 }
 
-void test_SWR_REF_011_a_fault_tells_the_loss_itself(void)
+void test_SWR_REF_011_a_fault_reports_the_loss_itself(void)
 {
     begin_move();
     rig_box(&rig, "motor head stuck");

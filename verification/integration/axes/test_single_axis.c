@@ -576,7 +576,7 @@ void test_SWR_AXIS_042_home_is_set_only_of_what_is_seen_and_without_a_needle_tha
     TEST_ASSERT_NOT_EQUAL_INT32(0, rig_position(&rig, NEURO_AXIS_FEET));
 }
 
-void test_SWR_AXIS_043_who_set_a_home_and_how_far_it_went_is_told(void)
+void test_SWR_AXIS_043_who_set_a_home_and_how_far_it_went_is_reported(void)
 {
     start_manual();
     jog(NEURO_AXIS_FEET, 800);

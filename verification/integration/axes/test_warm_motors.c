@@ -105,7 +105,7 @@ static uint32_t lateness_ms(uint32_t axis, int32_t ticks)
 
 /* As warm as it may be: the first has a fifth of its speed to spare by its table, the least of all,
  * the second a third. */
-void test_SWR_MOTION_006_a_warm_motor_is_done_in_the_time_that_was_told(void)
+void test_SWR_MOTION_006_a_warm_motor_is_done_in_the_time_that_was_reported(void)
 {
     static const uint32_t axes[] = {NEURO_AXIS_LATERAL, NEURO_AXIS_ROTATION};
     static const int32_t ways[] = {-1000, -3500};

@@ -461,7 +461,7 @@ void test_SWR_EVENT_005_what_a_command_caused_names_its_source_and_connection(vo
     expect_cause(EVENT_WORKPHASE, EVENT_CAUSE_CONSOLE, 0U);
 }
 
-void test_SWR_EVENT_009_a_workphase_that_stands_is_told_once(void)
+void test_SWR_EVENT_009_a_workphase_that_stands_is_reported_once(void)
 {
     rig_start_homed(&rig);
     rig_forget(&rig);

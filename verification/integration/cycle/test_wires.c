@@ -472,7 +472,7 @@ static uint32_t told_to_cards(uint32_t axis)
     return rig_sent(&rig, axis).system_state;
 }
 
-void test_SWR_CARD_005_every_card_is_told_pedal_e_stop_scanner_permit_and_homing(void)
+void test_SWR_CARD_005_every_card_is_sent_pedal_e_stop_scanner_permit_and_homing(void)
 {
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_move();
@@ -581,7 +581,7 @@ void test_SWR_MOTION_002_the_needle_is_retracted_before_any_other_axis_moves(voi
     }
 }
 
-void test_SWR_PHASE_005_a_discarded_order_is_told_with_its_cause(void)
+void test_SWR_PHASE_005_a_discarded_order_is_reported_with_its_cause(void)
 {
     begin_move();
     rig_forget(&rig);

@@ -131,7 +131,7 @@ static double truly(uint32_t axis)
     return ticks[axis];
 }
 
-void test_SWR_PROG_011_a_program_goes_through_its_steps_shows_them_and_tells_its_end(void)
+void test_SWR_PROG_011_a_program_goes_through_its_steps_shows_them_and_reports_its_end(void)
 {
     start_held();
     TEST_ASSERT_EQUAL_UINT32(2U, rig.outputs.snapshot.program_steps);

@@ -110,7 +110,7 @@ static int32_t yaw(void)
     return rig.outputs.snapshot.axes[NEURO_AXIS_YAW].position_ticks;
 }
 
-void test_SWR_TRAJ_014_a_trajectory_is_driven_in_its_time_and_told_at_its_end(void)
+void test_SWR_TRAJ_014_a_trajectory_is_driven_in_its_time_and_reported_at_its_end(void)
 {
     const int32_t start = begin_ticks();
     send_list();
@@ -391,7 +391,7 @@ static solution_t hold(int32_t way, uint32_t *refused)
     return controller_hold(&rig.controller, &rig.robot, kept, 3U, refused);
 }
 
-void test_SWR_TRAJ_020_a_list_of_a_file_is_held_from_the_first_cycle_on_and_told(void)
+void test_SWR_TRAJ_020_a_list_of_a_file_is_held_from_the_first_cycle_on_and_reported(void)
 {
     uint32_t refused = 7U;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, hold(-10, &refused).status);

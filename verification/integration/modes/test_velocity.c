@@ -96,7 +96,7 @@ void test_SWR_VEL_001_a_speed_is_armed_in_manual_alone_and_moves_nothing_without
     TEST_ASSERT_INT32_WITHIN(8, start - 45, rig_position(&rig, NEURO_AXIS_YAW));
 }
 
-void test_SWR_VEL_011_time_and_way_are_done_and_told_by_name(void)
+void test_SWR_VEL_011_time_and_way_are_done_and_reported_by_name(void)
 {
     start_manual();
     const int32_t start = rig_position(&rig, NEURO_AXIS_YAW);

@@ -157,7 +157,7 @@ void test_SWR_STORE_020_lost_axes_are_restored_before_START_UP_and_the_button_co
 }
 
 /* The switch is not met where the saved position has it: reported as after a restart. */
-void test_SWR_STORE_020_a_switch_that_contradicts_a_saved_position_is_told(void)
+void test_SWR_STORE_020_a_switch_that_contradicts_a_saved_position_is_reported(void)
 {
     start_homed(WORKPHASE_MANUAL);
     saved.as.positions.axes = BIT(NEURO_AXIS_LATERAL);

@@ -284,7 +284,7 @@ void test_SWR_NEXT_181_a_position_to_be_confirmed_is_named_as_in_doubt(void)
     expect_named(NEXT_STEP_CONFIRM, NEURO_AXIS_FEET, CARD_SLOT_COUNT, EVENT_AXIS_UNVERIFIED);
 }
 
-void test_SWR_NEXT_003_channels_that_disagree_are_told_until_they_are_open(void)
+void test_SWR_NEXT_003_channels_that_disagree_are_reported_until_they_are_open(void)
 {
     rig_start_homed(&rig);
     rig_box(&rig, "pedal a close");

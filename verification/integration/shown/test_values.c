@@ -218,7 +218,7 @@ static int32_t angle_of(uint32_t axis)
                     refused.status);
 }
 
-void test_SWR_EVENT_033_an_angle_is_told_in_millionths_of_a_degree(void)
+void test_SWR_EVENT_033_an_angle_is_reported_in_millionths_of_a_degree(void)
 {
     rig_start_robot_homed(&rig, &robot_prostate);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);

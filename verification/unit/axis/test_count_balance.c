@@ -116,7 +116,7 @@ static void expect_shares(count_regime_t regime, uint32_t least, uint32_t most)
     TEST_ASSERT_EQUAL_UINT32(most, account.calibrations[regime].most_percent);
 }
 
-void test_SWR_AXIS_019_a_motor_that_counts_its_way_is_never_told(void)
+void test_SWR_AXIS_019_a_motor_that_counts_its_way_is_never_reported(void)
 {
     TEST_ASSERT_FALSE(run(LONG_CYCLES, FULL, FULL));
     TEST_ASSERT_FALSE(run(LONG_CYCLES, -FULL, -FULL));
@@ -172,7 +172,7 @@ void test_SWR_AXIS_019_gaining_speed_the_most_share_is_more(void)
 }
 
 /* From the first cycle on: true and believed needle are 0.4 mm apart then, of 0.8 mm. */
-void test_SWR_AXIS_019_half_the_counts_are_told_soon(void)
+void test_SWR_AXIS_019_half_the_counts_are_reported_soon(void)
 {
     config = head;
     TEST_ASSERT_TRUE(run(LONG_CYCLES, 2, 1));
@@ -183,7 +183,7 @@ void test_SWR_AXIS_019_half_the_counts_are_told_soon(void)
     TEST_ASSERT_LESS_THAN_UINT32(0.4 / 0.0003, cycles_run * 12U);
 }
 
-void test_SWR_AXIS_019_twice_the_counts_are_told_soon(void)
+void test_SWR_AXIS_019_twice_the_counts_are_reported_soon(void)
 {
     TEST_ASSERT_TRUE(run(LONG_CYCLES, FULL, 2 * FULL));
     TEST_ASSERT_LESS_THAN_UINT32(60U, cycles_run);
@@ -213,7 +213,7 @@ void test_SWR_AXIS_019_no_pause_hides_what_is_missing(void)
 }
 
 /* Blind for 8 ms of 48: in sum it counts five sixths of its way. */
-void test_SWR_AXIS_019_an_encoder_that_comes_and_goes_is_told(void)
+void test_SWR_AXIS_019_an_encoder_that_comes_and_goes_is_reported(void)
 {
     bool is_told = false;
     calibrate(FULL);

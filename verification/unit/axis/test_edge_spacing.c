@@ -56,7 +56,7 @@ static uint32_t lose(uint32_t every, uint32_t most)
     return is_told ? lost : 0U;
 }
 
-void test_SWR_AXIS_027_even_counts_are_never_told(void)
+void test_SWR_AXIS_027_even_counts_are_never_reported(void)
 {
     TEST_ASSERT_FALSE(run(LONG, TICK));
     TEST_ASSERT_EQUAL_UINT32(0U, pace.uneven);
@@ -73,7 +73,7 @@ void test_SWR_AXIS_027_states_of_unequal_width_are_even(void)
     }
 }
 
-void test_SWR_AXIS_027_counts_that_are_lost_now_and_then_are_told(void)
+void test_SWR_AXIS_027_counts_that_are_lost_now_and_then_are_reported(void)
 {
     static const uint32_t every[] = {1U, 2U, 3U, 10U, 50U, 150U, 400U};
     for (uint32_t i = 0U; i < (sizeof every / sizeof every[0]); i++) {
@@ -116,7 +116,7 @@ void test_SWR_AXIS_027_a_rare_loss_is_borne_for_ever(void)
     TEST_ASSERT_EQUAL_UINT32(0U, lose((2U * LIMIT_UNEVEN_WEIGHT) + 1U, 1000U));
 }
 
-void test_SWR_AXIS_027_at_the_limit_a_change_is_told(void)
+void test_SWR_AXIS_027_at_the_limit_a_change_is_reported(void)
 {
     TEST_ASSERT_FALSE(run(3U, TICK));
     pace.uneven = LIMIT_UNEVEN_MOST - LIMIT_UNEVEN_WEIGHT - 1U;

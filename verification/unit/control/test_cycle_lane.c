@@ -229,7 +229,7 @@ void test_SWR_REC_033_elastic_time_does_not_wait_for_a_disk(void)
     TEST_ASSERT_EQUAL_UINT32(0U, naps);
 }
 
-void test_SWR_REC_033_what_was_removed_is_counted_once_and_told_as_what_cannot_be_written(void)
+void test_SWR_REC_033_what_was_removed_is_counted_once_and_reported_as_what_cannot_be_written(void)
 {
     exchange_note_recorder(reader, false, 500U);
     (void)run_cycle();

@@ -291,7 +291,7 @@ void test_SWR_IGTL_008_lost_controller_is_reported_to_who_waits(void)
     EXPECT(0U, "");
 }
 
-void test_SWR_IGTL_033_nobody_is_told_while_nobody_commands(void)
+void test_SWR_IGTL_033_no_client_is_informed_while_none_commands(void)
 {
     workphase_dialect_disconnected(&dialect, 0U);
     pull_estop();

@@ -225,7 +225,7 @@ void test_SWR_REC_030_the_run_comes_back_and_has_the_name_of_its_time(void)
     TEST_ASSERT_EQUAL_STRING("5865240119T080149.551615Z", name);
 }
 
-void test_SWR_REC_031_only_the_trailer_that_was_told_so_says_that_the_run_ends(void)
+void test_SWR_REC_031_only_the_trailer_that_was_informed_says_that_the_run_ends(void)
 {
     for (uint32_t i = 0U; i < 2U; i++) {
         write_blocks(1U);
