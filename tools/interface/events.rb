@@ -44,7 +44,7 @@ module Interface
       severity = value.more['severity'] || value.node.refuse('has no severity')
       event = Event.new(value: value, severity: severity.choice(severities), subject: subject(value),
                         amount: amount(value))
-      told(value, 'subject' => event.subject, 'value' => event.amount)
+      check_places(value, 'subject' => event.subject, 'value' => event.amount)
       event
     end
 
@@ -64,7 +64,7 @@ module Interface
     def peer(cause)
       node = cause.more['peer']
       result = node&.choice(KINDS)
-      told(cause, 'peer' => result)
+      check_places(cause, 'peer' => result)
       result
     end
 
@@ -85,7 +85,7 @@ module Interface
     end
 
     # The sentence names what there is, and nothing else. {meaning} is what the enumeration says of the value.
-    def told(value, kinds)
+    def check_places(value, kinds)
       places = value.says.scan(PLACE).flatten
       places = places.map { |place| place == 'meaning' ? 'value' : place } if kinds['value'].is_a?(Enumeration)
       stranger = places.find { |place| kinds[place].nil? }

@@ -81,7 +81,7 @@ static void play_scene(play_t play, uint32_t seed)
 }
 
 /* Prints the acts of the enemy of the scene `seed`. */
-static void tell_plan(uint32_t seed)
+static void report_plan(uint32_t seed)
 {
     char text[PLAN_SIZE];
     scene_begin(&scene, robot, PLAY_TAPS, seed);
@@ -184,7 +184,7 @@ static bool report(play_t play, uint32_t count)
             is_good = false;
             report_broken((sentence_t)i, verdict);
             if (play == PLAY_TAPS) {
-                tell_plan(verdict->seed);
+                report_plan(verdict->seed);
             }
         }
     }

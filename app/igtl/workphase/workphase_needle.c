@@ -34,7 +34,7 @@ static bool is_length(const char *text, int32_t length_nm)
            (away_nm >= -(double)LIMIT_NEEDLE_LENGTH_NM);
 }
 
-static void tell_verdict(const workphase_peer_t *peer, int32_t length_nm, const char *said,
+static void send_verdict(const workphase_peer_t *peer, int32_t length_nm, const char *said,
                          const igtl_moment_t *moment)
 {
     char text[IGTL_REASON_SIZE];
@@ -68,6 +68,6 @@ void workphase_needle_tell_length(workphase_peer_t *peer, const robot_t *robot,
     } else if (moment->snapshot->has_probe == 0U) {
         igtl_tell_refusal(peer->outbox, "NEEDLE_LENGTH", STATUS_NO_PROBE, moment);
     } else {
-        tell_verdict(peer, probe_reported_nm(told, moment->snapshot->probe_nm), said, moment);
+        send_verdict(peer, probe_reported_nm(told, moment->snapshot->probe_nm), said, moment);
     }
 }

@@ -138,7 +138,7 @@ void test_SWR_REC_022_what_is_recorded_again_begins_with_the_state_and_reports_o
     exchange_close(reader);
 }
 
-static void expect_told(uint32_t lacks)
+static void expect_reported(uint32_t lacks)
 {
     loop_figures_t told = {0};
     const int status = control_ends(BY_SIGNAL, SIGTERM);
@@ -151,12 +151,12 @@ static void expect_told(uint32_t lacks)
 void test_SWR_LOOP_007_on_a_real_board_the_controller_is_informed_what_the_computer_lacks(void)
 {
     is_simulated = false;
-    expect_told(LACKS);
+    expect_reported(LACKS);
 }
 
 void test_SWR_LOOP_007_a_simulated_board_does_without(void)
 {
-    expect_told(0U);
+    expect_reported(0U);
 }
 
 void test_SWR_CHECK_007_only_a_real_boards_computer_is_kept_from_deep_sleep(void)

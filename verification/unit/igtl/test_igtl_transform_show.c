@@ -375,7 +375,7 @@ void test_SWR_PLAN_023_that_a_rotation_is_ignored_is_reported_with_the_registrat
     EXPECT(0U, "");
 }
 
-static void expect_silence_told(uint32_t peer)
+static void expect_silence_reported(uint32_t peer)
 {
     EXPECT_BEGIN(peer, "STATUS measured_cp 7 NO_ANSWER|");
     EXPECT_BEGIN(peer, "STATUS measured_jp 7 NO_ANSWER|");
@@ -387,7 +387,7 @@ void test_SWR_IGTL_051_before_the_first_snapshot_nothing_is_known(void)
 {
     moment.snapshot = NULL;
     pass_us(IGTL_STREAM_US);
-    expect_silence_told(0U);
+    expect_silence_reported(0U);
     pass_us(IGTL_STREAM_US);
     EXPECT(0U, "");
 }
@@ -398,7 +398,7 @@ void test_SWR_IGTL_051_a_controller_that_falls_silent_is_reported_once_and_its_r
     expect_measured(0U);
     moment.snapshot = NULL;
     pass_us(0U);
-    expect_silence_told(0U);
+    expect_silence_reported(0U);
     pass_us(IGTL_STREAM_US);
     EXPECT(0U, "");
     moment.snapshot = &snapshot;

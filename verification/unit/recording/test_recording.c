@@ -587,13 +587,13 @@ void test_SWR_REPLAY_007_files_of_noise_are_refused_with_a_sentence(void)
 }
 
 /* A block of these bytes with right checksums and hash, as a malicious writer makes it. */
-static void forge_block(const uint8_t *raw, uint32_t raw_size, uint32_t told_size)
+static void forge_block(const uint8_t *raw, uint32_t raw_size, uint32_t reported_size)
 {
     static uint8_t bytes[65536];
     uint8_t *const block = &bytes[RECORDING_HEADER_SIZE];
     uint8_t packed[32768];
     recording_fields_t fields = {
-        .magic = RECORDING_BLOCK_MAGIC, .cycle = 7U, .records = 10U, .raw_size = told_size};
+        .magic = RECORDING_BLOCK_MAGIC, .cycle = 7U, .records = 10U, .raw_size = reported_size};
 
     recording_encode_header(&header, bytes);
     fields.compressed_size = (uint32_t)ZSTD_compress(packed, sizeof(packed), raw, raw_size, 1);
