@@ -14,7 +14,7 @@ require_relative 'structure'
 module Interface
   # One `enum`: the only source of its names, numbers and sentences.
   class Enumeration
-    KEYS = (%w[severity subject value of peer sets] + Statuses::KEYS + Modes::KEYS | Commands::KEYS).freeze
+    KEYS = (%w[severity subject value unsaid of peer sets] + Statuses::KEYS + Modes::KEYS | Commands::KEYS).freeze
     # `robot`: whose own it is, nil for all.
     Value = Struct.new(:code, :name, :says, :node, :more, :robot, keyword_init: true)
     # Values that have something in common: bits of a number.

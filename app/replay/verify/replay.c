@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "replay/verify/replay.h"
 
+#include "interface/app/event_words.h"
 #include "interface/app/fields.h"
 #include "replay/verify/field_name.h"
 
@@ -178,6 +179,21 @@ static void name_data(size_t offset, const uint8_t *outputs, char *text, size_t 
     }
 }
 
+/* The value of an event has the name that its row gives it. */
+static void name_of_event(size_t offset, const uint8_t *outputs, char *text, size_t size)
+{
+    const size_t at = (offset - offsetof(controller_outputs_t, events)) % sizeof(event_t);
+    event_t event;
+    const char *title = NULL;
+
+    (void)memcpy(&event, &outputs[offset - at], sizeof event);
+    title = event_value_title(event.id);
+    field_name(fields_event, at, text, size);
+    if ((at - (at % sizeof(uint32_t)) == offsetof(event_t, value)) && (title != NULL)) {
+        (void)snprintf(&text[strlen(text)], size - strlen(text), " (%s)", title);
+    }
+}
+
 /* Where the byte is among `outputs`. */
 static void name_place(size_t offset, const uint8_t *outputs, char *text, size_t size)
 {
@@ -188,6 +204,8 @@ static void name_place(size_t offset, const uint8_t *outputs, char *text, size_t
 
     if (area->fields == fields_answer) {
         name_data(offset, outputs, field, sizeof field);
+    } else if (area->fields == fields_event) {
+        name_of_event(offset, outputs, field, sizeof field);
     } else if (area->fields != NULL) {
         field_name(area->fields, at, field, sizeof field);
     } else {

@@ -234,7 +234,7 @@ void test_SWR_REPLAY_004_one_other_bit_in_any_area_is_a_difference_with_its_fiel
     expect_difference_of_target(offsetof(controller_outputs_t, answers[0].as.pose.pose.translation),
                                 "answers, answer 0, pose, word 9: ");
     expect_difference(offsetof(controller_outputs_t, events[3].value),
-                      "events, event 3, value: it is 0 (0x0), recorded 1 (0x1).");
+                      "events, event 3, value (verdict): it is 0 (0x0), recorded 1 (0x1).");
     expect_difference(offsetof(controller_outputs_t, snapshot.time_us), "snapshot, time_us: ");
     expect_difference(offsetof(controller_outputs_t, snapshot.desired_ticks[2]) + 3U,
                       "snapshot, desired_ticks[2]: ");
