@@ -219,38 +219,38 @@ static const controller_outputs_t *find_shown(const walk_t *self)
     return self->known.is_whole ? &self->record.body.cycle.outputs : NULL;
 }
 
-static int report_record(walk_t *self, walk_reporter_t *tell, void *to)
+static int report_record(walk_t *self, walk_reporter_t *report, void *to)
 {
     if (!walk_replay(self)) {
         return walk_tell_difference(self, stderr);
     }
     if (walk_count(self, walk_is_done(self))) {
-        tell(self, to, find_shown(self));
+        report(self, to, find_shown(self));
     }
     return WALK_GOES_ON;
 }
 
-int walk_tell_next(walk_t *self, walk_reporter_t *tell, void *to)
+int walk_tell_next(walk_t *self, walk_reporter_t *report, void *to)
 {
     if (walk_take(self)) {
-        return report_record(self, tell, to);
+        return report_record(self, report, to);
     }
     return walk_check_end(self) ? walk_end(self) : EXIT_REFUSED;
 }
 
-int walk_tell_part(walk_t *self, walk_reporter_t *tell, void *to)
+int walk_tell_part(walk_t *self, walk_reporter_t *report, void *to)
 {
     int code = WALK_GOES_ON;
 
     while ((code == WALK_GOES_ON) && walk_take(self)) {
-        code = report_record(self, tell, to);
+        code = report_record(self, report, to);
     }
     return ((code == WALK_GOES_ON) && !walk_check_end(self)) ? EXIT_REFUSED : code;
 }
 
-int walk_tell(walk_t *self, walk_reporter_t *tell, void *to)
+int walk_tell(walk_t *self, walk_reporter_t *report, void *to)
 {
     walk_tell_lost(self);
-    const int code = walk_tell_part(self, tell, to);
+    const int code = walk_tell_part(self, report, to);
     return (code == WALK_GOES_ON) ? walk_end(self) : code;
 }
