@@ -87,7 +87,7 @@ ROBOT_TABLES := $(ROBOTS:%=$(GEN)/robot/robot_%.c)
 CHARTS := $(basename $(notdir $(wildcard statecharts/*.scxml)))
 CHART_SOURCES := $(CHARTS:%=$(GEN)/charts/%_chart.c)
 CORE_SOURCES := $(wildcard core/*/*.c core/*/*/*.c) $(CHART_SOURCES) $(ROBOT_TABLES) \
-    $(GEN)/robot/kinematics.c $(addprefix $(GEN)/interface/,command.c command_access.c command_dispatch.c) $(GEN)/interface/event.c $(addprefix $(GEN)/interface/,mode_dispatch.c mode_list.c)
+    $(GEN)/robot/kinematics.c $(addprefix $(GEN)/interface/,command.c command_access.c command_dispatch.c answer.c answer_access.c) $(GEN)/interface/event.c $(addprefix $(GEN)/interface/,mode_dispatch.c mode_list.c)
 # What the processes call things.
 NAMES := $(GEN)/interface/app/names.c
 # Who drives, is driven or drives again finds its robot among all.
@@ -118,7 +118,6 @@ NO_LOOKUP_static := $(NO_LOOKUP_arm)
 NO_LOOKUP := $(NO_LOOKUP_$(CONFIG))
 # What OpenIGTLink has of the rows of the interface: codes of statuses, words of commands.
 IGTL_TABLES := $(addprefix $(GEN)/interface/app/,igtl_codes.c igtl_words.c)
-REFUSED_AXIS := $(GEN)/interface/app/refused_axis.c
 # Against which every test that plays the controller holds its answers.
 ANSWER_LIST := $(GEN)/interface/app/answer_list.c
 # What HTTP clients may ask.
@@ -342,6 +341,7 @@ include tools/package/package.mk
 include site/site.mk
 include verification/bench/bench.mk
 include verification/detection/detection.mk
+include verification/digests/digests.mk
 include verification/fuzz/fuzz.mk
 include verification/authority_stress/authority_stress.mk
 include verification/eva/eva.mk

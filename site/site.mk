@@ -47,7 +47,7 @@ SERVED_ABSENT := $(addprefix app/http/handlers/,http_archive.c http_positions.c)
 SERVED_SOURCES := $(wildcard site/served/*.c) site/closed_loop.c site/watch.c $(addprefix app/replay/what_if/,difference.c) $(addprefix app/replay/data/,series.c source.c frame_fields.c) $(EVENT_TEXT) $(GEN)/interface/app/fields.c $(BOX_SOURCES) app/control/lamps.c $(FIND_ROBOT) \
     $(filter-out $(SERVED_ABSENT),$(wildcard app/http/server/*.c app/http/handlers/*.c app/http/call/*.c app/http/pages/*.c app/http/view/*.c app/http/gate/*.c app/http/stop/*.c)) \
     $(wildcard app/request/*.c app/sweep/*.c app/trajectory/*.c) $(addprefix app/http/login/,account.c session_store.c session_table.c login_delay.c) \
-    $(filter-out app/exchange/exchange_open.c,$(EXCHANGE)) $(API) $(HANDLERS) $(REFUSED_AXIS) $(AXIS_TERMS) $(LIST_TERMS) $(DRIVE_TERMS) $(LOG_ENTRY) \
+    $(filter-out app/exchange/exchange_open.c,$(EXCHANGE)) $(API) $(HANDLERS) $(AXIS_TERMS) $(LIST_TERMS) $(DRIVE_TERMS) $(LOG_ENTRY) \
     $(GEN)/interface/app/messages.c $(NAMES) $(GEN)/assets/chart_names.c
 
 # The same in native code, to be compared with it; there the C library has its own system.

@@ -96,13 +96,18 @@ class TableSources
     @cards ||= CardTables.new(@root, Trace::Requirements.load('requirements', @root).limits_by_name)
   end
 
-  # Values of an enumeration; of events with their severity.
   def values_of(enumeration)
-    severities = enumeration.name == 'event_id' ? interface.events.severities : {}
-    rows = enumeration.values.map do |value|
-      [value.code, "`#{value.name}`", *severities[value], value.says]
+    return events if enumeration.name == 'event_id'
+
+    markdown(['No.', 'Name', 'What it says'], enumeration.values.map { |value| [value.code, "`#{value.name}`", value.says] })
+  end
+
+  # @satisfies SWR-TOOL-483
+  def events
+    rows = interface.events.events.map do |event|
+      [event.value.code, "`#{event.value.name}`", event.severity, event.subject_title, event.about, event.value.says]
     end
-    markdown(['No.', 'Name', *('Severity' if severities.any?), 'What it says'], rows)
+    markdown(['No.', 'Name', 'Severity', 'Subject', 'Value', 'What it says'], rows)
   end
 
   def fields_of(structure)

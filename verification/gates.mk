@@ -47,7 +47,7 @@ STATIC_BOARDS := $(filter-out $(patsubst bsp/%/board.yml,%,$(shell grep -lx 'loa
 BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/bench_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c bsp/sim/model/*.c)) \
     app/control/board_inputs.c
 OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) bsp/no_bench.c $(NAMES) $(GEN)/interface/app/event_words.c \
-    $(FIND_ROBOT) $(BOARD_TABLE) $(GEN)/interface/app/messages.c $(API) $(HANDLERS) $(IGTL_TABLES) $(REFUSED_AXIS) $(GEN)/interface/app/columns.c \
+    $(FIND_ROBOT) $(BOARD_TABLE) $(GEN)/interface/app/messages.c $(API) $(HANDLERS) $(IGTL_TABLES) $(GEN)/interface/app/columns.c \
     $(GEN)/interface/app/fields.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
 
 generated: $(GENERATED)
@@ -123,7 +123,7 @@ worst-case-approve: worst-case
 
 # A test of another board brings its bsp_<name>.c along: there is one bsp_open() in a program.
 TESTED := $(filter-out %_main.c app/supervisor/% $(foreach board,$(OTHER_BOARDS),bsp/$(board)/bsp_$(board).c),$(CORE_SOURCES) $(ALL_APP)) app/supervisor/status_parts.c \
-    $(NAMES) $(GEN)/interface/app/event_words.c $(GEN)/interface/app/fields.c $(GEN)/interface/app/messages.c $(GEN)/assets/chart_names.c $(GEN)/interface/app/requests.c $(IGTL_TABLES) $(REFUSED_AXIS) $(ANSWER_LIST) $(FIND_ROBOT)
+    $(NAMES) $(GEN)/interface/app/event_words.c $(GEN)/interface/app/fields.c $(GEN)/interface/app/messages.c $(GEN)/assets/chart_names.c $(GEN)/interface/app/requests.c $(IGTL_TABLES) $(ANSWER_LIST) $(FIND_ROBOT)
 $(OUT)/libtest.a: $(call object,$(TESTED))
 	@rm -f $@; ar rcs $@ $^
 # Without what the coverage counts.

@@ -9,7 +9,7 @@
 #define MS_PER_S 1000.0
 #define MOST_S 1.0e6
 
-status_t list_terms_step(const robot_t *robot, const told_step_t *told, program_step_t *step)
+status_t list_terms_step(const robot_t *robot, const reported_step_t *told, program_step_t *step)
 {
     const uint32_t turning = program_step_turning_axis(robot);
     const bool is_turning = turning < robot->axis_count;

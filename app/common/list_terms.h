@@ -23,7 +23,7 @@ typedef struct {
     double angle_deg; /**< Angle of the axis about it; without meaning where none exists. */
     double dwell_s;
     bool is_gated;
-} told_step_t;
+} reported_step_t;
 
 /**
  * `step` as the robot has it, without its checksum; unspecified when refused.
@@ -32,7 +32,7 @@ typedef struct {
  * command can hold, or an angle where no axis turns the needle, or none where one does;
  * STATUS_PROGRAM_DWELL for a gate without a dwell, which no command can hold either
  */
-status_t list_terms_step(const robot_t *robot, const told_step_t *told, program_step_t *step);
+status_t list_terms_step(const robot_t *robot, const reported_step_t *told, program_step_t *step);
 
 /** The command that hands in step `index`. */
 command_t list_terms_step_command(const robot_t *robot, uint32_t index, const program_step_t *step);

@@ -69,7 +69,7 @@ void computer_look(computer_t *self, loop_figures_t *published)
     published->computer = self->lacks;
 }
 
-void computer_tell_wake_up(computer_t *self, const loop_figures_t *published)
+void computer_report_wake_up(computer_t *self, const loop_figures_t *published)
 {
     check_facts_t facts;
     char found[CHECK_TEXT_SIZE];

@@ -11,7 +11,7 @@ typedef struct {
     uint32_t lacks; /**< Bits of computer_check_t. */
     uint64_t minor_faults;
     uint64_t major_faults; /**< Both of this thread, at the last look. */
-    uint32_t looks;        /**< Calls of computer_tell_wake_up(), up to the one after its report. */
+    uint32_t looks; /**< Calls of computer_report_wake_up(), up to the one after its report. */
 } computer_t;
 
 /**
@@ -37,6 +37,6 @@ void computer_look(computer_t *self, loop_figures_t *published);
  *
  * @satisfies SWR-LOOP-012
  */
-void computer_tell_wake_up(computer_t *self, const loop_figures_t *published);
+void computer_report_wake_up(computer_t *self, const loop_figures_t *published);
 
 #endif

@@ -67,8 +67,8 @@ static controller_inputs_t inputs;
 static controller_outputs_t outputs;
 static figures_t figures;
 static loop_figures_t published;
-static uint64_t told_board_ns; /* When the figures were last published. */
-static uint64_t told_world_ns;
+static uint64_t board_ns_reported; /* When the figures were last published. */
+static uint64_t world_ns_reported;
 static exchange_t *exchange;
 static uint64_t stage_ns[LOOP_STAGE_COUNT]; /* To wake up for this cycle, the others of the last. */
 static sources_t sources;
@@ -226,18 +226,19 @@ static void publish(uint32_t cycle)
 static void publish_figures(void)
 {
     const uint64_t world_ns = realtime_now_ns();
-    const uint64_t elapsed_ns = world_ns - told_world_ns;
+    const uint64_t elapsed_ns = world_ns - world_ns_reported;
     if (elapsed_ns >= FIGURES_NS) {
         const uint64_t board_ns = bsp_reached_ns();
         figures_publish(&figures, &published);
         published.overruns = controller.loop.sealed.overruns;
         published.cycles_lost = lane.lost;
-        published.speed_permille = (uint32_t)(((board_ns - told_board_ns) * 1000U) / elapsed_ns);
+        published.speed_permille =
+            (uint32_t)(((board_ns - board_ns_reported) * 1000U) / elapsed_ns);
         computer_look(&computer, &published);
-        computer_tell_wake_up(&computer, &published);
+        computer_report_wake_up(&computer, &published);
         exchange_publish_loop(exchange, &published);
-        told_board_ns = board_ns;
-        told_world_ns = world_ns;
+        board_ns_reported = board_ns;
+        world_ns_reported = world_ns;
     }
 }
 
@@ -301,8 +302,8 @@ static void begin_figures(uint32_t rights)
     published.slowness = board.slowness;
     published.speedup = board.speedup;
     published.speed_permille = 1000U / board.slowness;
-    told_board_ns = bsp_reached_ns();
-    told_world_ns = realtime_now_ns();
+    board_ns_reported = bsp_reached_ns();
+    world_ns_reported = realtime_now_ns();
     exchange_publish_loop(exchange, &published);
 }
 
@@ -403,7 +404,7 @@ static bool hold_trajectory(const char *path)
  *
  * @satisfies SWR-NI-012
  */
-static void tell_dialect(void)
+static void report_dialect(void)
 {
     if (board.dialect != (uint32_t)CARD_DIALECT_OWN) {
         (void)fprintf(stderr,
@@ -452,7 +453,7 @@ static int control(const char *const values[])
         bsp_close();
         return EXIT_CANNOT_START;
     }
-    tell_dialect();
+    report_dialect();
     handle_signals();
     publish_cards();
     exchange_publish_robot(exchange, our_robot);

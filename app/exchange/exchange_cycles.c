@@ -50,7 +50,7 @@ static uint32_t between(const exchange_t *self, uint32_t tail, uint32_t head)
     return (head >= tail) ? (head - tail) : ((head + (2U * self->cycles)) - tail);
 }
 
-static uint32_t told_tail(const exchange_t *self)
+static uint32_t reported_tail(const exchange_t *self)
 {
     return __atomic_load_n(&self->segment->recorder.cycles_tail, __ATOMIC_ACQUIRE);
 }
@@ -63,7 +63,7 @@ static uint32_t believable_tail(exchange_t *self)
 {
     uint32_t *const seen = &self->segment->control.cycles_seen;
     const uint32_t before = __atomic_load_n(seen, __ATOMIC_RELAXED);
-    const uint32_t tail = told_tail(self);
+    const uint32_t tail = reported_tail(self);
 
     if (between(self, tail, self->cycles_put) > between(self, before, self->cycles_put)) {
         return before;
@@ -214,7 +214,7 @@ uint32_t exchange_recording_left_min(const exchange_t *self)
 static void begin_taking(exchange_t *self, uint32_t head)
 {
     const uint32_t seen = __atomic_load_n(&self->segment->control.cycles_seen, __ATOMIC_ACQUIRE);
-    const uint32_t tail = told_tail(self);
+    const uint32_t tail = reported_tail(self);
 
     if (!self->is_taking) {
         self->is_taking = true;
@@ -229,7 +229,7 @@ bool exchange_repair_cycles(exchange_t *self, uint32_t *dropped)
 
     begin_taking(self, head);
     const bool is_overrun = between(self, self->cycles_tail, head) > self->cycles;
-    const bool is_damaged = is_overrun || (told_tail(self) != self->cycles_tail);
+    const bool is_damaged = is_overrun || (reported_tail(self) != self->cycles_tail);
     if (is_overrun && is_index(self, head)) {
         *dropped += self->cycles;
         self->cycles_taken = head;

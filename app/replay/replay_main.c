@@ -101,7 +101,7 @@ static uint32_t count_given(const char *const values[])
     return given;
 }
 
-static int tell_what_if(void)
+static int report_what_if(void)
 {
     what_if_begin(&what_if, walk.robot);
     while (walk_take(&walk)) {
@@ -125,7 +125,7 @@ static int treat_alone(const char *path, const char *const values[])
     if (!walk_open(&walk, path)) {
         code = EXIT_REFUSED;
     } else if (values[WHAT_IF] != NULL) {
-        code = tell_what_if();
+        code = report_what_if();
     } else if (values[CSV] != NULL) {
         code = file_output_csv(&walk, values[CSV]);
     } else if (values[MCAP] != NULL) {

@@ -37,10 +37,10 @@ struct request_message;
 typedef struct {
     const char *name;
     request_kind_t kind;
-    size_t offset;      /**< Place of the value, or of a list's first one. */
-    size_t size;        /**< Size of one value. */
-    size_t told_offset; /**< Place of the number of a list's values (uint32_t), or of the flag of an
-                             optional value (bool). Only for lists and optional values. */
+    size_t offset;       /**< Place of the value, or of a list's first one. */
+    size_t size;         /**< Size of one value. */
+    size_t given_offset; /**< Place of the number of a list's values (uint32_t), or of the flag
+                             of an optional value (bool). Only for lists and optional values. */
     bool is_optional;
     uint32_t least;      /**< Values of a list. */
     uint32_t most;       /**< The same; 0: it is no list. */

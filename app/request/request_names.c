@@ -31,7 +31,7 @@ const request_field_t *request_names_missing(const request_message_t *message, u
 
 void request_names_tell(const request_field_t *field, uint32_t count, void *structure)
 {
-    char *place = (char *)structure + field->told_offset;
+    char *place = (char *)structure + field->given_offset;
     if (field->most > 0U) {
         (void)memcpy(place, &count, sizeof count);
     } else if (field->is_optional) {

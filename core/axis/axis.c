@@ -73,7 +73,7 @@ static uint32_t dispatch(axis_t *self, const axis_config_t *config, axis_event_t
 }
 
 /* For the others. */
-static void tell(axis_t *self, axis_event_t event, bool is_fault_present)
+static void notify(axis_t *self, axis_event_t event, bool is_fault_present)
 {
     const axis_inputs_t inputs = {.is_fault_present = is_fault_present};
     (void)axis_chart_dispatch(&self->chart, &inputs, event);
@@ -102,7 +102,7 @@ void axis_refuse_parking(axis_t *self)
 static uint32_t fail(axis_t *self, uint32_t found)
 {
     if (found != 0U) {
-        tell(self, AXIS_EVENT_FAILED, false);
+        notify(self, AXIS_EVENT_FAILED, false);
         axis_break_place(self);
     }
     return found;
@@ -166,7 +166,7 @@ static uint32_t follow_switch(axis_t *self, const axis_config_t *config)
                     : dispatch(self, config, AXIS_EVENT_SWITCH_ON, config->home_ticks);
         break;
     case HOMING_CLEAR:
-        tell(self, AXIS_EVENT_CLEAR_OF_SWITCH, false);
+        notify(self, AXIS_EVENT_CLEAR_OF_SWITCH, false);
         break;
     case HOMING_WRONG:
         notes = fail(self, AXIS_NOTE_SWITCH_FAULT);
@@ -184,7 +184,7 @@ bool axis_check(axis_t *self)
     const bool is_unwatched = supervision_check(&self->supervision);
     if (is_unwatched) {
         /* The axis must not be driven until it is enabled anew. */
-        tell(self, AXIS_EVENT_FAILED, false);
+        notify(self, AXIS_EVENT_FAILED, false);
     }
     return is_repaired || is_unwatched;
 }
@@ -213,7 +213,7 @@ void axis_warm(axis_t *self, const axis_config_t *config, int32_t heat_dc)
 
 void axis_enable(axis_t *self, bool is_fault_present)
 {
-    tell(self, AXIS_EVENT_ENABLE, is_fault_present);
+    notify(self, AXIS_EVENT_ENABLE, is_fault_present);
     if (axis_is_enabled(self)) {
         supervision_reset(&self->supervision, axis_is_homed(self));
     }
@@ -221,17 +221,17 @@ void axis_enable(axis_t *self, bool is_fault_present)
 
 void axis_disable(axis_t *self)
 {
-    tell(self, AXIS_EVENT_DISABLE, false);
+    notify(self, AXIS_EVENT_DISABLE, false);
 }
 
 void axis_lose_reference(axis_t *self)
 {
-    tell(self, AXIS_EVENT_LOSE_REFERENCE, false);
+    notify(self, AXIS_EVENT_LOSE_REFERENCE, false);
 }
 
 void axis_doubt(axis_t *self)
 {
-    tell(self, AXIS_EVENT_DOUBT, false);
+    notify(self, AXIS_EVENT_DOUBT, false);
 }
 
 void axis_restore(axis_t *self, const axis_config_t *config, int32_t position_ticks)
@@ -250,7 +250,7 @@ void axis_forget(axis_t *self)
     if (axis_is_fresh(self)) {
         axis_refuse_parking(self);
     }
-    tell(self, AXIS_EVENT_FORGET, false);
+    notify(self, AXIS_EVENT_FORGET, false);
 }
 
 void axis_remember(axis_t *self, int32_t position_ticks)
@@ -285,14 +285,14 @@ void axis_distrust(axis_t *self)
     axis_init(self);
     self->chart = chart;
     self->sealed.place = AXIS_PLACE_BROKEN;
-    tell(self, AXIS_EVENT_FAILED, false);
+    notify(self, AXIS_EVENT_FAILED, false);
     axis_forget(self);
     axis_lose_reference(self);
 }
 
 void axis_stop_homing(axis_t *self)
 {
-    tell(self, AXIS_EVENT_STOP_HOMING, false);
+    notify(self, AXIS_EVENT_STOP_HOMING, false);
 }
 
 uint32_t axis_begin_homing(axis_t *self, const axis_config_t *config)

@@ -120,9 +120,9 @@ void link_judge(link_t *self, bool is_good);
  */
 static inline const card_drive_t *link_applied(const link_t *self)
 {
-    const bool is_told =
+    const bool is_reported =
         (self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) == 0U);
-    return is_told ? &self->report.applied : &self->sealed.sent_before;
+    return is_reported ? &self->report.applied : &self->sealed.sent_before;
 }
 
 /** Remembers what goes out in this cycle, for the comparison with the card's read-back. */

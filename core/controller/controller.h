@@ -179,9 +179,9 @@ typedef struct {
     uint32_t cycles_lost;                  /**< Those of the inputs before; counts, too, */
     uint32_t unrecorded;                   /**< and those of them in the present gap. */
     uint32_t recording_left_min;           /**< That of the inputs before. */
-    uint32_t is_end_told;                  /**< Its near end was reported: 0 or 1. */
+    uint32_t is_end_reported;              /**< Its near end was reported: 0 or 1. */
     uint32_t unread;                       /**< That of the inputs before. */
-    uint32_t is_estop_told;                /**< Its pull was reported: 0 or 1. */
+    uint32_t is_estop_reported;            /**< Its pull was reported: 0 or 1. */
     force_sensor_t force;                  /**< Under the seal of the cards without an axis. */
     robot_cards_t cards;      /**< Cards of the robot, as its undamaged table says in each cycle. */
     target_way_t way;         /**< As it is shown; has a seal of its own. */

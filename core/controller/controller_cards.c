@@ -21,7 +21,7 @@ static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
 }
 
 /* Cards of another dialect do not report whether they have begun to count anew. */
-static bool tells_new_beginning(const cycle_t *cycle)
+static bool reports_new_beginning(const cycle_t *cycle)
 {
     return cycle->inputs->dialect == (uint32_t)CARD_DIALECT_OWN;
 }
@@ -33,7 +33,7 @@ static card_loss_t judge_loss(const controller_t *self, const cycle_t *cycle, ui
     card_loss_t loss = CARD_LOSS_LOSES;
     if (!link_was_only_silent(link)) {
         /* The worth of its counts is not known. */
-    } else if (tells_new_beginning(cycle) && !link_is_standing(link)) {
+    } else if (reports_new_beginning(cycle) && !link_is_standing(link)) {
         loss = CARD_LOSS_KEEPS;
     } else if (is_only_out_of_sight(self, index)) {
         loss = CARD_LOSS_DOUBTS;
@@ -149,14 +149,14 @@ static void watch_lost(controller_t *self, const cycle_t *cycle, uint32_t index)
     link_t *const link = &self->links[self->cards.slots[index]];
     axis_t *const axis = &self->axes[index];
     const uint32_t missed_cycles = axis->sealed.encoder.missed_cycles;
-    if (tells_new_beginning(cycle) && link_has_broken(link, missed_cycles)) {
+    if (reports_new_beginning(cycle) && link_has_broken(link, missed_cycles)) {
         lose_position(axis);
     }
     if (link_is_standing(link)) {
         apply_loss(axis, judge_loss(self, cycle, index));
     }
     const uint32_t most =
-        tells_new_beginning(cycle) ? LIMIT_SILENT_KEPT_CYCLES : LIMIT_LINK_AGE_CYCLES;
+        reports_new_beginning(cycle) ? LIMIT_SILENT_KEPT_CYCLES : LIMIT_LINK_AGE_CYCLES;
     if ((link->is_fresh == 0U) && ((missed_cycles + 1U) >= most)) {
         axis_doubt(axis);
     }

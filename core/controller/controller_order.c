@@ -9,8 +9,14 @@ answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle)
     answer_t *const answer = &cycle->outputs->answers[cycle->outputs->answer_count];
     cycle->outputs->answer_count++;
     answer->workphase = (uint32_t)procedure_workphase(&self->procedure);
-    rigid_set_identity(&answer->pose);
     return answer;
+}
+
+void controller_blame(answer_t *answer, const solution_t *judged)
+{
+    if (judged->status != STATUS_OK) {
+        answer_refuse(answer, (uint32_t)judged->status, judged->axis, judged->is_maximum);
+    }
 }
 
 static void begin_account(controller_t *self, const cycle_t *cycle)
@@ -55,7 +61,9 @@ static void answer_pending(controller_t *self, const cycle_t *cycle, answer_kind
     answer->kind = (uint32_t)kind;
     answer->status = (uint32_t)status;
     answer->is_final = 1U;
-    answer->axis = (cycle->cause == EVENT_CAUSE_AXIS) ? cycle->peer : ROBOT_AXIS_MAX;
+    if (kind == ANSWER_ABORTED) {
+        answer->as.ended.axis = (cycle->cause == EVENT_CAUSE_AXIS) ? cycle->peer : ROBOT_AXIS_MAX;
+    }
 }
 
 void controller_abandon_order(controller_t *self, const cycle_t *cycle)
@@ -156,10 +164,10 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
     }
 }
 
-void controller_tell_order(controller_t *self, const cycle_t *cycle, arming_event_t event,
-                           status_t fault)
+void controller_notify_order(controller_t *self, const cycle_t *cycle, arming_event_t event,
+                             status_t fault)
 {
-    controller_report_order(self, cycle, procedure_tell(&self->procedure, event), fault);
+    controller_report_order(self, cycle, procedure_notify(&self->procedure, event), fault);
 }
 
 void controller_enter_emergency(controller_t *self, const cycle_t *cycle)
@@ -176,5 +184,5 @@ void controller_fail_order(controller_t *self, const cycle_t *cycle, event_cause
                            uint32_t peer)
 {
     const cycle_t because = controller_with_cause(cycle, cause, peer);
-    controller_tell_order(self, &because, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    controller_notify_order(self, &because, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }

@@ -8,6 +8,13 @@
 /** Adds an answer to this cycle's outputs. */
 answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle);
 
+/** Adds the axis and the end of the limit to the answer to a command that is refused as `judged`
+ * says, as far as its status names them.
+ *
+ * @satisfies SWR-CMD-481
+ */
+void controller_blame(answer_t *answer, const solution_t *judged);
+
 /**
  * The chart has armed a motion: `kind`, with `request`. `command` is to be answered for good later.
  *
@@ -32,8 +39,8 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
                              status_t fault);
 
 /** Sends the order an event and reports. */
-void controller_tell_order(controller_t *self, const cycle_t *cycle, arming_event_t event,
-                           status_t fault);
+void controller_notify_order(controller_t *self, const cycle_t *cycle, arming_event_t event,
+                             status_t fault);
 
 /**
  * The operator has said or confirmed where an axis is: a spent account of vain homing begins anew.

@@ -97,7 +97,7 @@ uint32_t procedure_estop(procedure_t *self)
     return dispatch(self, &nothing, WORKPHASE_EVENT_ESTOP).arming;
 }
 
-uint32_t procedure_tell(procedure_t *self, arming_event_t event)
+uint32_t procedure_notify(procedure_t *self, arming_event_t event)
 {
     return workphase_chart_is_sound(&self->workphase) ? arming_chart_dispatch(&self->arming, event)
                                                       : 0U;

@@ -81,7 +81,7 @@ uint32_t procedure_estop(procedure_t *self);
 
 /** Sends the order `event`, on its outcome or on the pedal. Returns ARMING_ACTION_ bits; 0 while
  * the workphase is damaged: a damaged chart takes no event, nor does the one beside it. */
-uint32_t procedure_tell(procedure_t *self, arming_event_t event);
+uint32_t procedure_notify(procedure_t *self, arming_event_t event);
 
 /** The present workphase. */
 static inline workphase_t procedure_workphase(const procedure_t *self)

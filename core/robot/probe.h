@@ -24,10 +24,10 @@ status_t probe_judge(const robot_t *robot, const probe_t *probe);
 
 /** Value of a length of the robot that clients are sent, nm; `probe_nm`: those of the present
  * probe. */
-static inline int32_t probe_told_nm(const told_length_t *told,
-                                    const int32_t probe_nm[ROBOT_PROBE_LENGTHS])
+static inline int32_t probe_reported_nm(const reported_length_t *reported,
+                                        const int32_t probe_nm[ROBOT_PROBE_LENGTHS])
 {
-    return (told->probe != 0U) ? probe_nm[told->probe - 1U] : told->length_nm;
+    return (reported->probe != 0U) ? probe_nm[reported->probe - 1U] : reported->length_nm;
 }
 
 /** Its CRC-32C. */

@@ -13,15 +13,15 @@
 
 #include <stdint.h>
 
-#define ROBOT_AXIS_MAX 10U      /**< Most axes of any robot; what a robot has is axis_count. */
-#define ROBOT_COUPLED_LIMITS 4U /**< Most coupled limits of any robot. */
-#define ROBOT_GEOMETRY_MAX 11U  /**< Most lengths of the geometry of any robot. */
-#define ROBOT_FORCE_CHANNELS 2U /**< Channels of a force sensor, by force_channel_id_t. */
-#define ROBOT_HOME_STAGES 4U    /**< Most stages of homing. */
-#define ROBOT_PROBE_LENGTHS 4U  /**< Most lengths of the probe of any robot. */
-#define ROBOT_TOLD_LENGTHS 4U   /**< Most lengths that clients are sent. */
-#define ROBOT_CURVE_STEPS 8U    /**< Into so many the words of a high-frequency card are divided. */
-#define ROBOT_CURVE_FULL 255U   /**< Full speed in them. */
+#define ROBOT_AXIS_MAX 10U        /**< Most axes of any robot; what a robot has is axis_count. */
+#define ROBOT_COUPLED_LIMITS 4U   /**< Most coupled limits of any robot. */
+#define ROBOT_GEOMETRY_MAX 11U    /**< Most lengths of the geometry of any robot. */
+#define ROBOT_FORCE_CHANNELS 2U   /**< Channels of a force sensor, by force_channel_id_t. */
+#define ROBOT_HOME_STAGES 4U      /**< Most stages of homing. */
+#define ROBOT_PROBE_LENGTHS 4U    /**< Most lengths of the probe of any robot. */
+#define ROBOT_REPORTED_LENGTHS 4U /**< Most lengths that clients are sent. */
+#define ROBOT_CURVE_STEPS 8U  /**< Into so many the words of a high-frequency card are divided. */
+#define ROBOT_CURVE_FULL 255U /**< Full speed in them. */
 
 typedef enum {
     HOME_BY_SWITCH = 0, /**< Drives to its limit switch. */
@@ -169,7 +169,7 @@ typedef struct {
     char name[24];     /**< At most 20 characters; empty: none. */
     int32_t length_nm; /**< As the robot file has it. */
     uint32_t probe;    /**< 1 + place in probe_t: that of the present probe is sent; 0: of none. */
-} told_length_t;
+} reported_length_t;
 
 /** How a hand that pushes moves the needle (motion/admittance.h). All 0: no hand moves it. */
 typedef struct {
@@ -210,8 +210,8 @@ typedef struct {
     /** Names of the probe's lengths for people, and the values that planning clients are sent: axes
      * in the order of lists, and lengths. Nothing that moves reads it, so it has no seal. */
     char probe_names[ROBOT_PROBE_LENGTHS][24];
-    uint8_t told_joints[ROBOT_AXIS_MAX];
-    told_length_t told_lengths[ROBOT_TOLD_LENGTHS];
+    uint8_t reported_joints[ROBOT_AXIS_MAX];
+    reported_length_t reported_lengths[ROBOT_REPORTED_LENGTHS];
     /** Along which the needle goes to a target that is a bare point, in the z-frame, each -1 to 1;
      * all 0: a point needs an entry point. */
     int32_t bare_direction[3];

@@ -42,11 +42,11 @@ void served_stream_go_on(http_server_t *server)
     http_stream_t *const stream = &server->stream;
 
     if (stream->clients > 0U) {
-        const bool is_told = http_stream_send_news(&client, server);
+        const bool is_reported = http_stream_send_news(&client, server);
         const bool is_slow = connection.size > (SERVED_STREAM_BYTES / 2U);
         const size_t size = is_slow ? 0U : http_stream_take_frame(stream, &client);
         const bool is_shown = (size == 0U) || http_stream_send_frame(&client, size);
-        stream->clients = (is_told && is_shown) ? 1U : 0U;
+        stream->clients = (is_reported && is_shown) ? 1U : 0U;
     }
 }
 

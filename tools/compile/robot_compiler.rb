@@ -94,8 +94,8 @@ module Robot
        *force,
        *array('start_ticks', @robot.axes.each_with_index.map { |axis, i| "        [#{i}] = #{axis['start_ticks']}" }),
        *array('probe_names', @robot.probe.names.each_with_index.map { |name, i| "        [#{i}] = \"#{name}\"" }),
-       *array('told_joints', @robot.told.joints.each_with_index.map { |axis, i| "        [#{i}] = #{axis}U" }),
-       *array('told_lengths', @robot.told.lengths.each_with_index.map { |length, i| "        [#{i}] = #{told(*length)}" }),
+       *array('reported_joints', @robot.reported.joints.each_with_index.map { |axis, i| "        [#{i}] = #{axis}U" }),
+       *array('reported_lengths', @robot.reported.lengths.each_with_index.map { |length, i| "        [#{i}] = #{reported_length(*length)}" }),
        "    .bare_direction = {#{@robot.bare_direction.join(', ')}}"]
     end
 
@@ -140,7 +140,7 @@ module Robot
       ["    .force = {\n#{lines.join(",\n")}\n    }"]
     end
 
-    def told(name, length)
+    def reported_length(name, length)
       "{.name = \"#{name}\", .length_nm = #{nanometres(length.millimetres)}, .probe = #{length.probe}U}"
     end
 

@@ -46,7 +46,7 @@ module Interface
 
     # Adds to what is said of each where it may be obeyed.
     def complete
-      @kinds.values.each { |value| value.says = told(value.says, value) }
+      @kinds.values.each { |value| value.says = with_workphases(value.says, value) }
     end
 
     def files
@@ -58,7 +58,7 @@ module Interface
     end
 
     # `says` and where it may be obeyed.
-    def told(says, value)
+    def with_workphases(says, value)
       [says, sentence(value)].reject(&:empty?).join(' ')
     end
 

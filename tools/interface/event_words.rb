@@ -53,6 +53,9 @@ module Interface
         /** Unit of the value with a space before it, or "". Lives for ever. */
         const char *event_value_unit(uint32_t id);
 
+        /** Name of the value, such as "correction"; NULL: it has none. Lives for ever. */
+        const char *event_value_title(uint32_t id);
+
         /** Kind of the peer of a cause. */
         event_word_t event_peer_word(uint32_t cause);
       CODE
@@ -67,7 +70,7 @@ module Interface
 
         #include <stddef.h>
 
-        #{[subject_word, subject_name, subject_owner, value_name, value_text, value_unit, peer_word].join("\n")}
+        #{[subject_word, subject_name, subject_owner, value_name, value_text, value_unit, value_title, peer_word].join("\n")}
       CODE
         .sub(/\n+\z/, "\n")
     end
@@ -119,6 +122,12 @@ module Interface
     def value_unit
       results = each_event { |event| C.string(" #{event.amount}") if Events::UNITS.include?(event.amount) }
       choose('const char *event_value_unit(uint32_t id)', 'id', results, '""')
+    end
+
+    # @satisfies SWR-TOOL-483
+    def value_title
+      results = each_event { |event| C.string(event.title) if event.title }
+      choose('const char *event_value_title(uint32_t id)', 'id', results, 'NULL')
     end
 
     def peer_word

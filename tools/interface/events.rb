@@ -9,12 +9,25 @@ module Interface
     # Kinds of a number that is no enumeration's.
     KINDS = %w[axis card part length number].freeze
     OWNERS = %w[axis card].freeze
+    # The sentence gets these behind the number.
     UNITS = %w[ticks percent nm millionths].freeze
+    # The sentence has these in its own words; nil: it needs none.
+    OWN_WORDS = { 'us' => 'us', 'ms' => 'ms', 'min' => 'min', 'hz' => 'Hz', 'mn' => 'mN', 'tenths_c' => 'tenths of a degree Celsius',
+                  'count' => nil, 'number' => nil }.freeze
     WORDS = 2
     PLACE = /\{(\w*)\}/
 
-    # `subject`, `peer`: a kind of KINDS or an enumeration; `value`: an enumeration, a unit, number, or two words.
-    Event = Struct.new(:value, :severity, :subject, :amount, keyword_init: true)
+    # `subject`, `peer`: a kind of KINDS or an enumeration; `amount`, of the value: an enumeration, a unit, count, number, or two
+    # words; `title`, `subject_title`: their names.
+    Event = Struct.new(:value, :severity, :subject, :subject_title, :amount, :title, :unsaid, keyword_init: true) do
+      # Of the value, for people: "correction, ticks"; nil: none.
+      def about
+        return unless title
+
+        kind = amount.is_a?(Array) ? amount.join(' or ') : (amount.is_a?(Enumeration) ? amount.name : amount)
+        [title, kind].uniq.join(', ')
+      end
+    end
 
     attr_reader :events, :causes
 
@@ -42,9 +55,12 @@ module Interface
 
     def event(value, severities)
       severity = value.more['severity'] || value.node.refuse('has no severity')
-      event = Event.new(value: value, severity: severity.choice(severities), subject: subject(value),
-                        amount: amount(value))
-      told(value, 'subject' => event.subject, 'value' => event.amount)
+      subject_title, subject = subject(value)
+      title, amount = amount(value)
+      event = Event.new(value: value, severity: severity.choice(severities), subject: subject, subject_title: subject_title,
+                        amount: amount, title: title, unsaid: value.more['unsaid']&.true?)
+      check_places(value, { 'subject' => subject, 'value' => amount }, event.unsaid)
+      check_unit(value, amount)
       event
     end
 
@@ -56,21 +72,39 @@ module Interface
       needed(name).values.map { |value| value.name.downcase }
     end
 
+    # [name, kind]. A number of no kind has a name of its own.
     def subject(value)
-      node = value.more['subject']
-      node && kind(node, KINDS)
+      node = value.more['subject'] || return
+      return named(node) { |type| type.choice(['number']) } unless node.scalar?
+
+      node.refuse('is number without a name; expected {NAME: number}') if node.word == 'number'
+      found = kind(node, KINDS - ['number'])
+      [found.is_a?(Enumeration) ? found.name : found, found]
+    end
+
+    # [name, what the block makes of the node behind it].
+    def named(node)
+      pairs = node.all
+      node.refuse("has #{pairs.size} names; expected one, {NAME: TYPE}") unless pairs.size == 1
+      name, type = pairs.first
+      [name, yield(type)]
     end
 
     def peer(cause)
       node = cause.more['peer']
       result = node&.choice(KINDS)
-      told(cause, 'peer' => result)
+      check_places(cause, { 'peer' => result })
       result
     end
 
     def amount(value)
       node = value.more['value'] || return
-      return kind(node, UNITS + ['number']) unless node.list?
+      node.refuse('has no name; expected {NAME: TYPE}') if node.scalar? || node.list?
+      named(node) { |type| type_of(type) }
+    end
+
+    def type_of(node)
+      return kind(node, UNITS + OWN_WORDS.keys) unless node.list?
 
       words = node.sequence.map(&:identifier)
       node.refuse("has #{words.size} words; expected #{WORDS}, for 0 and 1") unless words.size == WORDS
@@ -85,13 +119,19 @@ module Interface
     end
 
     # The sentence names what there is, and nothing else. {meaning} is what the enumeration says of the value.
-    def told(value, kinds)
+    def check_places(value, kinds, unsaid = false)
       places = value.says.scan(PLACE).flatten
       places = places.map { |place| place == 'meaning' ? 'value' : place } if kinds['value'].is_a?(Enumeration)
       stranger = places.find { |place| kinds[place].nil? }
       value.node.refuse("says {#{stranger}}, which it has not") if stranger
-      silent = kinds.compact.keys - places
+      silent = kinds.compact.keys - places - (unsaid ? ['value'] : [])
       value.node.refuse("does not say {#{silent.first}}") if silent.any? && !quiet?(silent.first, kinds)
+    end
+
+    # A unit that does not stand behind the number stands in the sentence.
+    def check_unit(value, amount)
+      words = OWN_WORDS[amount]
+      value.node.refuse("has a value in #{amount} and does not say #{words}") if words && !value.says.include?(words)
     end
 
     # A value that belongs to its subject is named with it.

@@ -18,7 +18,13 @@ module Interface
       const field_t *fields_of_command(uint32_t kind);
     CODE
 
+    OF_FORM = <<~CODE
+      /** The fields of the data of an answer of this answer_form_t; NULL: it has none. */
+      const field_t *fields_of_answer(uint32_t form);
+    CODE
+
     def initialize(model)
+      @forms = model.answer_forms
       @structures = model.structures.sort_by(&:name)
       @commands = model.commands
     end
@@ -62,9 +68,10 @@ module Interface
             const char *says;
         } field_t;
 
-        /** The fields of each structure; of a command without what it says. */
+        /** The fields of each structure; of a command and an answer without their data. */
         #{tables.chomp}
         #{"\n#{OF_KIND.chomp}" if @commands}
+        #{"\n#{OF_FORM.chomp}" if @forms}
       CODE
     end
 
@@ -78,7 +85,7 @@ module Interface
         #{@structures.map { |one| "#include \"interface/#{one.header}.h\"\n" }.uniq.sort.join}
         #define SIZE(structure, name) sizeof(((structure *)0)->name)
 
-        #{(words + @structures.map { |one| table(one) } + of_kind).join("\n").chomp}
+        #{(words + @structures.map { |one| table(one) } + of_kind + of_form).join("\n").chomp}
       CODE
     end
 
@@ -102,6 +109,14 @@ module Interface
         "#{payload.values.map { |value| "    case #{value.code}:\n" }.join}        return fields_#{payload.structure.name};\n"
       end
       ["const field_t *fields_of_command(uint32_t kind)\n{\n    switch (kind) {\n#{cases.join}    default:\n" \
+       "        return NULL;\n    }\n}\n"]
+    end
+
+    def of_form
+      return [] unless @forms
+
+      cases = @forms.structures.map { |constant, one| "    case #{constant}:\n        return fields_#{one.name};\n" }
+      ["const field_t *fields_of_answer(uint32_t form)\n{\n    switch (form) {\n#{cases.join}    default:\n" \
        "        return NULL;\n    }\n}\n"]
     end
 

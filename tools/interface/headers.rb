@@ -14,7 +14,7 @@ module Interface
 
     def files
       @model.headers.to_h { |header| ["#{header.name}.h", text(header)] }
-            .merge('event.c' => severities).merge(@model.modes&.files || {}, @model.commands&.files || {}).compact
+            .merge('event.c' => severities).merge(@model.modes&.files || {}, @model.commands&.files || {}, @model.answer_forms&.files || {}).compact
     end
 
     private
@@ -67,7 +67,8 @@ module Interface
         "#{C.comment(about, '    ') unless about.empty?}    #{field.type.c} #{field.name}" \
           "#{"[#{field.count}]" if field.count};\n"
       end
-      union = "#{@model.commands.payloads.union}\n" if structure.fields.any? { |field| field.type.payload? }
+      payloads = structure.fields.filter_map { |field| field.type.payloads }.first
+      union = "#{payloads.union}\n" if payloads
       "#{union}#{C.comment(structure.says) if structure.says}typedef struct {\n#{fields.join}} #{structure.name}_t;\n"
     end
 
@@ -79,9 +80,14 @@ module Interface
       @model.commands && header.enumerations.any? { |one| one.name == 'command_kind' }
     end
 
+    def answers?(header)
+      @model.answer_forms && header.structures.any? { |one| one.name == 'answer' }
+    end
+
     def prototypes(header)
       return Modes::DECLARATION if modes?(header)
       return @model.commands.prototypes if commands?(header)
+      return @model.answer_forms.prototypes if answers?(header)
       return unless header.enumerations.any? { |one| one.name == 'event_id' }
 
       <<~CODE

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
+require_relative 'command/answer_forms'
 require_relative 'command/answers'
 require_relative 'commands'
 require_relative 'events'
@@ -13,7 +14,7 @@ require_relative 'structure'
 module Interface
   # One `enum`: the only source of its names, numbers and sentences.
   class Enumeration
-    KEYS = (%w[severity subject value of peer sets] + Statuses::KEYS + Modes::KEYS | Commands::KEYS).freeze
+    KEYS = (%w[severity subject value unsaid of peer sets] + Statuses::KEYS + Modes::KEYS | Commands::KEYS).freeze
     # `robot`: whose own it is, nil for all.
     Value = Struct.new(:code, :name, :says, :node, :more, :robot, keyword_init: true)
     # Values that have something in common: bits of a number.
@@ -121,10 +122,21 @@ module Interface
   module Robots
     # The nodes of each robot by its name, none without folders.
     def self.refusals(folder)
+      parts(folder, 'refusals').transform_values { |refusals| refusals ? refusals.sequence : [] }
+    end
+
+    # The refusals of coupled limits, by name.
+    def self.shared(folder)
+      parts(folder, 'coupled_limits').values.compact.flat_map do |limits|
+        limits.all.values.map { |limit| limit.at('refusal').word }
+      end
+    end
+
+    # The part `name` of each robot's file; nil: it has none.
+    def self.parts(folder, name)
       Dir.glob('*/kinematics.yml', base: folder).sort.to_h do |path|
         file = File.join(folder, path)
-        refusals = Node.parse(file, File.read(file, encoding: 'UTF-8')).at('refusals')
-        [File.dirname(path), refusals ? refusals.sequence : []]
+        [File.dirname(path), Node.parse(file, File.read(file, encoding: 'UTF-8')).at(name)]
       end
     end
   end
@@ -132,6 +144,8 @@ module Interface
   # Everything that core/interface says, and core/robot beside it.
   class Model
     Header = Struct.new(:name, :says, :enumerations, :structures, :file)
+    # Refusal by the soft limits of an axis.
+    AXIS_LIMIT = 'AXIS_LIMIT'
 
     attr_reader :headers, :messages, :charts, :routes
 
@@ -143,6 +157,7 @@ module Interface
 
       nodes = files.map { |file| [file, Node.parse(file, File.read(file, encoding: 'UTF-8'))] }
       @added = { 'refusals' => Robots.refusals(File.join(folder, '../robot')), 'commands' => Modes.commands(nodes.map(&:last)) }
+      @shared = Robots.shared(File.join(folder, '../robot'))
       @messages = []
       @headers = nodes.filter_map { |file, node| read(file, node) }
       node = nodes.to_h.find { |file, _| file.end_with?('/routes.yml') }&.last
@@ -185,7 +200,7 @@ module Interface
 
     # Data of the values of an enumeration beside their kind; nil: none.
     def payloads(name)
-      commands&.payloads if name == 'command_kind'
+      { 'command_kind' => commands&.payloads, 'answer_kind' => answer_forms }[name]
     end
 
     def statuses
@@ -195,6 +210,16 @@ module Interface
     # None without commands or a verdict on them.
     def answers
       @answers ||= Answers.new(self) if commands && enumeration(Answers::KIND) && statuses
+    end
+
+    # None without answers that carry data.
+    def answer_forms
+      @answer_forms ||= AnswerForms.new(self) if answers && structure('answer')&.carries?('answer_kind')
+    end
+
+    # Whether a coupled limit of a robot, or a soft limit of an axis, refuses with `status`: then a refusal names the end.
+    def limit_end?(status)
+      status.name == AXIS_LIMIT || @shared.include?(status.name)
     end
 
     # The structures whose fields are shown in `message`, each with these fields and how.

@@ -67,9 +67,9 @@ module Interface
     def fields_of(member)
       array = "[#{member.list.last}]" if member.list?
       array = "#{array}[#{member.size + 1}]" if member.size
-      told = "    uint32_t #{member.name}_count;\n" if member.list?
-      told ||= "    bool has_#{member.name};\n" if member.optional?
-      "    #{member.c_type} #{member.name}#{array};\n#{told}"
+      given = "    uint32_t #{member.name}_count;\n" if member.list?
+      given ||= "    bool has_#{member.name};\n" if member.optional?
+      "    #{member.c_type} #{member.name}#{array};\n#{given}"
     end
 
     def source
@@ -101,7 +101,7 @@ module Interface
       element = "((#{structure} *)0)->#{member.name}#{'[0]' if member.list?}"
       pairs = { 'name' => C.string(member.name), 'kind' => "REQUEST_#{kind(member)}",
                 'offset' => "offsetof(#{structure}, #{member.name})", 'size' => "sizeof(#{element})" }
-      pairs = pairs.merge(told(structure, member), bounds(message, member))
+      pairs = pairs.merge(given(structure, member), bounds(message, member))
       "    {#{pairs.map { |key, value| ".#{key} = #{value}" }.join(",\n     ")}}"
     end
 
@@ -111,10 +111,10 @@ module Interface
       KINDS.fetch(member.type, 'WORD')
     end
 
-    def told(structure, member)
+    def given(structure, member)
       name = member.list? ? "#{member.name}_count" : "has_#{member.name}"
       pairs = {}
-      pairs['told_offset'] = "offsetof(#{structure}, #{name})" if member.list? || member.optional?
+      pairs['given_offset'] = "offsetof(#{structure}, #{name})" if member.list? || member.optional?
       pairs['is_optional'] = 'true' if member.optional?
       pairs.merge!('least' => "#{member.list.first}U", 'most' => "#{member.list.last}U") if member.list?
       pairs

@@ -235,7 +235,7 @@ module Interface
     end
 
     def check(model, routes)
-      @says = model.commands.told(says, command)
+      @says = model.commands.with_workphases(says, command)
       super
       @fields = read_fields(model.commands.payloads.of(command)) unless handler
       refuse_without_reason

@@ -5,15 +5,17 @@ require_relative 'c'
 require_relative 'node'
 
 module Interface
-  # The columns of a status: the code by which OpenIGTLink reports it, and for which refused commands it names an axis.
+  # The columns of a status: the code by which OpenIGTLink reports it, and of which refused commands it names the axis.
   #
   # @satisfies SWR-TOOL-071
   class Statuses
-    KEYS = %w[igtl_code names_axis refuses ends].freeze
+    KEYS = %w[igtl_code names_axis refuses ends given_by].freeze
     # Those of the protocol that a refusal may have.
     CODES = %w[OK ACCESS_DENIED BUSY TIME_OUT CONFIG_ERROR UNKNOWN_INSTRUCTION NOT_READY].freeze
     # That of a number which is no status.
     UNKNOWN = 'NOT_READY'
+    # Those that give a status which the core does not give.
+    GIVERS = %w[processes].freeze
     # Instead of a list of commands.
     ANY = 'any'
     FROM = 'core/interface/status.yml'
@@ -41,8 +43,19 @@ module Interface
     end
 
     def files
-      { 'igtl_codes.h' => codes_header, 'igtl_codes.c' => codes_source,
-        'refused_axis.h' => axis_header, 'refused_axis.c' => axis_source }
+      { 'igtl_codes.h' => codes_header, 'igtl_codes.c' => codes_source }
+    end
+
+    # The commands of which a refusal with `status` names the axis: their names; ANY; nil: none.
+    def named(status)
+      @rows.find { |row| row.value == status }.commands
+    end
+
+    # Whether the core gives it.
+    #
+    # @satisfies SWR-TOOL-481
+    def of_core?(status)
+      status.more['given_by']&.choice(GIVERS).nil?
     end
 
     private
@@ -96,44 +109,6 @@ module Interface
             }
         }
       CODE
-    end
-
-    def axis_header
-      C.file('Which refusals name an axis.', FROM) + C.guard('refused_axis', <<~CODE)
-        #include <stdbool.h>
-        #include <stdint.h>
-
-        /** Whether an answer that refuses the command_kind_t `command` with `status` names the axis for which it does. */
-        bool refused_axis_is_named(uint32_t status, uint32_t command);
-      CODE
-    end
-
-    def axis_source
-      <<~CODE
-        #{C.file('Which refusals name an axis.', FROM).chomp}
-        #include "refused_axis.h"
-
-        #{"#include \"interface/command.h\"\n" if @rows.any? { |row| row.commands.is_a?(Array) }}#include "interface/status.h"
-
-        bool refused_axis_is_named(uint32_t status, uint32_t command)
-        {
-            switch ((int)status) {
-        #{axis_cases.join}    default:
-                return #{axis_cases.any? { |one| one.include?('command') } ? '' : '(void)command, '}false;
-            }
-        }
-      CODE
-    end
-
-    def axis_cases
-      @rows.select(&:commands).group_by(&:commands).map do |commands, rows|
-        tests = commands == ANY ? ['true'] : commands.map { |name| "(command == (uint32_t)#{kind(name)})" }
-        "#{labels(rows)}        return #{tests.join(" ||\n               ")};\n"
-      end
-    end
-
-    def kind(name)
-      "#{@model.enumeration('command_kind').prefix}_#{name}"
     end
 
     def labels(rows)

@@ -14,7 +14,8 @@ module Interface
     }.freeze
     KINDS = %w[chart bits payload].freeze
 
-    attr_reader :enumeration, :structure, :leaves
+    # `payloads`: the structures of which it is one, by the kind or the form beside it; otherwise nil.
+    attr_reader :enumeration, :structure, :leaves, :payloads
 
     def initialize(node)
       @node = node
@@ -43,7 +44,7 @@ module Interface
 
     def c
       return PLAIN[@kind].first if PLAIN.key?(@kind)
-      return 'command_payload_t' if payload?
+      return @payloads.c_type if payload?
 
       @structure ? "#{@structure.name}_t" : 'uint32_t'
     end
@@ -212,6 +213,11 @@ module Interface
 
     def bytes
       fields.sum { |field| field.type.bytes }
+    end
+
+    # Whether it has the data of the values of `enumeration`.
+    def carries?(enumeration)
+      fields.any? { |field| field.type.name == "payload #{enumeration}" }
     end
 
     def shown_in(message)

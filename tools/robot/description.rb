@@ -11,7 +11,7 @@ require_relative 'kinematics'
 require_relative 'limit'
 require_relative 'pose'
 require_relative 'probe'
-require_relative 'told'
+require_relative 'reported'
 
 module Robot
   # An axis as the file gives it: values by key, and the nodes they came from.
@@ -191,11 +191,11 @@ module Robot
     CARDS = %w[sensor].freeze # That go without an axis.
 
     attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :force, :hand, :geometry, :probe,
-                :coupled_limits, :followers, :poses, :told
+                :coupled_limits, :followers, :poses, :reported
 
     def initialize(path, text)
       nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes],
-                                             %w[cards force hand poses told])
+                                             %w[cards force hand poses reported])
       @name = nodes['name'].name
       @kinematics = nodes['kinematics'].choice(Kinematics.names)
       @expected = Kinematics.new(@kinematics)
@@ -213,7 +213,7 @@ module Robot
       @followers = Followers.new(@axes)
       check_axes
       @poses = read_poses(nodes['poses'])
-      @told = Told.new(nodes['told'], @axes.map { |axis| axis['name'] }, @geometry, @probe)
+      @reported = Reported.new(nodes['reported'], @axes.map { |axis| axis['name'] }, @geometry, @probe)
     end
 
     def needle_axis

@@ -57,7 +57,7 @@ class TestDebian < Minitest::Test
     end
   end
 
-  def test_SWR_ARM_001_stanzas_are_told_apart
+  def test_SWR_ARM_001_stanzas_are_distinguished
     stanza = "Types: deb\nURIs: http://m.example\nSuites: sid\nComponents: main\n"
     assert_equal 2, AptSources.stanzas("#{stanza}\n\n#{stanza}", 'sid', BOTH).scan(/^Types:/).size
   end

@@ -28,7 +28,7 @@ class TestFuzzTool < Minitest::Test
     end
   end
 
-  def test_SWR_TOOL_017_what_breaks_a_target_is_kept_and_told_with_how_to_play_it_again
+  def test_SWR_TOOL_017_what_breaks_a_target_is_kept_and_reported_with_how_to_play_it_again
     search('\2\1\0\0\0') do |output, status, found|
       refute status.success?
       assert_equal ["\2\1\0\0\0"], found.map { |file| File.binread(file) }

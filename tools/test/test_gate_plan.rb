@@ -42,7 +42,7 @@ class TestGatePlan < Minitest::Test
     assert_equal %w[last], startable(passed: %w[build], waiting: %w[last])
   end
 
-  def test_SWR_GATE_003_tells_how_long_is_left
+  def test_SWR_GATE_003_reports_how_long_is_left
     assert_equal 0, left(waiting: [])
     assert_equal 60, left(passed: [], waiting: %w[build short long])
     # long beside middle and then short; then alone.

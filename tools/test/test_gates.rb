@@ -192,7 +192,7 @@ class TestGates < Minitest::Test
     TEXT
   end
 
-  def test_SWR_GATE_004_a_gate_without_a_failed_test_gives_the_sentences_of_its_log_that_tell_it
+  def test_SWR_GATE_004_a_gate_without_a_failed_test_gives_the_sentences_of_its_log_that_report_it
     { "gcc -c a.c\na.c:3:5: error: no semicolon\nmake: *** [x] Error 1" => 'a.c:3:5: error: no semicolon',
       "an error\nTRACE-E18 build/results/unit.json:1: no\ntrace: 1" => 'TRACE-E18 build/results/unit.json:1: no',
       "first\nSome::LoadError (no)\nlast" => 'Some::LoadError (no)',

@@ -27,7 +27,7 @@ class TestIntervals < Minitest::Test
     assert_equal "second,shortest_us,mean_us,longest_us\n0,900,1000.0,1100\n1,1000,1001.5,1003\n", all.seconds_csv
   end
 
-  def test_SWR_CHECK_006_what_is_late_is_told_with_its_stage
+  def test_SWR_CHECK_006_what_is_late_is_reported_with_its_stage
     all = intervals('0.001,1500,WAKE', '0.002,1501,WAKE', '0.003,4000,STEP', '0.004,1000,STEP')
     assert_equal 2, all.late
     assert_equal({ 'WAKE' => 1, 'STEP' => 1 }, all.late_stages)

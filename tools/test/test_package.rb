@@ -88,7 +88,7 @@ class TestPackage < Minitest::Test
   end
 
   # A source outside of any user's folder leaves no trace of one.
-  def test_SWR_PACK_005_programs_do_not_tell_where_they_were_compiled
+  def test_SWR_PACK_005_programs_do_not_reveal_where_they_were_compiled
     source = 'app/common/clock.c'
     sums = Array.new(2) do
       Dir.mktmpdir do |folder|
@@ -119,7 +119,7 @@ class TestPackage < Minitest::Test
     end
   end
 
-  def test_SWR_PACK_006_what_only_a_board_links_is_told_of_that_board
+  def test_SWR_PACK_006_what_only_a_board_links_is_reported_of_that_board
     soup = Soup.new(File.read("#{ROOT}/docs/soup.md"))
     refute_includes soup.items('sim').map(&:title), 'libgpiod'
     assert_includes soup.items('sbrio').map(&:library), 'libgpiod2'

@@ -4,7 +4,7 @@
 .PHONY: authority-stress
 
 build/gcc/bin/authority-stress-oracle: $(call object,$(wildcard verification/authority_stress/*.c verification/oracle/*.c app/recording/format/*.c app/recording/read/*.c app/recording/write/recording_writer.c) \
-    app/replay/verify/replay.c app/replay/verify/field_name.c $(GEN)/interface/app/fields.c $(NAMES) $(FIND_ROBOT)) build/gcc/libcore.a
+    app/replay/verify/replay.c app/replay/verify/field_name.c $(GEN)/interface/app/fields.c $(GEN)/interface/app/event_words.c $(NAMES) $(FIND_ROBOT)) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $^ $(LIBS_boresight-replay) -lm -o $@
 	@echo "built $@"

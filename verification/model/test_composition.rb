@@ -57,7 +57,7 @@ class TestComposition < Minitest::Test
     end
   end
 
-  def tell(report, who)
+  def report_counts(report, who)
     puts "composition     #{report.configurations} configurations (#{report.explored} explored), " \
          "#{report.pairs} pairs (#{report.explored_pairs} explored): #{who}"
   end
@@ -65,7 +65,7 @@ class TestComposition < Minitest::Test
   def test_SWR_CHART_012_one_card_and_two_axes_equal_the_interpreter_and_keep_every_property
     report = sound(2, 'gcc')
     assert_operator report.configurations, :>, 300_000
-    tell(report, 'gcc, interpreter (two axes)')
+    report_counts(report, 'gcc, interpreter (two axes)')
   end
 
   # Without these stimuli two axes can be explored without exchanging them.
@@ -81,7 +81,7 @@ class TestComposition < Minitest::Test
   def two_axes_in_short(from = '', to = '', exchange: Exchange)
     text = File.read(Composition::FILE)
     assert_includes text, from
-    short = text.sub(from, to).gsub(/\{tell: (#{Regexp.union(RARE)})\b.*$/, "{tell: \\1, #{NEVER}}")
+    short = text.sub(from, to).gsub(/\{send: (#{Regexp.union(RARE)})\b.*$/, "{send: \\1, #{NEVER}}")
     written(short, axes: 2, exchange: exchange)
   end
 
@@ -102,7 +102,7 @@ class TestComposition < Minitest::Test
     here = sound(1, 'gcc')
     assert_equal here, sound(1, 'clang')
     assert_equal in_short('gcc'), in_short('clang')
-    tell(here, 'gcc, clang, interpreter (one axis)')
+    report_counts(here, 'gcc, clang, interpreter (one axis)')
   end
 
   def test_SWR_CHART_012_axes_that_are_not_alike_are_found
@@ -129,7 +129,7 @@ class TestComposition < Minitest::Test
     here = sound(1, 'gcc')
     assert_equal here, sound(1, 'arm-gcc')
     assert_equal here, sound(1, 'arm-clang')
-    tell(here, 'gcc, interpreter, Cortex-A9 by gcc and clang (one axis)')
+    report_counts(here, 'gcc, interpreter, Cortex-A9 by gcc and clang (one axis)')
   end
 
   # The one state more is that before the start.
@@ -148,7 +148,7 @@ class TestComposition < Minitest::Test
   end
 
   def test_SWR_CHART_012_a_composition_that_lacks_something_of_the_controller_is_found
-    lacking = changed('  - {tell: pedal.differ}', "  - {tell: pedal.differ, when: In('pedal.fault')}")
+    lacking = changed('  - {send: pedal.differ}', "  - {send: pedal.differ, when: In('pedal.fault')}")
     assert_found(/^not reached: /, 1, lacking, asked: controller_run)
   end
 
@@ -171,12 +171,12 @@ class TestComposition < Minitest::Test
   {
     'no_yaml' => ['axes: 2', 'axes: [2', /did not find expected/], 'no_section' => [/^axes: 2\n/, '', /has no axes/],
     'a_section_of_another_kind' => ['axes: 2', 'axes: two', /axes is no Integer/],
-    'a_stimulus_without_event' => ['- {tell: pedal.differ}', '- {when: permit_1}', /stimuli: it has no tell/],
-    'a_word_that_means_nothing' => ['{tell: pedal.differ}', '{tell: pedal.differ, whem: permit_1}', /whem means nothing/],
-    'an_event_that_is_none' => ['- {tell: pedal.differ}', '- {tell: pedal.differs}', /pedal\.differs: no such event/],
+    'a_stimulus_without_event' => ['- {send: pedal.differ}', '- {when: permit_1}', /stimuli: it has no send/],
+    'a_word_that_means_nothing' => ['{send: pedal.differ}', '{send: pedal.differ, whem: permit_1}', /whem means nothing/],
+    'an_event_that_is_none' => ['- {send: pedal.differ}', '- {send: pedal.differs}', /pedal\.differs: no such event/],
     'a_state_that_is_none' => ["SCANNER_ACTIVE: In('scanner.active')", "SCANNER_ACTIVE: In('scanner.on')",
                                /scanner\.on: no such state/],
-    'a_member_that_is_none' => ['- {tell: pedal.differ}', '- {tell: pedals.differ}', /no member pedals/],
+    'a_member_that_is_none' => ['- {send: pedal.differ}', '- {send: pedals.differ}', /no member pedals/],
     'a_chart_that_is_none' => ['statecharts/loop_guard.scxml', 'statecharts/loop.scxml', /No such file/],
     'an_input_that_is_none' => ['workphase.is_able: >-', 'workphase.is_idle: >-', /workphase\.is_idle: no such input/],
     'a_condition_that_cannot_be_read' => ['when: permit_N', "when: In('pedal.pressed') and", /In\('pedal\.pressed'\) and: /],
@@ -223,13 +223,13 @@ class TestComposition < Minitest::Test
     report = explore(1, 'gcc', commands, asked: controller_run)
     assert_empty report.findings.first(3)
     assert_operator report.configurations, :>, 300_000
-    tell(report, 'gcc, interpreter (one axis, with authority and what the order needs)')
+    report_counts(report, 'gcc, interpreter (one axis, with authority and what the order needs)')
   end
 
   {
-    'authority does discard_order, tell: [arming.discard]' => /^COMP-I27: .*authority\.lose$/,
-    'workphase does arm_order, tell: [authority.take]' => /^COMP-I27: .*request_start_up\b[^,]*$/,
-    'arming does renew_pedal, tell: [need.armed]' => /^COMP-I31/
+    'authority does discard_order, send: [arming.discard]' => /^COMP-I27: .*authority\.lose$/,
+    'workphase does arm_order, send: [authority.take]' => /^COMP-I27: .*request_start_up\b[^,]*$/,
+    'arming does renew_pedal, send: [need.armed]' => /^COMP-I31/
   }.each do |row, finding|
     define_method("test_SWR_CHART_012_without_#{row[/\w+ \w+ \w+/].tr(' ', '_')}_#{row[/(?<=\[)\w+/]}_a_property_is_violated") do
       assert_found(finding, 1, changed(row, row.sub(/\[.*\]/, '[plan.forget]'), commands: true))
@@ -243,11 +243,11 @@ class TestComposition < Minitest::Test
 
   # Acts that the controller might forget, and the property that shows it with the shortest way there.
   {
-    'arming does renew_pedal, tell: [pedal.renew]' => /^COMP-I11\.1: .*workphase\.request_start_up/,
-    'workphase does discard_order, tell: [arming.discard]' => /^COMP-I10\.1: .*workphase\.request_stop$/,
-    'stall_N does report_stall, tell: [axis_N.failed]' => /^COMP-I02\.1: .*stall_1\.no_progress$/,
-    'estop enters pulled, tell: [axis_N.disable, workphase.estop]' => /^COMP-I05\.1: .*estop\.opened$/,
-    'axis_N hears failed, tell: [plan.forget, arming.fault]' => /^COMP-I09\.1: .*axis_1\.failed$/
+    'arming does renew_pedal, send: [pedal.renew]' => /^COMP-I11\.1: .*workphase\.request_start_up/,
+    'workphase does discard_order, send: [arming.discard]' => /^COMP-I10\.1: .*workphase\.request_stop$/,
+    'stall_N does report_stall, send: [axis_N.failed]' => /^COMP-I02\.1: .*stall_1\.no_progress$/,
+    'estop enters pulled, send: [axis_N.disable, workphase.estop]' => /^COMP-I05\.1: .*estop\.opened$/,
+    'axis_N hears failed, send: [plan.forget, arming.fault]' => /^COMP-I09\.1: .*axis_1\.failed$/
   }.each do |row, finding|
     define_method("test_SWR_CHART_012_without_#{row[/\w+ \w+ \w+/].tr(' ', '_')}_a_property_is_violated") do
       assert_found(finding, 1, changed(row, row.sub(/\[.*\]/, '[plan.forget]')))

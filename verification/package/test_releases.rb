@@ -161,7 +161,7 @@ class TestReleases < SystemTest
     @tree.run('/etc/init.d/boresight', act)
   end
 
-  def test_SWR_PACK_003_it_tells_the_versions_that_must_fit_together
+  def test_SWR_PACK_003_it_reports_the_versions_that_must_fit_together
     assert_done(install(OLD))
     version = @tree.run('boresight', '--version').first[/ (.*)$/, 1]
     start_installed

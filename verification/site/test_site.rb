@@ -182,7 +182,7 @@ class TestSite < Minitest::Test
     end
   end
 
-  def test_SWR_SITE_002_a_state_that_is_not_as_recorded_is_told_with_cycle_and_place
+  def test_SWR_SITE_002_a_state_that_is_not_as_recorded_is_reported_with_cycle_and_place
     said, status = node("#{__dir__}/replay.mjs", MODULE, recordings.fetch('neuro'), '4096')
     refute status.success?
     assert_match(/\ACycle 0 differs first in its .*: it is \d+ \(0x\h+\), recorded \d+ /, said)

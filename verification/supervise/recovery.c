@@ -130,7 +130,7 @@ static void tell(const scene_t *scene, const operator_t *player, uint32_t seed)
 }
 
 /* In how many scenes he was shown each step. */
-static void tell_steps(const uint32_t scenes[NEXT_STEPS_MOST])
+static void report_steps(const uint32_t scenes[NEXT_STEPS_MOST])
 {
     const char *separator = "scenes that showed";
     for (uint32_t i = 0U; i < NEXT_STEPS_MOST; i++) {
@@ -170,6 +170,6 @@ bool recovery_play(scene_t *scene, const robot_t *robot, uint32_t count, uint32_
            (unsigned)ends[OPERATOR_ARRIVES], (unsigned)ends[OPERATOR_SERVICE],
            (unsigned)ends[OPERATOR_DEAD_END], (unsigned)ends[OPERATOR_REFUSED],
            (unsigned)most_acts);
-    tell_steps(scenes);
+    report_steps(scenes);
     return (ends[OPERATOR_DEAD_END] + ends[OPERATOR_REFUSED] + lost) == 0U;
 }

@@ -1,15 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervise/scene.h"
 
-#include <stddef.h>
-
 void scene_begin(scene_t *self, const robot_t *robot, play_t play, uint32_t seed)
 {
     motion_oracle_begin(&self->oracle, seed);
     scenario_begin(&self->scenario, &self->rig, robot, play, seed);
-    if (self->digest != NULL) {
-        digest_begin(self->digest);
-    }
 }
 
 void scene_cycle(scene_t *self)
@@ -18,9 +13,6 @@ void scene_cycle(scene_t *self)
     scenario_play(&self->scenario, &self->rig);
     box_true_positions(&self->rig.box, truth);
     rig_cycle(&self->rig);
-    if (self->digest != NULL) {
-        digest_add(self->digest, &self->rig.outputs);
-    }
     self->oracle.is_sound = scenario_is_sound(&self->scenario);
     motion_oracle_look(&self->oracle, &self->rig, truth, scenario_is_disturbed(&self->scenario));
 }

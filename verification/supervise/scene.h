@@ -3,7 +3,6 @@
 #ifndef BORESIGHT_SCENE_H
 #define BORESIGHT_SCENE_H
 
-#include "supervise/digest.h"
 #include "supervise/scenario/scenario.h"
 #include "supervise/watch/motion_oracle.h"
 
@@ -12,7 +11,6 @@ typedef struct {
     rig_t rig;
     scenario_t scenario;
     motion_oracle_t oracle;
-    digest_t *digest; /**< Gets all that the controller says; NULL: it is not asked for. */
 } scene_t;
 
 /** Sets the scene `seed` of `robot`, which must outlive it; what the oracle has seen before stays.

@@ -4,13 +4,13 @@
  * The real controller on the simulated control box, in simulated time, with an operator, a world
  * and faults by chance, and an oracle that knows where the axes truly stand.
  *
- *     supervise [--robot NAME] COUNT [SEED [PLAY [DIGESTS]]], PLAY one of PLAY_NAMES
+ *     supervise [--robot NAME] COUNT [SEED [PLAY]], PLAY one of PLAY_NAMES
  *
  * Plays COUNT scenes from SEED on (1), or as many as COUNT moves need. Prints how often each
  * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken, with 3
  * when the robot cannot give the play. With "taps" also prints the enemy's plan of each such scene.
  * With "flips", COUNT times up to 3 bits of a word of the controller's memory change in random
- * scenes. The file DIGESTS gets a line for each scene: two builds that say the same have the same.
+ * scenes.
  */
 #include "interface/app/names.h"
 #include "robot/app/robot_names.h"
@@ -21,7 +21,6 @@
 
 #include "unity.h"
 
-#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,8 +36,6 @@
 
 static const robot_t *robot;
 static scene_t scene;
-static FILE *digests;
-static digest_t digest;
 
 void setUp(void)
 {
@@ -81,14 +78,10 @@ static void play_scene(play_t play, uint32_t seed)
     for (uint32_t i = 0U; i < cycles_of(play); i++) {
         scene_cycle(&scene);
     }
-    if (digests != NULL) {
-        (void)fprintf(digests, "%s %u %u %016" PRIx64 "\n", robot->name, (unsigned)seed,
-                      (unsigned)digest.cycles, digest.hash);
-    }
 }
 
 /* Prints the acts of the enemy of the scene `seed`. */
-static void tell_plan(uint32_t seed)
+static void report_plan(uint32_t seed)
 {
     char text[PLAN_SIZE];
     scene_begin(&scene, robot, PLAY_TAPS, seed);
@@ -191,7 +184,7 @@ static bool report(play_t play, uint32_t count)
             is_good = false;
             report_broken((sentence_t)i, verdict);
             if (play == PLAY_TAPS) {
-                tell_plan(verdict->seed);
+                report_plan(verdict->seed);
             }
         }
     }
@@ -245,11 +238,9 @@ int main(int count, char **arguments)
     const uint32_t first = (left > 2) ? (uint32_t)strtoul(rest[2], NULL, 10) : 1U;
     const int play = (left > 3) ? play_find(rest[3]) : (int)PLAY_RANDOM;
     robot = robots_find(is_named ? arguments[2] : ROBOT_NAMES_DEFAULT);
-    digests = (left > 4) ? fopen(rest[4], "w") : NULL;
-    scene.digest = (digests != NULL) ? &digest : NULL;
     if ((wanted == 0U) || (play < 0) || (robot == NULL)) {
         (void)fprintf(stderr,
-                      "usage: supervise [--robot NAME] COUNT [SEED [" PLAY_NAMES " [DIGESTS]]]\n"
+                      "usage: supervise [--robot NAME] COUNT [SEED [" PLAY_NAMES "]]\n"
                       "robots: %s\n",
                       robot_names_list());
         return UNPLAYED;

@@ -65,7 +65,7 @@ class TestElasticTime < SystemTest
     assert_match(/^(\d+) of \1 cycles replayed, every output equal$/, text)
   end
 
-  def test_SWR_BOX_040_fast_time_is_no_faster_than_it_was_told
+  def test_SWR_BOX_040_fast_time_is_no_faster_than_requested
     boresight(arguments: %w[--fast 2])
     began = Boresight.now
     first = boresight.status['cycle']
@@ -94,7 +94,7 @@ class TestElasticTime < SystemTest
     assert_equal([0, 0], PROGRAMS.map { |program| policy_of(program) })
   end
 
-  def test_SWR_BOX_044_the_speedup_is_told
+  def test_SWR_BOX_044_the_speedup_is_reported
     boresight(arguments: ['--fast', SPEEDUP.to_s])
     assert_equal SPEEDUP, boresight.status.dig('time', 'speedup')
     wait_until('the status line says so') { boresight.output.match?(/\bfast time \d+ %/) }

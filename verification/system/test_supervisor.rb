@@ -105,7 +105,7 @@ class TestSupervisor < SystemTest
     assert_nothing_left(boresight.instance)
   end
 
-  def test_SWR_CTRL_005_control_tells_the_cards_and_says_so_whatever_ends_it
+  def test_SWR_CTRL_005_control_informs_the_cards_and_says_so_whatever_ends_it
     { 'USR1' => 'told to end by signal 10', 'HUP' => 'told to end by signal 1',
       'SEGV' => 'crashed by signal 11, report this' }.each do |signal, why|
       one = Boresight.start
@@ -152,7 +152,7 @@ class TestSupervisor < SystemTest
   end
 
   # Only the supervisor ends it: it is held, and lives.
-  def test_SWR_LIFE_001_who_hangs_is_replaced_and_the_log_tells_it_once
+  def test_SWR_LIFE_001_a_process_that_hangs_is_replaced_and_the_log_reports_it_once
     before = boresight.pids
     REPLACED.each { |name| boresight.kill(name, 'STOP') }
     wait_until('all are replaced') { REPLACED.all? { |name| boresight.pid_of(name)&.!=(before[name]) } }

@@ -4,16 +4,16 @@
 #include <stdio.h>
 #include <string.h>
 
-static bool is_told(const request_field_t *field, const request_box_order_t *request)
+static bool is_reported(const request_field_t *field, const request_box_order_t *request)
 {
-    return *(const bool *)((const char *)request + field->told_offset);
+    return *(const bool *)((const char *)request + field->given_offset);
 }
 
-static const request_field_t *next_told(const request_field_t *field,
-                                        const request_box_order_t *request)
+static const request_field_t *next_reported(const request_field_t *field,
+                                            const request_box_order_t *request)
 {
     const request_field_t *const end = &request_box_order.fields[request_box_order.count];
-    while ((field != end) && (!is_told(field, request) || (strcmp(field->name, "slot") == 0))) {
+    while ((field != end) && (!is_reported(field, request) || (strcmp(field->name, "slot") == 0))) {
         field++;
     }
     return (field != end) ? field : NULL;
@@ -76,11 +76,11 @@ static void write_words(const request_field_t *field, const request_box_order_t 
 
 box_order_verdict_t box_order_write(const request_box_order_t *request, box_order_t *order)
 {
-    const request_field_t *const field = next_told(request_box_order.fields, request);
+    const request_field_t *const field = next_reported(request_box_order.fields, request);
     if (field == NULL) {
         return refuse(order, request_box_order.fields[0].name, BOX_ORDER_MISSING);
     }
-    const request_field_t *const another = next_told(field + 1, request);
+    const request_field_t *const another = next_reported(field + 1, request);
     if (another != NULL) {
         return refuse(order, another->name, BOX_ORDER_EXCESS);
     }

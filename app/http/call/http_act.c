@@ -6,7 +6,6 @@
 #include "http/view/telemetry_units.h"
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
-#include "interface/app/refused_axis.h"
 #include "request/request_headers.h"
 
 #define NOT_SENT 499
@@ -55,17 +54,16 @@ int http_act_judge(http_server_t *server, http_call_t *call)
 
 const char *http_act_axis(const robot_t *robot, const answer_t *answer)
 {
-    const bool is_refused = answer->kind == (uint32_t)ANSWER_REFUSED;
-    const bool is_named = (answer->axis < robot->axis_count) &&
-                          ((answer->kind == (uint32_t)ANSWER_ABORTED) ||
-                           (is_refused && refused_axis_is_named(answer->status, answer->command)));
-    return is_named ? robot->axes[answer->axis].name : NULL;
+    const uint32_t axis = answer_axis(answer);
+    return (axis < robot->axis_count) ? robot->axes[axis].name : NULL;
 }
 
 const char *http_act_limit(const answer_t *answer)
 {
-    const char *end = (answer->is_maximum != 0U) ? "upper" : "lower";
-    return (answer->status == (uint32_t)STATUS_AXIS_LIMIT) ? end : NULL;
+    if (answer_form(answer) != ANSWER_FORM_LIMIT) {
+        return NULL;
+    }
+    return (answer_as_limit(answer)->is_maximum != 0U) ? "upper" : "lower";
 }
 
 /* An act that was begun is not done yet, though nothing is against it. */

@@ -26,7 +26,7 @@ void http_positions_begin(http_server_t *server, const char *path)
     }
 }
 
-static cJSON *tell_axes(const robot_t *robot, const position_record_t *record)
+static cJSON *report_axes(const robot_t *robot, const position_record_t *record)
 {
     static const char *const grades[] = {"fresh", "lost", "known"}; /* kept_grade_t. */
     cJSON *axes = cJSON_CreateArray();
@@ -41,8 +41,8 @@ static cJSON *tell_axes(const robot_t *robot, const position_record_t *record)
     return axes;
 }
 
-static cJSON *tell_file(const robot_t *robot, const position_record_t *record, const char *utc,
-                        const uint8_t *seal)
+static cJSON *report_file(const robot_t *robot, const position_record_t *record, const char *utc,
+                          const uint8_t *seal)
 {
     char sum[SAVED_SUM_SIZE];
     char hmac[SAVED_HMAC_SIZE];
@@ -53,7 +53,7 @@ static cJSON *tell_file(const robot_t *robot, const position_record_t *record, c
                                          .checksum = sum,
                                          .power_on = record->power_on,
                                          .saved_utc = utc,
-                                         .axes = tell_axes(robot, record),
+                                         .axes = report_axes(robot, record),
                                          .hmac = hmac};
     return json_saved_positions(&told);
 }
@@ -108,7 +108,7 @@ int http_positions_save(http_server_t *server, const http_call_t *call)
         return http_reply_refuse(connection, PROBLEM_NO_MEMORY);
     }
     saved_write_utc(utc_us, utc);
-    return send_file(connection, robot->name, utc, tell_file(robot, &record, utc, seal));
+    return send_file(connection, robot->name, utc, report_file(robot, &record, utc, seal));
 }
 
 static problem_t problem_of(saved_verdict_t verdict)
@@ -125,8 +125,8 @@ static problem_t problem_of(saved_verdict_t verdict)
     return names[verdict];
 }
 
-static cJSON *tell_row(const axis_config_t *config, const snapshot_axis_t *shown,
-                       const saved_row_t *row)
+static cJSON *report_row(const axis_config_t *config, const snapshot_axis_t *shown,
+                         const saved_row_t *row)
 {
     static const char *const whys[] = {"counts_agree", "other_power_on", "unsealed",
                                        "old_list",     "miscounted",     "moved",
@@ -149,14 +149,15 @@ static cJSON *tell_row(const axis_config_t *config, const snapshot_axis_t *shown
     return json_preview_axis(&told);
 }
 
-static cJSON *tell_view(const saved_view_t *view, const robot_t *robot, const snapshot_t *snapshot)
+static cJSON *report_view(const saved_view_t *view, const robot_t *robot,
+                          const snapshot_t *snapshot)
 {
     static const char *const origins[] = {"sealed", "unsealed", "old_list"};
     char utc[SAVED_UTC_SIZE];
     cJSON *axes = cJSON_CreateArray();
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         (void)cJSON_AddItemToArray(
-            axes, tell_row(&robot->axes[i], &snapshot->axes[i], &view->plan.rows[i]));
+            axes, report_row(&robot->axes[i], &snapshot->axes[i], &view->plan.rows[i]));
     }
     saved_write_utc(view->saved.record.utc_us, utc);
     const json_positions_preview_t told = {
@@ -206,7 +207,7 @@ static int send_view(http_server_t *server, const http_call_t *call, saved_view_
     }
     view->shown_ms = telemetry_now_ms();
     saved_store_show(&server->positions, view);
-    return http_reply_object(call->connection, 200, tell_view(view, robot, &snapshot));
+    return http_reply_object(call->connection, 200, report_view(view, robot, &snapshot));
 }
 
 /**

@@ -113,12 +113,17 @@ int http_targeting_enter(http_server_t *server, const http_call_t *call)
     return http_act_command(server, call, &command);
 }
 
+/* As control would answer it. */
+static answer_t refusal_of(const solution_t *solution)
+{
+    answer_t answer = {.command = (uint32_t)COMMAND_TARGET};
+    answer_refuse(&answer, (uint32_t)solution->status, solution->axis, solution->is_maximum);
+    return answer;
+}
+
 static int refuse_aim(http_server_t *server, const http_call_t *call, const solution_t *solution)
 {
-    const answer_t answer = {.kind = (uint32_t)ANSWER_REFUSED,
-                             .status = (uint32_t)solution->status,
-                             .axis = solution->axis,
-                             .is_maximum = solution->is_maximum};
+    const answer_t answer = refusal_of(solution);
     return (solution->status == STATUS_NOT_PROPOSED)
                ? http_reply_refuse(call->connection, PROBLEM_NO_ENTRY)
                : http_act_refuse(server, call, &answer);
@@ -193,10 +198,7 @@ static cJSON *new_preview(const robot_t *robot, const preview_t *preview)
 {
     const solution_t *solution = &preview->solution;
     const bool is_good = solution->status == STATUS_OK;
-    const answer_t answer = {.kind = (uint32_t)ANSWER_REFUSED,
-                             .status = (uint32_t)solution->status,
-                             .axis = solution->axis,
-                             .is_maximum = solution->is_maximum};
+    const answer_t answer = refusal_of(solution);
     const json_target_preview_t told = {
         .is_reachable = is_good,
         .code = status_name((int32_t)solution->status),

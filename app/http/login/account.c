@@ -118,8 +118,8 @@ bool accounts_parse(accounts_t *self, const char *file, const char *text, size_t
 
     self->count = 0U;
     while (text_lines_next(&lines, line, sizeof line)) {
-        const bool is_told = (line[0] != '\0') && (line[0] != '#');
-        const char *fault = is_told ? take_line(self, line) : lines.fault;
+        const bool is_reported = (line[0] != '\0') && (line[0] != '#');
+        const char *fault = is_reported ? take_line(self, line) : lines.fault;
         if (fault != NULL) {
             self->count = 0U;
             return refuse(error, error_size, "%s, line %u: %s", file, lines.number, fault);

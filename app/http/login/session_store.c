@@ -84,7 +84,7 @@ static void count_refusal(session_store_t *self, const login_t *login)
 {
     const char *from = (login->address != NULL) ? login->address : "";
 
-    self->untold++;
+    self->unreported++;
     (void)snprintf(self->last.who, sizeof self->last.who, "%s", shown(login));
     (void)snprintf(self->last.from, sizeof self->last.from, "%s%s",
                    (from[0] != '\0') ? " from " : "", from);
@@ -97,10 +97,10 @@ static uint32_t take_refusals(session_store_t *self, uint32_t pause_s, uint64_t 
 {
     uint32_t count = 0U;
 
-    if (passed_ms(self->told_ms, now_ms) >= ((uint64_t)pause_s * MS_PER_S)) {
-        count = self->untold;
-        self->untold = 0U;
-        self->told_ms = (count > 0U) ? now_ms : self->told_ms;
+    if (passed_ms(self->reported_ms, now_ms) >= ((uint64_t)pause_s * MS_PER_S)) {
+        count = self->unreported;
+        self->unreported = 0U;
+        self->reported_ms = (count > 0U) ? now_ms : self->reported_ms;
     }
     *last = self->last;
     return count;
@@ -234,8 +234,8 @@ static login_verdict_t open_session(session_store_t *self, const login_t *login,
     return LOGIN_OPENED;
 }
 
-static void tell_opened(const session_store_t *self, const login_t *login, const session_t *opened,
-                        const session_t ended[ENDED_MOST])
+static void report_opened(const session_store_t *self, const login_t *login,
+                          const session_t *opened, const session_t ended[ENDED_MOST])
 {
     for (size_t i = 0U; i < ENDED_MOST; i++) {
         if (ended[i].is_open) {
@@ -289,7 +289,7 @@ static login_verdict_t let_in(session_store_t *self, const login_t *login, const
     const login_verdict_t verdict = open_session(self, login, account, now_ms, opened, ended);
     (void)pthread_mutex_unlock(&self->lock);
     if (verdict == LOGIN_OPENED) {
-        tell_opened(self, login, opened, ended);
+        report_opened(self, login, opened, ended);
     } else {
         note_refusal(self, login, "there are too many sessions, of it or in all.", REFUSAL_PAUSE_S,
                      now_ms);

@@ -40,9 +40,9 @@ typedef struct {
     void *witness_owner;          /**< Handed to it. */
     char code[SESSION_CODE_SIZE]; /**< "": none, or used. */
     bool is_looking;              /**< At a password. */
-    uint32_t untold;              /**< Refusals that were not reported. */
+    uint32_t unreported;          /**< Refusals that were not reported. */
     refused_login_t last;         /**< The last login that was refused. */
-    uint64_t told_ms;             /**< Time of the last report. */
+    uint64_t reported_ms;         /**< Time of the last report. */
     uint64_t compared_ms;         /**< Time of the last comparison of sessions with accounts. */
     login_delay_t delay;
     device_key_t key; /**< Key of the marks; it ends with the process. */

@@ -134,8 +134,8 @@ bool tls_front_parse(tls_front_t *self, const char *file, const char *text, size
     (void)memset(self, 0, sizeof *self);
     while (text_lines_next(&lines, line, sizeof line)) {
         char *words = trim(line);
-        const bool is_told = (words[0] != '\0') && (words[0] != '#');
-        const char *fault = is_told ? take_line(self, words, is_given) : lines.fault;
+        const bool is_reported = (words[0] != '\0') && (words[0] != '#');
+        const char *fault = is_reported ? take_line(self, words, is_given) : lines.fault;
         if (fault != NULL) {
             (void)snprintf(error, error_size, "%s, line %u: %s", file, lines.number, fault);
             return false;

@@ -70,7 +70,7 @@ void http_notes_tell_replaced(http_notes_t *self)
     }
 }
 
-static void tell_damage(http_notes_t *self, command_source_t source, uint64_t now_ms)
+static void report_damage(http_notes_t *self, command_source_t source, uint64_t now_ms)
 {
     static const char *const names[COMMAND_SOURCE_COUNT] = {
         [COMMAND_SOURCE_IGTL] = "igtl", [COMMAND_SOURCE_HTTP] = "http"};
@@ -89,16 +89,16 @@ static void tell_damage(http_notes_t *self, command_source_t source, uint64_t no
                        (unsigned)count, (count > 1U) ? "s" : "");
         told->note = write_note(self, NOTE_DAMAGED, names[source], text);
         told->count = count;
-        told->told_ms = now_ms;
+        told->reported_ms = now_ms;
     }
 }
 
 void http_notes_tell_damage(http_notes_t *self, uint64_t now_ms)
 {
     for (uint32_t i = 0U; i < COMMAND_SOURCE_COUNT; i++) {
-        const uint64_t told_ms = self->damages[i].told_ms;
-        if ((told_ms == 0U) || (passed_ms(told_ms, now_ms) >= LIMIT_DAMAGE_PAUSE_MS)) {
-            tell_damage(self, (command_source_t)i, now_ms);
+        const uint64_t reported_ms = self->damages[i].reported_ms;
+        if ((reported_ms == 0U) || (passed_ms(reported_ms, now_ms) >= LIMIT_DAMAGE_PAUSE_MS)) {
+            report_damage(self, (command_source_t)i, now_ms);
         }
     }
 }

@@ -18,8 +18,8 @@
 /** The last note about a damaged command lane. */
 typedef struct {
     uint32_t count;
-    uint32_t note;    /**< Its number; 0: it is known to have been kept. */
-    uint64_t told_ms; /**< 0: never. */
+    uint32_t note;        /**< Its number; 0: it is known to have been kept. */
+    uint64_t reported_ms; /**< 0: never. */
 } http_notes_damage_t;
 
 typedef struct {

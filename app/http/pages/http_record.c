@@ -87,8 +87,8 @@ void http_record_write(http_record_t *self, const http_record_entry_t *entry, ui
     }
 }
 
-static void tell_left_out(http_record_t *self, http_record_pace_t *pace, const terms_t *terms,
-                          uint64_t now_ms)
+static void report_left_out(http_record_t *self, http_record_pace_t *pace, const terms_t *terms,
+                            uint64_t now_ms)
 {
     char text[EXCHANGE_NOTE_TEXT_SIZE];
     (void)pthread_mutex_lock(&self->lock);
@@ -106,6 +106,6 @@ static void tell_left_out(http_record_t *self, http_record_pace_t *pace, const t
 
 void http_record_tick(http_record_t *self, uint64_t now_ms)
 {
-    tell_left_out(self, &self->commanded, &terms_of_commands, now_ms);
-    tell_left_out(self, &self->refused, &terms_of_refusals, now_ms);
+    report_left_out(self, &self->commanded, &terms_of_commands, now_ms);
+    report_left_out(self, &self->refused, &terms_of_refusals, now_ms);
 }

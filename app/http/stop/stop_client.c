@@ -60,12 +60,12 @@ static void refuse_as(stop_client_t *self, problem_t problem)
 }
 
 /* The body decides between STOP and EMERGENCY, so a stop is not obeyed without it. */
-static void tell_to_go_on(stop_client_t *self)
+static void report_to_go_on(stop_client_t *self)
 {
-    if (self->request.is_held && !self->is_told) {
+    if (self->request.is_held && !self->is_reported) {
         (void)send(self->socket, HTTP_REPLY_GO_ON, sizeof HTTP_REPLY_GO_ON - 1U,
                    MSG_NOSIGNAL | MSG_DONTWAIT);
-        self->is_told = true;
+        self->is_reported = true;
     }
 }
 
@@ -80,7 +80,7 @@ static void take_request(stop_client_t *self, exchange_t *exchange)
     self->request = stop_request_read(&self->gate->guard, self->bytes, self->size);
     const stop_request_t *request = &self->request;
     if (!request->is_whole) {
-        tell_to_go_on(self);
+        report_to_go_on(self);
         return;
     }
     if (!request->is_refused) {
@@ -144,7 +144,7 @@ static void look_at_request(stop_client_t *self, exchange_t *exchange)
     }
     self->request = stop_request_read(&self->gate->guard, self->bytes, size);
     if (!self->request.is_whole) {
-        tell_to_go_on(self);
+        report_to_go_on(self);
         await(self, size + 1U);
     } else if (self->request.is_refused) {
         give_to_library(self);
@@ -177,7 +177,7 @@ void stop_client_enter(stop_client_t *self, exchange_t *exchange, const gate_t *
     self->state = STOP_CLIENT_READS;
     self->since_us = clock_monotonic_us();
     self->size = 0U;
-    self->is_told = false;
+    self->is_reported = false;
     self->request.origin[0] = '\0';
     stop_client_hear(self, exchange);
 }

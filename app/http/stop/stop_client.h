@@ -29,7 +29,7 @@ typedef struct {
     stop_client_state_t state;
     uint64_t number; /**< In the order of coming. */
     uint64_t since_us;
-    bool is_told; /**< To go on with its body. */
+    bool is_reported; /**< To go on with its body. */
     size_t size;
     char bytes[STOP_REQUEST_SIZE + 1U];
     stop_request_t request;

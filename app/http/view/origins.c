@@ -38,9 +38,9 @@ void origins_take(origins_t *self, const exchange_t *exchange, const event_t *ev
 
 static void take(origin_t *origin, const exchange_t *exchange, const origin_t *shown)
 {
-    const bool is_told = origin->is_known && (origin->cycle == shown->cycle) &&
-                         (origin->source == shown->source) && (origin->peer == shown->peer);
-    if (shown->is_known && !is_told) {
+    const bool is_reported = origin->is_known && (origin->cycle == shown->cycle) &&
+                             (origin->source == shown->source) && (origin->peer == shown->peer);
+    if (shown->is_known && !is_reported) {
         *origin = *shown;
         exchange_title(exchange, (command_source_t)origin->source, origin->peer, origin->title);
     }

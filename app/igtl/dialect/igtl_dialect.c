@@ -12,15 +12,6 @@
 
 #define CYCLES_PER_S (1000000U / LIMIT_CYCLE_US)
 
-static bool is_of_coupled_limit(const robot_t *robot, uint32_t status)
-{
-    bool is_one = false;
-    for (uint32_t i = 0U; (i < robot->coupled_limit_count) && (i < ROBOT_COUPLED_LIMITS); i++) {
-        is_one = is_one || (robot->coupled_limits[i].refusal == status);
-    }
-    return is_one;
-}
-
 /* "NAME: sentence"; the client with authority, by name. */
 static void write_reason(status_t status, const igtl_moment_t *moment, char text[IGTL_REASON_SIZE])
 {
@@ -36,22 +27,41 @@ static void write_reason(status_t status, const igtl_moment_t *moment, char text
     }
 }
 
+/* NULL: it names none. */
+static const char *axis_name(const robot_t *robot, const answer_t *answer)
+{
+    const uint32_t axis = answer_axis(answer);
+    return (axis < robot->axis_count) ? robot->axes[axis].name : NULL;
+}
+
+static const char *end_name(uint32_t is_maximum)
+{
+    return (is_maximum != 0U) ? "upper" : "lower";
+}
+
+/* The reason is the place of an axis. */
+static bool is_of_place(const answer_t *answer)
+{
+    return (answer->status == (uint32_t)STATUS_AXIS_LIMIT) ||
+           (answer->status == (uint32_t)STATUS_SWITCH_ZONE);
+}
+
 void igtl_reason_text(const robot_t *robot, const answer_t *answer, const igtl_moment_t *moment,
                       char text[IGTL_REASON_SIZE])
 {
-    const int32_t status = (int32_t)answer->status;
-    const char *limit = (answer->is_maximum != 0U) ? "upper" : "lower";
+    const char *name = status_name((int32_t)answer->status);
+    const char *says = status_text((int32_t)answer->status);
+    const answer_form_t form = answer_form(answer);
+    const char *axis = axis_name(robot, answer);
 
-    if ((answer->status == (uint32_t)STATUS_AXIS_LIMIT) && (answer->axis < robot->axis_count)) {
-        (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s, %s limit)", status_name(status),
-                       status_text(status), robot->axes[answer->axis].name, limit);
-    } else if ((answer->status == (uint32_t)STATUS_SWITCH_ZONE) &&
-               (answer->axis < robot->axis_count)) {
-        (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s)", status_name(status),
-                       status_text(status), robot->axes[answer->axis].name);
-    } else if (is_of_coupled_limit(robot, answer->status)) {
-        (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s limit)", status_name(status),
-                       status_text(status), limit);
+    if ((form == ANSWER_FORM_LIMIT) && (axis != NULL)) {
+        (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s, %s limit)", name, says, axis,
+                       end_name(answer_as_limit(answer)->is_maximum));
+    } else if (is_of_place(answer) && (axis != NULL)) {
+        (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s)", name, says, axis);
+    } else if (form == ANSWER_FORM_SHARED_LIMIT) {
+        (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s limit)", name, says,
+                       end_name(answer_as_shared_limit(answer)->is_maximum));
     } else {
         write_reason((status_t)answer->status, moment, text);
     }

@@ -28,7 +28,7 @@ static const char *const *understood_by(igtl_language_t language, uint32_t *coun
     return is_crtk ? &understood[BEFORE] : understood;
 }
 
-static void tell_capability(igtl_outbox_t *outbox, const char *name, igtl_language_t language,
+static void send_capability(igtl_outbox_t *outbox, const char *name, igtl_language_t language,
                             const igtl_moment_t *moment)
 {
     igtl_packet_t packet;
@@ -40,7 +40,7 @@ static void tell_capability(igtl_outbox_t *outbox, const char *name, igtl_langua
 }
 
 /* RTS_x for STT_x and STP_x. */
-static void tell_return(igtl_outbox_t *outbox, const igtl_message_t *message, bool is_refused,
+static void send_return(igtl_outbox_t *outbox, const igtl_message_t *message, bool is_refused,
                         const igtl_moment_t *moment)
 {
     igtl_packet_t packet;
@@ -69,7 +69,7 @@ static void begin_tracking(igtl_tracking_t *tracking, const igtl_message_t *mess
     *tracking = (igtl_tracking_t){.is_wanted = true,
                                   .interval_us = interval_of(message->resolution_ms),
                                   .next_us = moment->now_us,
-                                  .told_status = (uint32_t)STATUS_OK};
+                                  .reported_status = (uint32_t)STATUS_OK};
     (void)memcpy(tracking->name, message->name, IGTL_NAME_SIZE);
 }
 
@@ -133,23 +133,23 @@ bool igtl_questions_receive(igtl_tracking_t *tracking, igtl_outbox_t *outbox,
 {
     switch ((int)message->kind) {
     case IGTL_KIND_GET_CAPABILITY:
-        tell_capability(outbox, message->name, language, moment);
+        send_capability(outbox, message->name, language, moment);
         return true;
     case IGTL_KIND_GET_POINT:
     case IGTL_KIND_GET_OTHER:
         igtl_tell_not_found(outbox, message->name, moment);
         return true;
     case IGTL_KIND_STT_TDATA:
-        tell_return(outbox, message, false, moment);
+        send_return(outbox, message, false, moment);
         begin_tracking(tracking, message, moment);
         return true;
     case IGTL_KIND_STP_TDATA:
         tracking->is_wanted = false;
-        tell_return(outbox, message, false, moment);
+        send_return(outbox, message, false, moment);
         return true;
     case IGTL_KIND_STT_OTHER:
     case IGTL_KIND_STP_OTHER:
-        tell_return(outbox, message, true, moment);
+        send_return(outbox, message, true, moment);
         return true;
     case IGTL_KIND_COMMAND:
         answer_command(outbox, language, message, moment);
@@ -159,7 +159,7 @@ bool igtl_questions_receive(igtl_tracking_t *tracking, igtl_outbox_t *outbox,
     }
 }
 
-static void tell_needle(const igtl_tracking_t *tracking, igtl_outbox_t *outbox,
+static void send_needle(const igtl_tracking_t *tracking, igtl_outbox_t *outbox,
                         const igtl_moment_t *moment)
 {
     igtl_packet_t packet;
@@ -179,14 +179,14 @@ void igtl_questions_step(igtl_tracking_t *tracking, igtl_outbox_t *outbox,
         return;
     }
     if (status != STATUS_OK) {
-        if (tracking->told_status != (uint32_t)status) {
+        if (tracking->reported_status != (uint32_t)status) {
             igtl_tell_refusal(outbox, tracking->name, status, moment);
         }
     } else if (moment->now_us >= tracking->next_us) {
-        tell_needle(tracking, outbox, moment);
+        send_needle(tracking, outbox, moment);
         tracking->next_us = moment->now_us + tracking->interval_us;
     } else {
         /* Not yet. */
     }
-    tracking->told_status = (uint32_t)status;
+    tracking->reported_status = (uint32_t)status;
 }

@@ -21,7 +21,7 @@ typedef struct {
     char name[IGTL_NAME_SIZE]; /**< As it was asked for. */
     uint64_t interval_us;
     uint64_t next_us;
-    uint32_t told_status; /**< status_t: why there is no pose, as last sent. */
+    uint32_t reported_status; /**< status_t: why there is no pose, as last sent. */
 } igtl_tracking_t;
 
 /**

@@ -200,7 +200,7 @@ static void write_list(const robot_t *robot, const int32_t counts[ROBOT_AXIS_MAX
 
     text[0] = '\0';
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        const uint32_t told = robot->told_joints[i];
+        const uint32_t told = robot->reported_joints[i];
         const axis_config_t *axis = &robot->axes[told];
         const double unit =
             (axis->unit == (uint8_t)AXIS_UNIT_MM) ? (double)NM_PER_MM : BAM_PER_RADIAN;

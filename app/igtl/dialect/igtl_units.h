@@ -83,7 +83,7 @@ void igtl_units_write_point(const point_t *point, uint32_t numbers[3]);
 
 /**
  * Joint values of positions in ticks as text: "%f," for each axis in the order of
- * robot->told_joints, mm and radians.
+ * robot->reported_joints, mm and radians.
  *
  * @satisfies SWR-IGTL-038
  */
@@ -91,7 +91,7 @@ void igtl_units_write_positions(const robot_t *robot, const int32_t ticks[ROBOT_
                                 char text[IGTL_LIST_SIZE]);
 
 /**
- * Joint speeds as text: "%f," for each axis in the order of robot->told_joints, mm/s and rad/s.
+ * Joint speeds as text: "%f," for each axis in the order of robot->reported_joints, mm/s and rad/s.
  *
  * @satisfies SWR-IGTL-038
  */

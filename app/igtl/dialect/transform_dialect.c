@@ -197,7 +197,7 @@ void transform_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
     }
 }
 
-static void tell_refused(transform_dialect_t *self, const igtl_request_t *request,
+static void send_refused(transform_dialect_t *self, const igtl_request_t *request,
                          const answer_t *answer, const igtl_moment_t *moment)
 {
     char text[IGTL_REASON_SIZE];
@@ -220,7 +220,7 @@ bool transform_dialect_answer(transform_dialect_t *self, const answer_t *answer,
     if (request->peer != IGTL_NOBODY) {
         self->peers[request->peer].shown.must_send_measured = true;
         if (answer->kind == (uint32_t)ANSWER_REFUSED) {
-            tell_refused(self, request, answer, moment);
+            send_refused(self, request, answer, moment);
         }
     }
     igtl_requests_end(request);
@@ -228,7 +228,7 @@ bool transform_dialect_answer(transform_dialect_t *self, const answer_t *answer,
 }
 
 /* Those that control did not answer. */
-static void tell_overdue(transform_dialect_t *self, const igtl_moment_t *moment)
+static void send_overdue(transform_dialect_t *self, const igtl_moment_t *moment)
 {
     const igtl_request_t *overdue = igtl_requests_overdue(&self->requests, moment->answer_clock_us);
 
@@ -259,7 +259,7 @@ void transform_dialect_step(transform_dialect_t *self, const igtl_moment_t *mome
 {
     transform_view_t view;
 
-    tell_overdue(self, moment);
+    send_overdue(self, moment);
     if (moment->snapshot != NULL) {
         transform_view_take(&view, moment->snapshot);
     }

@@ -148,13 +148,13 @@ static void send_lengths(transform_shown_t *self, const robot_t *robot, igtl_out
     if (self->has_seen_lengths && (memcmp(probe, &self->seen.probe, sizeof *probe) == 0)) {
         return;
     }
-    for (uint32_t i = 0U; i < ROBOT_TOLD_LENGTHS; i++) {
-        const told_length_t *length = &robot->told_lengths[i];
+    for (uint32_t i = 0U; i < ROBOT_REPORTED_LENGTHS; i++) {
+        const reported_length_t *length = &robot->reported_lengths[i];
         const bool is_known = (length->probe == 0U) || (probe->is_valid != 0U);
 
         if ((length->name[0] != '\0') && is_known) {
             (void)snprintf(text, sizeof text, "%f",
-                           igtl_units_mm(probe_told_nm(length, probe->length_nm)));
+                           igtl_units_mm(probe_reported_nm(length, probe->length_nm)));
             send_text(outbox, length->name, text, moment);
         }
     }

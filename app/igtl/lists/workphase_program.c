@@ -27,7 +27,7 @@ static status_t read_number(char **text, const char *unit, double *number)
 
 static status_t read_words(const robot_t *robot, char **text, workphase_item_t *item)
 {
-    told_step_t told = {.has_angle = has_angle(robot)};
+    reported_step_t told = {.has_angle = has_angle(robot)};
     status_t status = read_number(text, "mm", &told.depth_mm);
 
     if ((status == STATUS_OK) && told.has_angle) {
@@ -58,7 +58,7 @@ static uint32_t columns(const robot_t *robot)
 static status_t read_row(const robot_t *robot, const igtl_message_t *message, uint32_t index,
                          workphase_item_t *item)
 {
-    told_step_t told = {.has_angle = has_angle(robot)};
+    reported_step_t told = {.has_angle = has_angle(robot)};
     double *const numbers[] = {&told.depth_mm, &told.angle_deg, &told.dwell_s};
     uint32_t at = index * message->columns;
     int32_t gate = 0;

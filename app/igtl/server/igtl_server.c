@@ -134,7 +134,7 @@ static void call_peer(igtl_server_t *self, uint64_t now_us)
     }
 }
 
-static void tell_trouble(igtl_connection_t *connection, igtl_result_t reason, const char *name,
+static void send_trouble(igtl_connection_t *connection, igtl_result_t reason, const char *name,
                          const igtl_moment_t *moment)
 {
     const igtl_status_t status = {igtl_result_code(reason), "REFUSED", igtl_result_text(reason)};
@@ -146,7 +146,7 @@ static void tell_trouble(igtl_connection_t *connection, igtl_result_t reason, co
 static void drop_with(igtl_server_t *self, igtl_connection_t *connection, igtl_trouble_t kind,
                       igtl_result_t reason, const igtl_moment_t *moment)
 {
-    tell_trouble(connection, reason, "CONNECTION", moment);
+    send_trouble(connection, reason, "CONNECTION", moment);
     (void)igtl_connection_flush(connection);
     note(self, kind, igtl_result_text(reason), moment->now_us);
     igtl_seats_drop(self, connection, moment->now_us);
@@ -172,7 +172,7 @@ static bool handle(igtl_server_t *self, igtl_connection_t *connection, igtl_inbo
         }
         return true;
     case IGTL_INBOX_REFUSED:
-        tell_trouble(connection, inbox->reason, inbox->header.name, moment);
+        send_trouble(connection, inbox->reason, inbox->header.name, moment);
         igtl_connection_keep_refusal(connection);
         note(self, IGTL_TROUBLE_MESSAGE, igtl_result_text(inbox->reason), moment->now_us);
         return true;

@@ -54,7 +54,7 @@ static bool is_entered_silently(uint32_t phase)
 }
 
 /* Notice for a workphase with an order, since 2021: it waits for the pedal. */
-static void tell_armed(workphase_peer_t *peer, const igtl_packet_t *entered, uint32_t phase,
+static void send_armed(workphase_peer_t *peer, const igtl_packet_t *entered, uint32_t phase,
                        const igtl_moment_t *moment)
 {
     if ((peer->language == IGTL_LANGUAGE_BRP_2021) &&
@@ -64,7 +64,7 @@ static void tell_armed(workphase_peer_t *peer, const igtl_packet_t *entered, uin
     }
 }
 
-static void tell_entered(workphase_peer_t *peer, const answer_t *answer,
+static void send_entered(workphase_peer_t *peer, const answer_t *answer,
                          const igtl_moment_t *moment)
 {
     const char *phase = workphase_name((int32_t)answer->asked);
@@ -76,7 +76,7 @@ static void tell_entered(workphase_peer_t *peer, const answer_t *answer,
     workphase_peer_tell_phase(peer, IGTL_STATUS_OK, answer->asked, "", moment);
     igtl_encode_status(&packet, phase, &entered, moment->timestamp);
     if (answer->is_final == 0U) {
-        tell_armed(peer, &packet, answer->asked, moment);
+        send_armed(peer, &packet, answer->asked, moment);
     } else if (!is_late) {
         igtl_outbox_add(peer->outbox, &packet);
     } else if (peer->pending == 0U) {
@@ -86,7 +86,7 @@ static void tell_entered(workphase_peer_t *peer, const answer_t *answer,
     }
 }
 
-static void tell_outcome(const workphase_dialect_t *self, workphase_peer_t *peer, const char *name,
+static void send_outcome(const workphase_dialect_t *self, workphase_peer_t *peer, const char *name,
                          const answer_t *answer, const igtl_moment_t *moment)
 {
     const bool is_good = answer->status == (uint32_t)STATUS_OK;
@@ -101,11 +101,11 @@ static void tell_outcome(const workphase_dialect_t *self, workphase_peer_t *peer
 }
 
 /* As deployed servers do: the workphase that was asked for, then that it was not entered. */
-static void tell_refused(const workphase_dialect_t *self, workphase_peer_t *peer,
+static void send_refused(const workphase_dialect_t *self, workphase_peer_t *peer,
                          const answer_t *answer, const igtl_moment_t *moment)
 {
     workphase_peer_tell_phase(peer, IGTL_STATUS_OK, answer->asked, "", moment);
-    tell_outcome(self, peer, workphase_name((int32_t)answer->asked), answer, moment);
+    send_outcome(self, peer, workphase_name((int32_t)answer->asked), answer, moment);
 }
 
 static void write_end(const workphase_dialect_t *self, const igtl_request_t *request,
@@ -119,7 +119,7 @@ static void write_end(const workphase_dialect_t *self, const igtl_request_t *req
                                  workphase_name((int32_t)answer->workphase), text};
 
     if (is_fault) {
-        workphase_notifications_fault_text(self, answer->axis, moment, text);
+        workphase_notifications_fault_text(self, answer_as_ended(answer)->axis, moment, text);
     } else if (answer->status != (uint32_t)STATUS_OK) {
         igtl_reason_text(self->robot, answer, moment, text);
     } else {
@@ -142,7 +142,7 @@ static bool is_arrival_asked_for(const workphase_peer_t *peer, const igtl_reques
            is_move(request);
 }
 
-static void tell_ended(workphase_dialect_t *self, const igtl_request_t *request,
+static void send_ended(workphase_dialect_t *self, const igtl_request_t *request,
                        const answer_t *answer, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[request->peer];
@@ -174,21 +174,21 @@ static void answer_phase(workphase_dialect_t *self, const igtl_request_t *reques
         if (answer->kind == (uint32_t)ANSWER_ACCEPTED) {
             workphase_draping_go_on(self, request->peer, moment);
         } else {
-            tell_outcome(self, peer, WORKPHASE_COMMAND_DRAPING, answer, moment);
+            send_outcome(self, peer, WORKPHASE_COMMAND_DRAPING, answer, moment);
         }
         return;
     }
     switch (answer->kind) {
     case ANSWER_ACCEPTED:
-        tell_entered(&self->peers[request->peer], answer, moment);
+        send_entered(&self->peers[request->peer], answer, moment);
         break;
     case ANSWER_REFUSED:
-        tell_refused(self, &self->peers[request->peer], answer, moment);
+        send_refused(self, &self->peers[request->peer], answer, moment);
         break;
     case ANSWER_DONE:
     case ANSWER_ABORTED:
     default:
-        tell_ended(self, request, answer, moment);
+        send_ended(self, request, answer, moment);
         break;
     }
 }
@@ -196,15 +196,16 @@ static void answer_phase(workphase_dialect_t *self, const igtl_request_t *reques
 static void answer_target(const workphase_dialect_t *self, workphase_peer_t *peer,
                           const answer_t *answer, const igtl_moment_t *moment)
 {
-    tell_outcome(self, peer, "TARGET", answer, moment);
-    if (answer->kind != (uint32_t)ANSWER_ACCEPTED) {
+    send_outcome(self, peer, "TARGET", answer, moment);
+    if (answer_form(answer) != ANSWER_FORM_POSE) {
         return;
     }
+    const rigid_t *reachable = &answer_as_pose(answer)->pose;
     if (peer->language == IGTL_LANGUAGE_BRP_2021) {
-        igtl_tell_pose(peer->outbox, "REACHABLE_TARGET", &answer->pose, moment);
+        igtl_tell_pose(peer->outbox, "REACHABLE_TARGET", reachable, moment);
     } else {
-        igtl_tell_pose(peer->outbox, "TARGET", &answer->pose, moment);
-        workphase_peer_defer_pose(peer, "REACHABLE_TARGET", &answer->pose, moment);
+        igtl_tell_pose(peer->outbox, "TARGET", reachable, moment);
+        workphase_peer_defer_pose(peer, "REACHABLE_TARGET", reachable, moment);
     }
 }
 
@@ -213,7 +214,7 @@ static void answer_tip(const workphase_dialect_t *self, workphase_peer_t *peer,
                        const answer_t *answer, const igtl_moment_t *moment)
 {
     if (peer->pending == 0U) {
-        tell_outcome(self, peer, workphase_peer_tip_subject(peer), answer, moment);
+        send_outcome(self, peer, workphase_peer_tip_subject(peer), answer, moment);
     }
 }
 
@@ -222,14 +223,14 @@ static void answer_entry(const workphase_dialect_t *self, workphase_peer_t *peer
                          const igtl_request_t *request, const answer_t *answer,
                          const igtl_moment_t *moment)
 {
-    const point_t *entry = &answer->pose.translation;
     char text[IGTL_REASON_SIZE];
     const igtl_status_t taken = {IGTL_STATUS_OK, workphase_name((int32_t)answer->workphase), text};
 
-    if (answer->kind != (uint32_t)ANSWER_ACCEPTED) {
-        tell_outcome(self, peer, subject_of(peer, request), answer, moment);
+    if (answer_form(answer) != ANSWER_FORM_POINT) {
+        send_outcome(self, peer, subject_of(peer, request), answer, moment);
         return;
     }
+    const point_t *entry = &answer_as_point(answer)->point;
     (void)snprintf(text, sizeof text, "%.3f, %.3f, %.3f mm", igtl_units_mm(entry->x_nm),
                    igtl_units_mm(entry->y_nm), igtl_units_mm(entry->z_nm));
     igtl_tell_status(peer->outbox, subject_of(peer, request), &taken, moment);
@@ -241,19 +242,19 @@ static bool is_draping(const workphase_peer_t *peer)
 }
 
 /* As a later server does, DRAPING has one STATUS, when it is entered. */
-static void tell_begun(const workphase_dialect_t *self, workphase_peer_t *peer,
+static void send_begun(const workphase_dialect_t *self, workphase_peer_t *peer,
                        const answer_t *answer, const igtl_moment_t *moment)
 {
     char name[IGTL_NAME_SIZE];
 
     if (is_draping(peer)) {
-        tell_outcome(self, peer, peer->motion, answer, moment);
+        send_outcome(self, peer, peer->motion, answer, moment);
         return;
     }
     (void)snprintf(name, sizeof name, "ACK_%.16s", peer->motion);
-    tell_outcome(self, peer, name, answer, moment);
+    send_outcome(self, peer, name, answer, moment);
     if (answer->is_final != 0U) { /* It was there already. */
-        tell_outcome(self, peer, peer->motion, answer, moment);
+        send_outcome(self, peer, peer->motion, answer, moment);
     }
 }
 
@@ -263,13 +264,13 @@ static void answer_motion(workphase_dialect_t *self, const igtl_request_t *reque
     workphase_peer_t *peer = &self->peers[request->peer];
 
     if (answer->kind == (uint32_t)ANSWER_ACCEPTED) {
-        tell_begun(self, peer, answer, moment);
+        send_begun(self, peer, answer, moment);
     } else if (answer->kind == (uint32_t)ANSWER_REFUSED) {
-        tell_outcome(self, peer, peer->motion, answer, moment);
+        send_outcome(self, peer, peer->motion, answer, moment);
     } else if ((answer->kind == (uint32_t)ANSWER_DONE) && is_draping(peer)) {
         /* It was reported when it began. */
     } else {
-        tell_ended(self, request, answer, moment);
+        send_ended(self, request, answer, moment);
     }
 }
 
@@ -281,11 +282,12 @@ static void answer_list(const workphase_dialect_t *self, workphase_peer_t *peer,
     char text[IGTL_REASON_SIZE];
     const igtl_status_t held = {IGTL_STATUS_OK, workphase_name((int32_t)answer->workphase), text};
 
-    if ((answer->kind != (uint32_t)ANSWER_ACCEPTED) || (answer->command != (uint32_t)list->end)) {
-        tell_outcome(self, peer, list->word, answer, moment);
+    if (answer_form(answer) != ANSWER_FORM_CHECKSUM) {
+        send_outcome(self, peer, list->word, answer, moment);
         return;
     }
-    (void)snprintf(text, sizeof text, "Checksum %u.", (unsigned)answer->checksum);
+    (void)snprintf(text, sizeof text, "Checksum %u.",
+                   (unsigned)answer_as_checksum(answer)->checksum);
     igtl_tell_status(peer->outbox, list->word, &held, moment);
 }
 
@@ -362,7 +364,7 @@ static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *requ
         answer_entry(self, peer, request, answer, moment);
         break;
     default:
-        tell_outcome(self, peer, subject_of(peer, request), answer, moment);
+        send_outcome(self, peer, subject_of(peer, request), answer, moment);
         break;
     }
 }

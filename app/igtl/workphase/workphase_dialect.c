@@ -208,7 +208,7 @@ static void follow_program(workphase_dialect_t *self, const igtl_moment_t *momen
     }
 }
 
-static void tell_no_answer(workphase_dialect_t *self, const igtl_request_t *request,
+static void send_no_answer(workphase_dialect_t *self, const igtl_request_t *request,
                            const igtl_moment_t *moment)
 {
     if (request->peer != IGTL_NOBODY) {
@@ -223,7 +223,7 @@ void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *mome
     look_who_commands(self, moment);
     release_lost(self, moment);
     while (overdue != NULL) {
-        tell_no_answer(self, overdue, moment);
+        send_no_answer(self, overdue, moment);
         overdue = igtl_requests_overdue(&self->requests, moment->answer_clock_us);
     }
     workphase_receive_go_on(self, moment);
@@ -243,17 +243,17 @@ void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *mome
 
 void workphase_dialect_control_lost(workphase_dialect_t *self, const igtl_moment_t *moment)
 {
-    bool is_told = false;
+    bool is_reported = false;
 
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         igtl_request_t *request = &self->requests.requests[i];
 
-        is_told = is_told || ((request->id != 0U) && (request->peer == self->controller) &&
-                              (request->is_accepted || request->is_overdue));
+        is_reported = is_reported || ((request->id != 0U) && (request->peer == self->controller) &&
+                                      (request->is_accepted || request->is_overdue));
         if ((request->id != 0U) && request->is_accepted) {
-            tell_no_answer(self, request, moment);
+            send_no_answer(self, request, moment);
             igtl_requests_end(request);
         }
     }
-    workphase_notifications_control_lost(self, is_told, moment);
+    workphase_notifications_control_lost(self, is_reported, moment);
 }

@@ -13,11 +13,11 @@
 #define NM_PER_MM 1000000.0
 
 /* The length that a peer sends as the robot's needle, NULL for none. */
-static const told_length_t *find_length(const robot_t *robot)
+static const reported_length_t *find_length(const robot_t *robot)
 {
-    for (uint32_t i = 0U; i < ROBOT_TOLD_LENGTHS; i++) {
-        if (strcmp(robot->told_lengths[i].name, "needle_length") == 0) {
-            return &robot->told_lengths[i];
+    for (uint32_t i = 0U; i < ROBOT_REPORTED_LENGTHS; i++) {
+        if (strcmp(robot->reported_lengths[i].name, "needle_length") == 0) {
+            return &robot->reported_lengths[i];
         }
     }
     return NULL;
@@ -34,7 +34,7 @@ static bool is_length(const char *text, int32_t length_nm)
            (away_nm >= -(double)LIMIT_NEEDLE_LENGTH_NM);
 }
 
-static void tell_verdict(const workphase_peer_t *peer, int32_t length_nm, const char *said,
+static void send_verdict(const workphase_peer_t *peer, int32_t length_nm, const char *said,
                          const igtl_moment_t *moment)
 {
     char text[IGTL_REASON_SIZE];
@@ -51,7 +51,7 @@ static void tell_verdict(const workphase_peer_t *peer, int32_t length_nm, const 
 void workphase_needle_tell_length(workphase_peer_t *peer, const robot_t *robot,
                                   const igtl_message_t *message, const igtl_moment_t *moment)
 {
-    const told_length_t *told = find_length(robot);
+    const reported_length_t *told = find_length(robot);
     igtl_packet_t packet;
     char said[IGTL_TEXT_MAX + 1U];
     const uint32_t length =
@@ -68,6 +68,6 @@ void workphase_needle_tell_length(workphase_peer_t *peer, const robot_t *robot,
     } else if (moment->snapshot->has_probe == 0U) {
         igtl_tell_refusal(peer->outbox, "NEEDLE_LENGTH", STATUS_NO_PROBE, moment);
     } else {
-        tell_verdict(peer, probe_told_nm(told, moment->snapshot->probe_nm), said, moment);
+        send_verdict(peer, probe_reported_nm(told, moment->snapshot->probe_nm), said, moment);
     }
 }

@@ -145,7 +145,7 @@ static void tell(workphase_dialect_t *self, uint32_t workphase, const igtl_statu
     igtl_tell_status(peer->outbox, workphase_name((int32_t)workphase), status, moment);
 }
 
-static void tell_failures(workphase_dialect_t *self, const workphase_facts_t *failures,
+static void send_failures(workphase_dialect_t *self, const workphase_facts_t *failures,
                           uint32_t workphase, const igtl_moment_t *moment)
 {
     char text[IGTL_REASON_SIZE];
@@ -155,7 +155,7 @@ static void tell_failures(workphase_dialect_t *self, const workphase_facts_t *fa
     tell(self, workphase, &status, moment);
 }
 
-static void tell_doubt(workphase_dialect_t *self, const workphase_facts_t *now,
+static void send_doubt(workphase_dialect_t *self, const workphase_facts_t *now,
                        const igtl_moment_t *moment)
 {
     const int32_t doubt = (int32_t)now->pose_status;
@@ -185,7 +185,7 @@ static const char *reason_of_latch(const snapshot_t *snapshot)
                : "PANIC_MODE: The e-stop was pulled, or not read, for a moment.";
 }
 
-static void tell_stopped(workphase_dialect_t *self, const workphase_facts_t *before,
+static void send_stopped(workphase_dialect_t *self, const workphase_facts_t *before,
                          const workphase_facts_t *now, const igtl_moment_t *moment)
 {
     const bool has_changed = now->workphase != before->workphase;
@@ -208,7 +208,7 @@ static void tell_stopped(workphase_dialect_t *self, const workphase_facts_t *bef
     }
 }
 
-static void tell_changes(workphase_dialect_t *self, const workphase_facts_t *now,
+static void send_changes(workphase_dialect_t *self, const workphase_facts_t *now,
                          const igtl_moment_t *moment)
 {
     const workphase_facts_t *before = &self->watch.facts;
@@ -216,13 +216,13 @@ static void tell_changes(workphase_dialect_t *self, const workphase_facts_t *now
 
     find_failures(&failures, before, now);
     if (is_failing(&failures)) {
-        tell_failures(self, &failures, now->workphase, moment);
+        send_failures(self, &failures, now->workphase, moment);
     } else if (doubt_of(now->pose_status) > doubt_of(before->pose_status)) {
-        tell_doubt(self, now, moment);
+        send_doubt(self, now, moment);
     } else {
         /* The machine is as it was. */
     }
-    tell_stopped(self, before, now, moment);
+    send_stopped(self, before, now, moment);
 }
 
 static bool is_owed_an_answer(const workphase_dialect_t *self, const igtl_moment_t *moment)
@@ -269,7 +269,7 @@ void workphase_notifications_step(workphase_dialect_t *self, const igtl_moment_t
         if (must_wait(self, moment)) {
             return;
         }
-        tell_changes(self, &now, moment);
+        send_changes(self, &now, moment);
     }
     watch->facts = now;
     watch->has_facts = true;
@@ -298,12 +298,12 @@ void workphase_notifications_note(workphase_dialect_t *self, const igtl_request_
     }
 }
 
-void workphase_notifications_control_lost(workphase_dialect_t *self, bool is_told,
+void workphase_notifications_control_lost(workphase_dialect_t *self, bool is_reported,
                                           const igtl_moment_t *moment)
 {
     workphase_notifications_t *watch = &self->watch;
 
-    if (!is_told && !watch->is_control_lost && (self->controller != IGTL_NOBODY)) {
+    if (!is_reported && !watch->is_control_lost && (self->controller != IGTL_NOBODY)) {
         igtl_tell_refusal(self->peers[self->controller].outbox,
                           workphase_name((int32_t)watch->facts.workphase), STATUS_NO_ANSWER,
                           moment);

@@ -25,8 +25,8 @@ void workphase_notifications_step(workphase_dialect_t *self, const igtl_moment_t
 void workphase_notifications_note(workphase_dialect_t *self, const igtl_request_t *request,
                                   const answer_t *answer, const igtl_moment_t *moment);
 
-/** The controller does not answer; the controlling peer `is_told` already. */
-void workphase_notifications_control_lost(workphase_dialect_t *self, bool is_told,
+/** The controller does not answer; the controlling peer `is_reported` already. */
+void workphase_notifications_control_lost(workphase_dialect_t *self, bool is_reported,
                                           const igtl_moment_t *moment);
 
 /**

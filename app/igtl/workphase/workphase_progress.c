@@ -33,8 +33,8 @@ void workphase_progress_follow(workphase_peer_t *peer, const igtl_moment_t *mome
     const snapshot_t *shown = moment->snapshot;
 
     if ((shown != NULL) && (shown->mode == (uint32_t)MODE_PROGRAM) &&
-        (shown->program_step != peer->steps_told)) {
-        peer->steps_told = shown->program_step;
+        (shown->program_step != peer->steps_reported)) {
+        peer->steps_reported = shown->program_step;
         workphase_progress_tell(peer, moment);
     }
 }

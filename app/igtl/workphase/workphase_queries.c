@@ -83,7 +83,7 @@ static bool is_target_judged(const igtl_moment_t *moment)
     return (igtl_pose_status(moment) == STATUS_OK) && (moment->snapshot->has_target != 0U);
 }
 
-static void tell_aligned(workphase_peer_t *peer, const igtl_moment_t *moment)
+static void send_aligned(workphase_peer_t *peer, const igtl_moment_t *moment)
 {
     const snapshot_t *snapshot = moment->snapshot;
 
@@ -91,7 +91,7 @@ static void tell_aligned(workphase_peer_t *peer, const igtl_moment_t *moment)
                              is_target_judged(moment) && is_aligned(snapshot), moment);
 }
 
-static void tell_reached(workphase_peer_t *peer, const igtl_moment_t *moment)
+static void send_reached(workphase_peer_t *peer, const igtl_moment_t *moment)
 {
     const snapshot_t *snapshot = moment->snapshot;
 
@@ -99,7 +99,7 @@ static void tell_reached(workphase_peer_t *peer, const igtl_moment_t *moment)
                              is_target_judged(moment) && is_reached(snapshot), moment);
 }
 
-static void tell_phase(workphase_peer_t *peer, const igtl_moment_t *moment)
+static void send_phase(workphase_peer_t *peer, const igtl_moment_t *moment)
 {
     if (moment->snapshot == NULL) {
         workphase_peer_tell_phase(peer, IGTL_STATUS_CONFIG_ERROR, (uint32_t)WORKPHASE_UNDEFINED,
@@ -120,17 +120,17 @@ bool workphase_queries_string(workphase_peer_t *peer, const igtl_message_t *mess
     switch (question) {
     case QUESTION_POSITION:
         workphase_peer_tell_position(peer, moment);
-        tell_aligned(peer, moment);
-        tell_reached(peer, moment);
+        send_aligned(peer, moment);
+        send_reached(peer, moment);
         return true;
     case QUESTION_STATUS:
-        tell_phase(peer, moment);
+        send_phase(peer, moment);
         return true;
     case QUESTION_ALIGNED:
-        tell_aligned(peer, moment);
+        send_aligned(peer, moment);
         return true;
     case QUESTION_REACHED:
-        tell_reached(peer, moment);
+        send_reached(peer, moment);
         return true;
     case QUESTION_PROGRAM:
         workphase_progress_tell(peer, moment);
@@ -160,7 +160,7 @@ void workphase_queries_status(workphase_peer_t *peer, const igtl_message_t *mess
     static const igtl_status_t alive = {IGTL_STATUS_OK, "", ""};
 
     if ((message->name[0] == '\0') || (strcmp(message->name, "CURRENT_STATUS") == 0)) {
-        tell_phase(peer, moment);
+        send_phase(peer, moment);
     } else {
         igtl_tell_status(peer->outbox, message->name, &alive, moment);
     }

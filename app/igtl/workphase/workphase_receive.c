@@ -199,7 +199,7 @@ static void receive_list(workphase_dialect_t *self, uint32_t index, const workph
         status = STATUS_BUSY; /* Items of two lists would be mixed. */
     } else if (pass_word(self, index, list->word, &command, moment)) {
         peer->sums[list->number] = sum;
-        peer->steps_told = (command.kind == (uint32_t)list->run) ? 0U : peer->steps_told;
+        peer->steps_reported = (command.kind == (uint32_t)list->run) ? 0U : peer->steps_reported;
     } else {
         status = STATUS_BUSY;
     }

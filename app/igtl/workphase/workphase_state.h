@@ -62,7 +62,7 @@ typedef struct {
     const char *motion; /**< By which word it asked for its last motion. */
     uint32_t draping; /**< Id of its request of MANUAL, after which it goes to the pose DRAPING. */
     uint32_t sums[WORKPHASE_LIST_COUNT]; /**< Checksums of its items, by the kind of list. */
-    uint32_t steps_told; /**< Number of done steps of its program that were reported to it. */
+    uint32_t steps_reported; /**< Number of done steps of its program that were reported to it. */
     igtl_tracking_t tracking;
     workphase_extra_t extras[WORKPHASE_EXTRAS];
     uint32_t extra_count;

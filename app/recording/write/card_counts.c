@@ -11,8 +11,8 @@
 
 static bool is_time(const card_counts_t *self, uint64_t now_us)
 {
-    return (self->told_us == 0U) || (now_us == CARD_COUNTS_END) ||
-           ((now_us - self->told_us) >= (LIMIT_CARD_COUNTS_PAUSE_MS * US_PER_MS));
+    return (self->reported_us == 0U) || (now_us == CARD_COUNTS_END) ||
+           ((now_us - self->reported_us) >= (LIMIT_CARD_COUNTS_PAUSE_MS * US_PER_MS));
 }
 
 /* All counts of a card are 0 until its first answer. */
@@ -42,7 +42,7 @@ bool card_counts_look(card_counts_t *self, uint32_t slot, const snapshot_card_t 
         return false;
     }
     (void)memcpy(self->numbers, numbers, sizeof self->numbers);
-    self->told_us = now_us;
+    self->reported_us = now_us;
     (void)snprintf(
         text, CARD_COUNTS_SIZE,
         "CARD_COUNTS value=%u Frames of card %u: %u damaged, %u out of order, %u missed. "

@@ -17,7 +17,7 @@
 
 /** As the log has them; all zero at first. */
 typedef struct {
-    uint64_t told_us;         /**< 0: never. */
+    uint64_t reported_us;     /**< 0: never. */
     uint32_t first_heartbeat; /**< First of the card in this run; 0: it has not answered yet. */
     bool is_settled;          /**< The card's counts from before the run are known. */
     uint32_t numbers[6];      /**< Frames damaged, out of order, missed; commands damaged, out of

@@ -25,7 +25,7 @@ typedef struct {
     char stem[SERIES_NAME_SIZE / 2U]; /* The name without what comes behind. */
     series_sink_t *sink;
     void *to;
-} teller_t;
+} reporter_t;
 
 static uint32_t word_of(const void *from)
 {
@@ -43,7 +43,7 @@ static int32_t number_of(const void *from)
     return number;
 }
 
-static void tell_number(const teller_t *self, const char *unit, double number, int decimals)
+static void report_number(const reporter_t *self, const char *unit, double number, int decimals)
 {
     series_t series = {.says = self->field->says, .number = number, .decimals = decimals};
 
@@ -51,7 +51,7 @@ static void tell_number(const teller_t *self, const char *unit, double number, i
     self->sink(self->to, &series);
 }
 
-static void tell_flag(const teller_t *self, bool is_set)
+static void report_flag(const reporter_t *self, bool is_set)
 {
     series_t series = {
         .says = self->field->says, .kind = SERIES_FLAG, .number = is_set ? 1.0 : 0.0};
@@ -68,7 +68,7 @@ static void add_word(series_t *series, const char *word)
                    word);
 }
 
-static void tell_words(const teller_t *self, uint32_t value)
+static void report_words(const reporter_t *self, uint32_t value)
 {
     series_t series = {.says = self->field->says, .kind = SERIES_WORD};
 
@@ -84,29 +84,29 @@ static void tell_words(const teller_t *self, uint32_t value)
     self->sink(self->to, &series);
 }
 
-static void tell_point(const teller_t *self, const point_t *point)
+static void report_point(const reporter_t *self, const point_t *point)
 {
-    tell_number(self, "_x_mm", (double)point->x_nm / NM_PER_MM, DECIMALS_NM);
-    tell_number(self, "_y_mm", (double)point->y_nm / NM_PER_MM, DECIMALS_NM);
-    tell_number(self, "_z_mm", (double)point->z_nm / NM_PER_MM, DECIMALS_NM);
+    report_number(self, "_x_mm", (double)point->x_nm / NM_PER_MM, DECIMALS_NM);
+    report_number(self, "_y_mm", (double)point->y_nm / NM_PER_MM, DECIMALS_NM);
+    report_number(self, "_z_mm", (double)point->z_nm / NM_PER_MM, DECIMALS_NM);
 }
 
-static void tell_rigid(const teller_t *self, const rigid_t *rigid)
+static void report_rigid(const reporter_t *self, const rigid_t *rigid)
 {
-    tell_point(self, &rigid->translation);
+    report_point(self, &rigid->translation);
     for (uint32_t i = 0U; i < 9U; i++) {
         char place[8];
         (void)snprintf(place, sizeof place, "_r%u%u", (unsigned)((i / 3U) + 1U),
                        (unsigned)((i % 3U) + 1U));
-        tell_number(self, place, (double)rigid->rotation_q30[i / 3U][i % 3U] / ONE_Q30,
-                    DECIMALS_Q30);
+        report_number(self, place, (double)rigid->rotation_q30[i / 3U][i % 3U] / ONE_Q30,
+                      DECIMALS_Q30);
     }
 }
 
 /* In the axis' unit, instead of the last `dropped` letters of the name. */
-static void tell_in_unit(const teller_t *self, size_t dropped, double ticks, const char *behind)
+static void report_in_unit(const reporter_t *self, size_t dropped, double ticks, const char *behind)
 {
-    teller_t other = *self;
+    reporter_t other = *self;
     char unit[16];
 
     if (self->axis == NULL) {
@@ -115,95 +115,95 @@ static void tell_in_unit(const teller_t *self, size_t dropped, double ticks, con
     other.stem[strlen(other.stem) - dropped] = '\0';
     (void)snprintf(unit, sizeof unit, "_%s%s",
                    (self->axis->unit == (uint8_t)AXIS_UNIT_MM) ? "mm" : "deg", behind);
-    tell_number(&other, unit, ticks * axis_terms_unit(self->axis), DECIMALS_UNIT);
+    report_number(&other, unit, ticks * axis_terms_unit(self->axis), DECIMALS_UNIT);
 }
 
-static void tell_speed(teller_t *self, double ticks_per_s)
+static void report_speed(reporter_t *self, double ticks_per_s)
 {
     self->stem[strlen(self->stem) - strlen("_q8")] = '\0';
-    tell_number(self, "", ticks_per_s, DECIMALS_Q8);
-    tell_in_unit(self, strlen("_ticks_per_s"), ticks_per_s, "_per_s");
+    report_number(self, "", ticks_per_s, DECIMALS_Q8);
+    report_in_unit(self, strlen("_ticks_per_s"), ticks_per_s, "_per_s");
 }
 
-static void tell_inside(const teller_t *self, const uint8_t *from);
+static void report_inside(const reporter_t *self, const uint8_t *from);
 
-static void tell_element(teller_t *self, const uint8_t *from)
+static void report_element(reporter_t *self, const uint8_t *from)
 {
     point_t point;
     rigid_t rigid;
 
     switch (self->field->kind) {
     case FIELD_SIGNED:
-        tell_number(self, "", (double)number_of(from), 0);
+        report_number(self, "", (double)number_of(from), 0);
         break;
     case FIELD_POSITION:
-        tell_number(self, "", (double)number_of(from), 0);
-        tell_in_unit(self, strlen("_ticks"), (double)number_of(from), "");
+        report_number(self, "", (double)number_of(from), 0);
+        report_in_unit(self, strlen("_ticks"), (double)number_of(from), "");
         break;
     case FIELD_SPEED:
-        tell_speed(self, (double)number_of(from) / ONE_Q8);
+        report_speed(self, (double)number_of(from) / ONE_Q8);
         break;
     case FIELD_FLAG:
-        tell_flag(self, word_of(from) != 0U);
+        report_flag(self, word_of(from) != 0U);
         break;
     case FIELD_WORD:
     case FIELD_SET:
-        tell_words(self, word_of(from));
+        report_words(self, word_of(from));
         break;
     case FIELD_POINT:
         (void)memcpy(&point, from, sizeof point);
-        tell_point(self, &point);
+        report_point(self, &point);
         break;
     case FIELD_RIGID:
         (void)memcpy(&rigid, from, sizeof rigid);
-        tell_rigid(self, &rigid);
+        report_rigid(self, &rigid);
         break;
     case FIELD_INSIDE:
-        tell_inside(self, from);
+        report_inside(self, from);
         break;
     case FIELD_WIDE: /* No structure that is given has one. */
     case FIELD_UNSIGNED:
     default:
-        tell_number(self, "", (double)word_of(from), 0);
+        report_number(self, "", (double)word_of(from), 0);
         break;
     }
 }
 
 /* A structure in a structure: its name stands before those of its fields. */
-static void tell_inside(const teller_t *self, const uint8_t *from)
+static void report_inside(const reporter_t *self, const uint8_t *from)
 {
-    teller_t inner = *self;
+    reporter_t inner = *self;
 
     for (inner.field = self->field->inside; inner.field->name != NULL; inner.field++) {
         (void)snprintf(inner.stem, sizeof inner.stem, "%s_%s", self->field->name,
                        inner.field->name);
-        tell_element(&inner, &from[inner.field->offset]);
+        report_element(&inner, &from[inner.field->offset]);
     }
 }
 
-static void tell_array(teller_t *self, const uint8_t *from)
+static void report_array(reporter_t *self, const uint8_t *from)
 {
     const field_t *const field = self->field;
 
     for (size_t i = 0U; i < (field->size / field->element_size); i++) {
         (void)snprintf(self->stem, sizeof self->stem, "%s_%zu", field->name, i);
-        tell_element(self, &from[i * field->element_size]);
+        report_element(self, &from[i * field->element_size]);
     }
 }
 
 void series_tell(const field_t *fields, const void *from, const axis_config_t *axis,
                  series_sink_t *sink, void *to)
 {
-    teller_t self = {.axis = axis, .sink = sink, .to = to};
+    reporter_t self = {.axis = axis, .sink = sink, .to = to};
 
     for (self.field = fields; self.field->name != NULL; self.field++) {
         const uint8_t *const at = (const uint8_t *)from + self.field->offset;
         const bool is_array = self.field->element_size < self.field->size;
         if (is_array && (self.field->inside == NULL)) {
-            tell_array(&self, at);
+            report_array(&self, at);
         } else if (!is_array) {
             (void)snprintf(self.stem, sizeof self.stem, "%s", self.field->name);
-            tell_element(&self, at);
+            report_element(&self, at);
         } else {
             /* Each element is given by itself. */
         }

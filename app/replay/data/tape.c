@@ -19,9 +19,9 @@ typedef struct {
     uint32_t place; /* Place of the value that is looked at. */
     uint32_t told;  /* The last value that was given. */
     bool with_numbers;
-    bool is_told;
+    bool is_reported;
     bool is_rebuilt;
-} teller_t;
+} reporter_t;
 
 static bool is_container(const cJSON *value)
 {
@@ -65,11 +65,11 @@ static bool are_equal(const cJSON *one, const cJSON *other)
            (cJSON_IsFalse(one) && cJSON_IsFalse(other));
 }
 
-static void tell_place(teller_t *self, uint32_t place)
+static void report_place(reporter_t *self, uint32_t place)
 {
     bytes_print(self->row, ",%u,", (unsigned)(place - self->told));
     self->told = place;
-    self->is_told = true;
+    self->is_reported = true;
 }
 
 /* As the reader has it then. */
@@ -79,7 +79,7 @@ static double write_number(double number, char text[NUMBER_SIZE])
     return strtod(text, NULL);
 }
 
-static void tell_number(teller_t *self, uint32_t place, cJSON *shown, double number)
+static void report_number(reporter_t *self, uint32_t place, cJSON *shown, double number)
 {
     double *const rate = &self->tape->rates[place];
     const double before = shown->valuedouble;
@@ -91,14 +91,14 @@ static void tell_number(teller_t *self, uint32_t place, cJSON *shown, double num
     shown->valuedouble = write_number(number, text);
     if (shown->valuedouble != (before + (*rate * self->cycles))) {
         const double change = (shown->valuedouble - before) / self->cycles;
-        tell_place(self, place);
+        report_place(self, place);
         bytes_print(self->row, "%s", text);
         *rate = (rint(change) == change) ? change : 0.0;
     }
 }
 
-static void tell_other(teller_t *self, uint32_t place, cJSON *parent, cJSON *shown,
-                       const cJSON *now)
+static void report_other(reporter_t *self, uint32_t place, cJSON *parent, cJSON *shown,
+                         const cJSON *now)
 {
     char *const text = cJSON_PrintUnformatted(now);
     cJSON *const copy = cJSON_Duplicate(now, true);
@@ -106,7 +106,7 @@ static void tell_other(teller_t *self, uint32_t place, cJSON *parent, cJSON *sho
     if ((text == NULL) || (copy == NULL)) {
         abort();
     }
-    tell_place(self, place);
+    report_place(self, place);
     bytes_print(self->row, "%s", text);
     self->is_rebuilt = self->is_rebuilt || is_container(shown) || is_container(now);
     self->tape->rates[place] = 0.0;
@@ -117,13 +117,13 @@ static void tell_other(teller_t *self, uint32_t place, cJSON *parent, cJSON *sho
     cJSON_free(text);
 }
 
-static void tell(teller_t *self, cJSON *parent, cJSON *shown, const cJSON *now)
+static void tell(reporter_t *self, cJSON *parent, cJSON *shown, const cJSON *now)
 {
     const uint32_t place = self->place;
 
     self->place++;
     if (cJSON_IsNumber(shown) && cJSON_IsNumber(now)) {
-        tell_number(self, place, shown, now->valuedouble);
+        report_number(self, place, shown, now->valuedouble);
     } else if (is_container(shown) && is_container(now) && have_same_parts(shown, now)) {
         const cJSON *inner = now->child;
         for (cJSON *part = shown->child; part != NULL; inner = inner->next) {
@@ -133,7 +133,7 @@ static void tell(teller_t *self, cJSON *parent, cJSON *shown, const cJSON *now)
         }
     } else if (!are_equal(shown, now)) {
         self->place = place + count_places(shown);
-        tell_other(self, place, parent, shown, now);
+        report_other(self, place, parent, shown, now);
     } else {
         /* It is as it was. */
     }
@@ -158,14 +158,14 @@ bool tape_take(tape_t *self, uint32_t cycle, bool with_numbers, const cJSON *now
         self->shown = cJSON_CreateNull();
         rebuild(self);
     }
-    teller_t teller = {.tape = self,
-                       .row = row,
-                       .cycles = (double)(cycle - self->counted),
-                       .with_numbers = with_numbers};
+    reporter_t teller = {.tape = self,
+                         .row = row,
+                         .cycles = (double)(cycle - self->counted),
+                         .with_numbers = with_numbers};
     bytes_print(row, "[%s%u", with_numbers ? "" : "-", (unsigned)(cycle - self->cycle));
     tell(&teller, NULL, self->shown, now);
     bytes_put8(row, (uint8_t)']');
-    if (!with_numbers && !teller.is_told) {
+    if (!with_numbers && !teller.is_reported) {
         row->used = used;
         return false;
     }

@@ -13,13 +13,13 @@ static motion_csv_t csv;
 static motion_mcap_t mcap;
 static motion_json_t html;
 
-static void tell_csv(walk_t *walk, void *to, const controller_outputs_t *shown)
+static void report_csv(walk_t *walk, void *to, const controller_outputs_t *shown)
 {
     motion_csv_take(to, &walk->reader.header, &walk->record,
                     (shown != NULL) ? &shown->snapshot : NULL);
 }
 
-static void tell_mcap(walk_t *walk, void *to, const controller_outputs_t *shown)
+static void report_mcap(walk_t *walk, void *to, const controller_outputs_t *shown)
 {
     motion_mcap_take(to, &walk->reader.header, &walk->record, shown);
 }
@@ -43,7 +43,7 @@ int file_output_csv(walk_t *walk, const char *path)
         return EXIT_REFUSED;
     }
     motion_csv_begin(&csv, file, walk->robot);
-    const int code = walk_tell(walk, tell_csv, &csv);
+    const int code = walk_tell(walk, report_csv, &csv);
     motion_csv_end(&csv);
     return end_file(walk, file, path, true, code);
 }
@@ -58,7 +58,7 @@ int file_output_mcap(walk_t *walk, const char *path)
     if (!motion_mcap_begin(&mcap, file, walk->robot)) {
         return end_file(walk, file, path, false, EXIT_REFUSED);
     }
-    const int code = walk_tell(walk, tell_mcap, &mcap);
+    const int code = walk_tell(walk, report_mcap, &mcap);
     const recording_reader_t *const reader = &walk->reader;
     const bool is_made =
         motion_mcap_end(&mcap, &reader->header, walk->is_cut_short, reader->cycles_lost);

@@ -42,7 +42,7 @@ typedef struct {
 void motion_json_begin(motion_json_t *self, FILE *file, const walk_t *walk);
 
 /**
- * Takes a cycle into the motion_json_t at `to`, as walk_teller_t says.
+ * Takes a cycle into the motion_json_t at `to`, as walk_reporter_t says.
  *
  * @satisfies SWR-REPLAY-015
  * @satisfies SWR-REPLAY-016

@@ -4,7 +4,7 @@
 #include "replay/verify/board_table.h"
 #include "replay/data/table.h"
 
-static void tell_table(walk_t *walk, void *to, const controller_outputs_t *shown)
+static void report_table(walk_t *walk, void *to, const controller_outputs_t *shown)
 {
     (void)to;
     if (shown != NULL) {
@@ -12,7 +12,7 @@ static void tell_table(walk_t *walk, void *to, const controller_outputs_t *shown
     }
 }
 
-static void tell_board(walk_t *walk, void *to, const controller_outputs_t *shown)
+static void report_board(walk_t *walk, void *to, const controller_outputs_t *shown)
 {
     (void)to;
     if (shown != NULL) {
@@ -30,7 +30,7 @@ int printed_motion(walk_t *walk)
     if (is_first(walk)) {
         table_print_names(walk->robot);
     }
-    return walk_tell_part(walk, tell_table, NULL);
+    return walk_tell_part(walk, report_table, NULL);
 }
 
 int printed_board(walk_t *walk)
@@ -38,7 +38,7 @@ int printed_board(walk_t *walk)
     if (is_first(walk)) {
         board_table_print_names();
     }
-    return walk_tell_part(walk, tell_board, NULL);
+    return walk_tell_part(walk, report_board, NULL);
 }
 
 int printed_events(walk_t *walk)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "replay/verify/replay.h"
 
+#include "interface/app/event_words.h"
 #include "interface/app/fields.h"
 #include "replay/verify/field_name.h"
 
@@ -159,17 +160,56 @@ static const area_t *find_area(size_t offset)
     return &areas[area];
 }
 
-/* Where the byte is among the outputs. */
-static void name_place(size_t offset, char *text, size_t size)
+/* Where the byte is in the data of an answer, whose form `outputs` say. */
+static void name_data(size_t offset, const uint8_t *outputs, char *text, size_t size)
+{
+    const size_t inside = offset - offsetof(controller_outputs_t, answers);
+    const size_t at = inside % sizeof(answer_t);
+    answer_t answer;
+    const field_t *fields = NULL;
+
+    (void)memcpy(&answer, &outputs[offset - at], sizeof answer);
+    fields = fields_of_answer((uint32_t)answer_form(&answer));
+    if (at < offsetof(answer_t, as)) {
+        field_name(fields_answer, at, text, size);
+    } else if (fields != NULL) {
+        field_name(fields, at - offsetof(answer_t, as), text, size);
+    } else {
+        (void)snprintf(text, size, "data, byte %zu", at - offsetof(answer_t, as));
+    }
+}
+
+/* The value of an event has the name that its row gives it. */
+static void name_of_event(size_t offset, const uint8_t *outputs, char *text, size_t size)
+{
+    const size_t at = (offset - offsetof(controller_outputs_t, events)) % sizeof(event_t);
+    event_t event;
+    const char *title = NULL;
+
+    (void)memcpy(&event, &outputs[offset - at], sizeof event);
+    title = event_value_title(event.id);
+    field_name(fields_event, at, text, size);
+    if ((at - (at % sizeof(uint32_t)) == offsetof(event_t, value)) && (title != NULL)) {
+        (void)snprintf(&text[strlen(text)], size - strlen(text), " (%s)", title);
+    }
+}
+
+/* Where the byte is among `outputs`. */
+static void name_place(size_t offset, const uint8_t *outputs, char *text, size_t size)
 {
     const area_t *const area = find_area(offset);
     const size_t inside = offset - area->offset;
+    const size_t at = inside % area->element_size;
     char field[PLACE_SIZE] = "";
 
-    if (area->fields != NULL) {
-        field_name(area->fields, inside % area->element_size, field, sizeof field);
+    if (area->fields == fields_answer) {
+        name_data(offset, outputs, field, sizeof field);
+    } else if (area->fields == fields_event) {
+        name_of_event(offset, outputs, field, sizeof field);
+    } else if (area->fields != NULL) {
+        field_name(area->fields, at, field, sizeof field);
     } else {
-        (void)snprintf(field, sizeof field, "byte %zu", inside % area->element_size);
+        (void)snprintf(field, sizeof field, "byte %zu", at);
     }
     if (area->fields == fields_snapshot) {
         (void)snprintf(text, size, "%s, %s", area->name, field);
@@ -194,7 +234,7 @@ static void say_kept(size_t offset, uint32_t cycle, const uint8_t *replayed,
     const size_t word = offset - (offset % sizeof(uint32_t));
     char place[PLACE_SIZE + 32U];
 
-    name_place(offset, place, sizeof place);
+    name_place(offset, recorded, place, sizeof place);
     if (find_area(offset)->fields != NULL) {
         say_values(place, cycle, word_at(replayed, word), word_at(recorded, word), text, size);
     } else {
@@ -210,7 +250,8 @@ static bool say_surprise(const replay_t *self, const cycle_record_t *record, cha
     const size_t inside = surprise->word * sizeof(uint32_t);
     char place[PLACE_SIZE + 32U];
 
-    name_place(offsetof(controller_outputs_t, snapshot) + inside, place, sizeof place);
+    name_place(offsetof(controller_outputs_t, snapshot) + inside, (const uint8_t *)&self->outputs,
+               place, sizeof place);
     say_values(place, record->cycle, word_at(&self->outputs.snapshot, inside), surprise->expected,
                text, size);
     return true;

@@ -17,7 +17,7 @@ int verdict_take(walk_t *walk)
     return walk_check_end(walk) ? WALK_GOES_ON : EXIT_REFUSED;
 }
 
-static void tell_run(const walk_t *walk)
+static void report_run(const walk_t *walk)
 {
     char name[RECORDING_RUN_SIZE];
 
@@ -32,7 +32,7 @@ static void tell_run(const walk_t *walk)
     }
 }
 
-static void tell_share(const walk_t *walk)
+static void report_share(const walk_t *walk)
 {
     (void)printf("%" PRIu64 " of %s%" PRIu32 " cycles replayed, %s\n", walk->coverage.done,
                  walk->has_run_end ? "" : "at least ", walk->coverage.next,
@@ -48,8 +48,8 @@ int verdict_tell(walk_t *walk)
         (void)printf("There is nothing to replay: no cycle follows a checkpoint.\n");
         return EXIT_REFUSED;
     }
-    tell_run(walk);
-    tell_share(walk);
+    report_run(walk);
+    report_share(walk);
     if (!walk->is_of_run && walk->is_cut_short) {
         (void)printf("The recording is cut short: only the %" PRIu64
                      " cycles before the cut were replayed.\n",

@@ -16,7 +16,7 @@ void walk_begin(walk_t *self, bool is_of_run, FILE *notes)
 }
 
 /* Alone it has been named by who asks for it. */
-static void tell_finding(const walk_t *self, const char *path, const char *sentence)
+static void report_finding(const walk_t *self, const char *path, const char *sentence)
 {
     (void)fflush(stdout);
     if (self->is_of_run && (strstr(sentence, path) == NULL)) {
@@ -32,7 +32,7 @@ static bool take_robot(walk_t *self, const char *path)
     const bool is_other = (self->robot != NULL) && (robot != NULL) && (robot != self->robot);
 
     if (is_other) {
-        tell_finding(self, path, "It is of another robot than what was recorded before it.");
+        report_finding(self, path, "It is of another robot than what was recorded before it.");
     }
     self->robot = robot;
     return (robot != NULL) && !is_other;
@@ -44,7 +44,7 @@ bool walk_open(walk_t *self, const char *path)
     const recording_verdict_t verdict = recording_reader_open(&self->reader, path, &finding);
 
     if (verdict != RECORDING_WHOLE) {
-        tell_finding(self, path, finding.sentence);
+        report_finding(self, path, finding.sentence);
     }
     if ((verdict != RECORDING_WHOLE) && (verdict != RECORDING_CUT_SHORT)) {
         return false;
@@ -219,38 +219,38 @@ static const controller_outputs_t *find_shown(const walk_t *self)
     return self->known.is_whole ? &self->record.body.cycle.outputs : NULL;
 }
 
-static int tell_record(walk_t *self, walk_teller_t *tell, void *to)
+static int report_record(walk_t *self, walk_reporter_t *report, void *to)
 {
     if (!walk_replay(self)) {
         return walk_tell_difference(self, stderr);
     }
     if (walk_count(self, walk_is_done(self))) {
-        tell(self, to, find_shown(self));
+        report(self, to, find_shown(self));
     }
     return WALK_GOES_ON;
 }
 
-int walk_tell_next(walk_t *self, walk_teller_t *tell, void *to)
+int walk_tell_next(walk_t *self, walk_reporter_t *report, void *to)
 {
     if (walk_take(self)) {
-        return tell_record(self, tell, to);
+        return report_record(self, report, to);
     }
     return walk_check_end(self) ? walk_end(self) : EXIT_REFUSED;
 }
 
-int walk_tell_part(walk_t *self, walk_teller_t *tell, void *to)
+int walk_tell_part(walk_t *self, walk_reporter_t *report, void *to)
 {
     int code = WALK_GOES_ON;
 
     while ((code == WALK_GOES_ON) && walk_take(self)) {
-        code = tell_record(self, tell, to);
+        code = report_record(self, report, to);
     }
     return ((code == WALK_GOES_ON) && !walk_check_end(self)) ? EXIT_REFUSED : code;
 }
 
-int walk_tell(walk_t *self, walk_teller_t *tell, void *to)
+int walk_tell(walk_t *self, walk_reporter_t *report, void *to)
 {
     walk_tell_lost(self);
-    const int code = walk_tell_part(self, tell, to);
+    const int code = walk_tell_part(self, report, to);
     return (code == WALK_GOES_ON) ? walk_end(self) : code;
 }

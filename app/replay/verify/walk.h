@@ -44,7 +44,7 @@ typedef struct {
 } walk_t;
 
 /** The act on a cycle; `shown`: its outputs, NULL where it was neither replayed nor kept whole. */
-typedef void walk_teller_t(walk_t *self, void *to, const controller_outputs_t *shown);
+typedef void walk_reporter_t(walk_t *self, void *to, const controller_outputs_t *shown);
 
 /** Begins with nothing open; `notes` is where it says what is missing. */
 void walk_begin(walk_t *self, bool is_of_run, FILE *notes);
@@ -92,14 +92,14 @@ void walk_tell_lost(const walk_t *self);
 /** The act on each recording in its turn: WALK_GOES_ON, or the exit code. */
 typedef int walk_part_t(walk_t *self);
 
-/** Replays the next record and calls `tell` when it is a cycle that was not there before. The exit
- * code after the last one of a recording alone, else WALK_GOES_ON. */
-int walk_tell_next(walk_t *self, walk_teller_t *tell, void *to);
+/** Replays the next record and calls `report` when it is a cycle that was not there before. The
+ * exit code after the last one of a recording alone, else WALK_GOES_ON. */
+int walk_tell_next(walk_t *self, walk_reporter_t *report, void *to);
 
-/** Calls `tell` for each cycle of the recording, alone, as it is replayed. The exit code. */
-int walk_tell(walk_t *self, walk_teller_t *tell, void *to);
+/** Calls `report` for each cycle of the recording, alone, as it is replayed. The exit code. */
+int walk_tell(walk_t *self, walk_reporter_t *report, void *to);
 
 /** The same of the present one of several: WALK_GOES_ON at its end. */
-int walk_tell_part(walk_t *self, walk_teller_t *tell, void *to);
+int walk_tell_part(walk_t *self, walk_reporter_t *report, void *to);
 
 #endif

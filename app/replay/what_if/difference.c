@@ -76,9 +76,9 @@ static uint32_t say_source(difference_t *self, uint32_t place, const snapshot_t 
     source_tell(source, both[1], keep, &self->now);
     for (uint32_t i = 0U; i < self->now.count; i++) {
         const series_t *const now = &self->now.series[i];
-        if (((now->kind == SERIES_NUMBER) == are_numbers) && !self->is_told[place][i] &&
+        if (((now->kind == SERIES_NUMBER) == are_numbers) && !self->is_reported[place][i] &&
             differs(&self->was.series[i], now)) {
-            self->is_told[place][i] = true;
+            self->is_reported[place][i] = true;
             say_series(self, &source->topic[1], &self->was.series[i], now);
             told++;
         }
@@ -130,15 +130,15 @@ static uint32_t say_events(difference_t *self, const controller_outputs_t *const
                            uint32_t which)
 {
     const controller_outputs_t *const side = both[which];
-    bool *const is_told = self->is_event_told[which];
+    bool *const is_reported = self->is_event_reported[which];
     char sentence[EVENT_TEXT_SIZE];
     uint32_t told = 0U;
 
     for (uint32_t i = 0U; (i < side->event_count) && (i < CONTROLLER_EVENTS); i++) {
         const event_t *const event = &side->events[i];
         if (!has_event(both[1U - which], event) && (event->id < EVENT_ID_COUNT) &&
-            !is_told[event->id]) {
-            is_told[event->id] = true;
+            !is_reported[event->id]) {
+            is_reported[event->id] = true;
             event_text_sentence(self->robot, event, NULL, sentence, sizeof sentence);
             say(self, "%s %s: %s", (which == 1U) ? "event" : "no event",
                 event_id_name((int32_t)event->id), sentence);
@@ -165,10 +165,10 @@ static uint32_t say_drive(difference_t *self, uint32_t slot,
 
     find_drive(both[0], slot, &was);
     find_drive(both[1], slot, &now);
-    if (self->is_drive_told[slot] || (memcmp(&was.drive, &now.drive, sizeof was.drive) == 0)) {
+    if (self->is_drive_reported[slot] || (memcmp(&was.drive, &now.drive, sizeof was.drive) == 0)) {
         return 0U;
     }
-    self->is_drive_told[slot] = true;
+    self->is_drive_reported[slot] = true;
     const uint32_t axis = robot_cards_axis(self->robot, slot);
     say(self,
         "to card %lu (%s) leaves drive %s (word %lu, direction %lu), was %s (word %lu, direction "

@@ -29,14 +29,14 @@ typedef struct {
     void *to;
     source_t sources[SOURCES];
     uint32_t source_count;
-    bool has_begun;                           /**< A cycle has differed. */
-    uint32_t states[2];                       /**< Last values of series_states() for both. */
-    difference_list_t was;                    /**< Series of the source that is compared. */
-    difference_list_t now;                    /**< The same. */
-    bool is_told[SOURCES][DIFFERENCE_SERIES]; /**< Each is reported once. */
-    bool is_drive_told[CARD_SLOT_COUNT];      /**< The same. */
-    bool is_event_told[2][EVENT_ID_COUNT];    /**< The same: of the one, of the other. */
-    uint32_t cycle;                           /**< That is compared. */
+    bool has_begun;                               /**< A cycle has differed. */
+    uint32_t states[2];                           /**< Last values of series_states() for both. */
+    difference_list_t was;                        /**< Series of the source that is compared. */
+    difference_list_t now;                        /**< The same. */
+    bool is_reported[SOURCES][DIFFERENCE_SERIES]; /**< Each is reported once. */
+    bool is_drive_reported[CARD_SLOT_COUNT];      /**< The same. */
+    bool is_event_reported[2][EVENT_ID_COUNT];    /**< The same: of the one, of the other. */
+    uint32_t cycle;                               /**< That is compared. */
 } difference_t;
 
 /** Begins two runs of `robot`, which must outlive them, as `to`. */

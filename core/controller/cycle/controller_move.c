@@ -10,9 +10,9 @@ static void follow_pedal(controller_t *self, const cycle_t *cycle)
 {
     const bool is_open = pedal_gate_is_open(&self->pedal);
     if (is_open && !procedure_is_moving(&self->procedure)) {
-        controller_tell_order(self, cycle, ARMING_EVENT_PEDAL_DOWN, STATUS_OK);
+        controller_notify_order(self, cycle, ARMING_EVENT_PEDAL_DOWN, STATUS_OK);
     } else if (!is_open && procedure_is_moving(&self->procedure)) {
-        controller_tell_order(self, cycle, ARMING_EVENT_PEDAL_UP, STATUS_OK);
+        controller_notify_order(self, cycle, ARMING_EVENT_PEDAL_UP, STATUS_OK);
     } else {
         /* Nothing has changed. */
     }
@@ -42,20 +42,20 @@ static void fill_frame(controller_t *self, const cycle_t *cycle, bool is_every_a
 }
 
 /* The result of the mode becomes events, and the end of the order. */
-static void tell(controller_t *self, const cycle_t *cycle, const mode_result_t *result)
+static void notify(controller_t *self, const cycle_t *cycle, const mode_result_t *result)
 {
     for (uint32_t i = 0U; i < result->note_count; i++) {
         const mode_note_t *const note = &result->notes[i];
         controller_note(self, cycle, note->id, note->axis, note->value);
     }
     if (result->progress == MODE_DONE) {
-        controller_tell_order(self, cycle, ARMING_EVENT_DONE, STATUS_OK);
+        controller_notify_order(self, cycle, ARMING_EVENT_DONE, STATUS_OK);
     } else if (result->progress == MODE_FAILED) {
         const bool is_of_axis = result->axis != MODE_NO_AXIS;
         const cycle_t because =
             controller_with_cause(cycle, is_of_axis ? EVENT_CAUSE_AXIS : EVENT_CAUSE_NONE,
                                   is_of_axis ? result->axis : 0U);
-        controller_tell_order(self, &because, ARMING_EVENT_FAULT, result->status);
+        controller_notify_order(self, &because, ARMING_EVENT_FAULT, result->status);
     } else {
         /* It goes on. */
     }
@@ -79,5 +79,5 @@ void controller_move(controller_t *self, const cycle_t *cycle, mode_result_t *re
     } else {
         mode_step(&self->mode, &frame, result);
     }
-    tell(self, cycle, result);
+    notify(self, cycle, result);
 }

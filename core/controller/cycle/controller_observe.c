@@ -142,7 +142,7 @@ static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index,
         controller_note(self, cycle, EVENT_AXIS_UNVERIFIED, index,
                         axis->sealed.encoder.position_ticks);
         const cycle_t because = controller_with_cause(cycle, EVENT_CAUSE_AXIS, index);
-        controller_tell_order(self, &because, ARMING_EVENT_FAULT, STATUS_NOT_HOMED);
+        controller_notify_order(self, &because, ARMING_EVENT_FAULT, STATUS_NOT_HOMED);
     }
     if ((now == (uint32_t)AXIS_REFERENCE_LOST) && was_known && !axis_is_faulty(axis)) {
         controller_note(self, cycle, EVENT_AXIS_REFERENCE_LOST, index,
@@ -229,9 +229,9 @@ static inline bool is_read(const cycle_t *cycle, box_input_t input)
     return (cycle->inputs->unread & permit_input(input)) == 0U;
 }
 
-static void tell_estop(controller_t *self, const cycle_t *cycle)
+static void notify_estop(controller_t *self, const cycle_t *cycle)
 {
-    self->is_estop_told = 1U;
+    self->is_estop_reported = 1U;
     controller_note(self, cycle, EVENT_ESTOP_PULLED, 0U, 0);
 }
 
@@ -250,8 +250,8 @@ static void note_unread(controller_t *self, const cycle_t *cycle)
     }
     self->unread = unread;
     if (!was_estop_read && is_read(cycle, BOX_INPUT_ESTOP) && (cycle->inputs->estop_open != 0U) &&
-        (self->is_estop_told == 0U)) {
-        tell_estop(self, cycle);
+        (self->is_estop_reported == 0U)) {
+        notify_estop(self, cycle);
     }
 }
 
@@ -307,8 +307,8 @@ static void observe_pedal(controller_t *self, const cycle_t *cycle)
 /* Notes the release of a switch that was pulled; an unread one was only taken for pulled. */
 static void note_release(controller_t *self, const cycle_t *cycle)
 {
-    if (self->is_estop_told != 0U) {
-        self->is_estop_told = 0U;
+    if (self->is_estop_reported != 0U) {
+        self->is_estop_reported = 0U;
         controller_note(self, cycle, EVENT_ESTOP_RELEASED, 0U, 0);
     }
 }
@@ -329,7 +329,7 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
     }
     const bool is_pulled = is_read(cycle, BOX_INPUT_ESTOP);
     if (is_pulled) {
-        tell_estop(self, cycle);
+        notify_estop(self, cycle);
     }
     for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         axis_disable(&self->axes[i]);
@@ -481,12 +481,12 @@ static void note_room(controller_t *self, const cycle_t *cycle, uint32_t left_mi
 {
     const bool is_soon = (left_min != 0U) && (left_min < LIMIT_RECORDING_LEFT_MIN);
     const bool is_far = (left_min == 0U) || (left_min >= (2U * LIMIT_RECORDING_LEFT_MIN));
-    if (is_soon && (self->is_end_told == 0U)) {
+    if (is_soon && (self->is_end_reported == 0U)) {
         controller_note(self, cycle, EVENT_RECORDING_ENDS_SOON, 0U, (int32_t)left_min);
-        self->is_end_told = 1U;
+        self->is_end_reported = 1U;
     }
     if (is_far) {
-        self->is_end_told = 0U;
+        self->is_end_reported = 0U;
     }
     self->recording_left_min = left_min;
 }

@@ -158,7 +158,7 @@ static void forget_axis(controller_t *self, const cycle_t *cycle, uint32_t index
     axis_distrust(&self->axes[index]);
     plan_forget_target(&self->plan);
     controller_fail_order(self, cycle, EVENT_CAUSE_AXIS, index);
-    controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    controller_notify_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }
 
 /* The card of axis `index`. */
@@ -168,7 +168,7 @@ static void forget_card(controller_t *self, const cycle_t *cycle, uint32_t index
     link_distrust(&self->links[self->cards.slots[index]],
                   (uint32_t)cycle->robot->axes[index].card_type, cycle->robot->card_firmware);
     controller_lose_card(self, cycle, index, CARD_LOSS_LOSES);
-    controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    controller_notify_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }
 
 /* The cards without an axis, and what they measure: nothing rests on them. */
@@ -211,7 +211,7 @@ static void forget(controller_t *self, const cycle_t *cycle, uint32_t section)
                                            EVENT_MEMORY_REST};
     controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)names[section - MODE], 0);
     forget_single(self, section);
-    controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    controller_notify_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }
 
 /* It seals itself: another part that is forgotten would seal its damage. */
@@ -222,7 +222,7 @@ static void check_plan(controller_t *self, const cycle_t *cycle)
         if (!plan_forget(&self->plan)) {
             controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_PROBE, 0);
         }
-        controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
+        controller_notify_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
     }
 }
 
@@ -257,7 +257,7 @@ static void check_table(controller_t *self, const cycle_t *cycle, uint32_t damag
         }
     }
     plan_forget_target(&self->plan);
-    controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_MEMORY_DAMAGED);
+    controller_notify_order(self, cycle, ARMING_EVENT_FAULT, STATUS_MEMORY_DAMAGED);
 }
 
 /* The rest first: it counts the events. */

@@ -100,20 +100,21 @@ static bool is_named(const command_positions_t *sent, uint32_t index)
 static status_t judge_axes(const controller_t *self, const cycle_t *cycle,
                            const command_positions_t *sent, answer_t *answer)
 {
-    status_t status = STATUS_OK;
-    for (uint32_t i = 0U; (i < self->sealed.axis_count) && (status == STATUS_OK); i++) {
-        answer->axis = i;
+    solution_t judged = {.status = STATUS_OK};
+    for (uint32_t i = 0U; (i < self->sealed.axis_count) && (judged.status == STATUS_OK); i++) {
+        judged.axis = (uint8_t)i;
         if (!is_named(sent, i)) {
-            status = STATUS_OK;
+            judged.status = STATUS_OK;
         } else if (!link_is_healthy_now(controller_link(self, i))) {
-            status = STATUS_HARDWARE_NOT_READY;
+            judged.status = STATUS_HARDWARE_NOT_READY;
         } else if (!can_stand_at(&cycle->robot->axes[i], sent->ticks[i])) {
-            status = STATUS_OUT_OF_RANGE;
+            judged.status = STATUS_OUT_OF_RANGE;
         } else {
             /* It can be. */
         }
     }
-    return status;
+    controller_blame(answer, &judged);
+    return judged.status;
 }
 
 static status_t judge_restore(const controller_t *self, const cycle_t *cycle,

@@ -30,7 +30,7 @@ static void lose(controller_t *self, const cycle_t *cycle, authority_loss_t loss
     const uint32_t actions = authority_lose(&self->authority, self->sealed.time_us);
     if ((actions & AUTHORITY_ACTION_DISCARD_ORDER) != 0U) {
         controller_note(self, cycle, EVENT_AUTHORITY_LOST, peer, (int32_t)loss);
-        controller_tell_order(self, cycle, ARMING_EVENT_DISCARD, STATUS_NO_AUTHORITY);
+        controller_notify_order(self, cycle, ARMING_EVENT_DISCARD, STATUS_NO_AUTHORITY);
     }
 }
 
@@ -80,7 +80,7 @@ void controller_observe_authority(controller_t *self, const cycle_t *cycle)
     if (authority_check(&self->authority)) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_AUTHORITY, 0);
         confirm_button_renew(&self->confirm);
-        controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
+        controller_notify_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
     }
     const bool is_at_rest = authority_is_ending(&self->authority) && are_axes_at_rest(self);
     if (authority_step(&self->authority, is_at_rest, cycle->inputs->elapsed_us, now_of(self))) {
@@ -173,21 +173,37 @@ void controller_credit(controller_t *self, const cycle_t *cycle, const command_t
     }
 }
 
-static status_t obey_take(controller_t *self, const cycle_t *cycle, const command_t *command)
+status_t controller_obey_take(controller_t *self, const cycle_t *cycle, const command_t *command,
+                              answer_t *answer)
 {
+    (void)answer;
     const authority_party_t party = party_of(command);
     take(self, cycle, command);
     return authority_is_of(&self->authority, &party) ? STATUS_OK : STATUS_NO_AUTHORITY;
 }
 
-static void obey_release(controller_t *self, const cycle_t *cycle, const command_t *command)
+/* That it is accepted renews. */
+status_t controller_obey_renew(controller_t *self, const cycle_t *cycle, const command_t *command,
+                               answer_t *answer)
 {
+    (void)self;
+    (void)cycle;
+    (void)command;
+    (void)answer;
+    return STATUS_OK;
+}
+
+status_t controller_obey_release(controller_t *self, const cycle_t *cycle, const command_t *command,
+                                 answer_t *answer)
+{
+    (void)answer;
     if (is_of_sender(&self->authority.sealed.requester, command)) {
         controller_end_request(self);
     }
     if (is_of_sender(&self->authority.sealed.holder, command)) {
         lose(self, cycle, AUTHORITY_LOSS_RELEASED);
     }
+    return STATUS_OK;
 }
 
 status_t controller_ask_button(controller_t *self, const cycle_t *cycle, const command_t *command,
@@ -207,8 +223,10 @@ status_t controller_ask_button(controller_t *self, const cycle_t *cycle, const c
     return STATUS_OK;
 }
 
-static status_t obey_request(controller_t *self, const cycle_t *cycle, const command_t *command)
+status_t controller_obey_request(controller_t *self, const cycle_t *cycle, const command_t *command,
+                                 answer_t *answer)
 {
+    (void)answer;
     const uint32_t request = command_as_request(command)->request;
     if ((request != (uint32_t)AUTHORITY_REQUEST_CONFIRM) &&
         (request != (uint32_t)AUTHORITY_REQUEST_TAKE)) {
@@ -226,27 +244,6 @@ static status_t obey_request(controller_t *self, const cycle_t *cycle, const com
         controller_ask_button(self, cycle, command, (authority_request_t)request, 0U);
     if (status == STATUS_OK) {
         controller_note(self, cycle, EVENT_AUTHORITY_ASKED, request, 0);
-    }
-    return status;
-}
-
-status_t controller_obey_authority(controller_t *self, const cycle_t *cycle,
-                                   const command_t *command, answer_t *answer)
-{
-    (void)answer;
-    status_t status = STATUS_OK;
-    switch (command->kind) {
-    case (uint32_t)COMMAND_TAKE:
-        status = obey_take(self, cycle, command);
-        break;
-    case (uint32_t)COMMAND_RELEASE:
-        obey_release(self, cycle, command);
-        break;
-    case (uint32_t)COMMAND_REQUEST:
-        status = obey_request(self, cycle, command);
-        break;
-    default: /* RENEW: that it is accepted renews. */
-        break;
     }
     return status;
 }

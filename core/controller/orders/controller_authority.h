@@ -34,15 +34,31 @@ bool controller_has_authority(const controller_t *self, const command_t *command
 void controller_credit(controller_t *self, const cycle_t *cycle, const command_t *command);
 
 /**
- * TAKE, RENEW, RELEASE and REQUEST.
+ * The sender takes free authority.
+ *
+ * @return STATUS_OK; STATUS_NO_AUTHORITY
+ */
+status_t controller_obey_take(controller_t *self, const cycle_t *cycle, const command_t *command,
+                              answer_t *answer);
+
+/** The sender keeps authority. @return STATUS_OK */
+status_t controller_obey_renew(controller_t *self, const cycle_t *cycle, const command_t *command,
+                               answer_t *answer);
+
+/** The sender gives up authority, and withdraws its request to the button. @return STATUS_OK */
+status_t controller_obey_release(controller_t *self, const cycle_t *cycle, const command_t *command,
+                                 answer_t *answer);
+
+/**
+ * The sender sets the meaning of the next press of the button.
  *
  * @return STATUS_OK; STATUS_NO_AUTHORITY; STATUS_BUSY while another one's request waits;
  * STATUS_UNKNOWN_COMMAND for a request of nothing; STATUS_NO_BUTTON for any where the box has none
  *
  * @satisfies SWR-AUTH-013
  */
-status_t controller_obey_authority(controller_t *self, const cycle_t *cycle,
-                                   const command_t *command, answer_t *answer);
+status_t controller_obey_request(controller_t *self, const cycle_t *cycle, const command_t *command,
+                                 answer_t *answer);
 
 /**
  * The next press of the button means `request`, for the sender of `command`, which has a peer;

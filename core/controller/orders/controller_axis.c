@@ -19,17 +19,36 @@ void controller_forget_reference(controller_t *self, const cycle_t *cycle, uint3
     }
 }
 
-static status_t obey_clear(controller_t *self, const cycle_t *cycle, uint32_t index)
+/* Whether a command may act on its axis. */
+static status_t judge_axis(const controller_t *self, const command_t *command)
 {
-    if (procedure_is_armed(&self->procedure)) {
-        return STATUS_NOT_AT_REST;
+    status_t status = STATUS_OK;
+    if (!controller_is_of_workphase(self, command)) {
+        status = STATUS_WRONG_WORKPHASE;
+    } else if (command_as_axis(command)->axis >= self->sealed.axis_count) {
+        status = STATUS_UNKNOWN_COMMAND;
+    } else {
+        status = STATUS_OK;
     }
-    controller_forget_reference(self, cycle, index);
-    return STATUS_OK;
+    return status;
 }
 
-static status_t obey_confirm(controller_t *self, const cycle_t *cycle, const command_t *command,
-                             uint32_t index)
+status_t controller_obey_clear_axis(controller_t *self, const cycle_t *cycle,
+                                    const command_t *command, answer_t *answer)
+{
+    (void)answer;
+    status_t status = judge_axis(self, command);
+    if ((status == STATUS_OK) && procedure_is_armed(&self->procedure)) {
+        status = STATUS_NOT_AT_REST;
+    }
+    if (status == STATUS_OK) {
+        controller_forget_reference(self, cycle, command_as_axis(command)->axis);
+    }
+    return status;
+}
+
+static status_t confirm(controller_t *self, const cycle_t *cycle, const command_t *command,
+                        uint32_t index)
 {
     const axis_t *const axis = &self->axes[index];
     if (!axis_is_confirmable(axis, &cycle->robot->axes[index])) {
@@ -42,6 +61,15 @@ static status_t obey_confirm(controller_t *self, const cycle_t *cycle, const com
                         axis->sealed.encoder.position_ticks);
     }
     return status;
+}
+
+status_t controller_obey_confirm_axis(controller_t *self, const cycle_t *cycle,
+                                      const command_t *command, answer_t *answer)
+{
+    (void)answer;
+    const status_t judged = judge_axis(self, command);
+    return (judged == STATUS_OK) ? confirm(self, cycle, command, command_as_axis(command)->axis)
+                                 : judged;
 }
 
 static status_t judge_set_home(const controller_t *self, const cycle_t *cycle, uint32_t index)
@@ -64,7 +92,7 @@ static status_t judge_set_home(const controller_t *self, const cycle_t *cycle, u
     return status;
 }
 
-static status_t obey_set_home(controller_t *self, const cycle_t *cycle, uint32_t index)
+static status_t set_home(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     axis_t *const axis = &self->axes[index];
     const status_t status = judge_set_home(self, cycle, index);
@@ -80,8 +108,16 @@ static status_t obey_set_home(controller_t *self, const cycle_t *cycle, uint32_t
     return status;
 }
 
+status_t controller_obey_set_home(controller_t *self, const cycle_t *cycle,
+                                  const command_t *command, answer_t *answer)
+{
+    (void)answer;
+    const status_t judged = judge_axis(self, command);
+    return (judged == STATUS_OK) ? set_home(self, cycle, command_as_axis(command)->axis) : judged;
+}
+
 /* As START_UP enables all; what START_UP clears besides stays. */
-static status_t obey_enable(controller_t *self, const cycle_t *cycle, uint32_t index)
+static status_t enable(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     axis_t *const axis = &self->axes[index];
     status_t status = STATUS_OK;
@@ -99,55 +135,29 @@ static status_t obey_enable(controller_t *self, const cycle_t *cycle, uint32_t i
     return status;
 }
 
-/* One with a fault keeps that. */
-static status_t obey_disable(controller_t *self, const cycle_t *cycle, uint32_t index)
-{
-    axis_t *const axis = &self->axes[index];
-    if (procedure_is_armed(&self->procedure)) {
-        return STATUS_NOT_AT_REST;
-    }
-    axis_disable(axis);
-    controller_note(self, cycle, EVENT_AXIS_DISABLED, index, axis->sealed.encoder.position_ticks);
-    return STATUS_OK;
-}
-
-/* An act that may be obeyed, on axis `index`, which was compared with their number. */
-static status_t obey_act(controller_t *self, const cycle_t *cycle, const command_t *command,
-                         uint32_t index)
-{
-    status_t status = STATUS_OK;
-    switch (command->kind) {
-    case (uint32_t)COMMAND_CLEAR_AXIS:
-        status = obey_clear(self, cycle, index);
-        break;
-    case (uint32_t)COMMAND_CONFIRM_AXIS:
-        status = obey_confirm(self, cycle, command, index);
-        break;
-    case (uint32_t)COMMAND_ENABLE_AXIS:
-        status = obey_enable(self, cycle, index);
-        break;
-    case (uint32_t)COMMAND_DISABLE_AXIS:
-        status = obey_disable(self, cycle, index);
-        break;
-    default:
-        status = obey_set_home(self, cycle, index);
-        break;
-    }
-    return status;
-}
-
-status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const command_t *command,
-                              answer_t *answer)
+status_t controller_obey_enable_axis(controller_t *self, const cycle_t *cycle,
+                                     const command_t *command, answer_t *answer)
 {
     (void)answer;
-    const uint32_t index = command_as_axis(command)->axis;
-    status_t status = STATUS_UNKNOWN_COMMAND;
-    if (!controller_is_of_workphase(self, command)) {
-        status = STATUS_WRONG_WORKPHASE;
-    } else if (index >= self->sealed.axis_count) {
-        status = STATUS_UNKNOWN_COMMAND;
-    } else {
-        status = obey_act(self, cycle, command, index);
+    const status_t judged = judge_axis(self, command);
+    return (judged == STATUS_OK) ? enable(self, cycle, command_as_axis(command)->axis) : judged;
+}
+
+/* One with a fault keeps that. */
+status_t controller_obey_disable_axis(controller_t *self, const cycle_t *cycle,
+                                      const command_t *command, answer_t *answer)
+{
+    (void)answer;
+    status_t status = judge_axis(self, command);
+    if ((status == STATUS_OK) && procedure_is_armed(&self->procedure)) {
+        status = STATUS_NOT_AT_REST;
+    }
+    if (status == STATUS_OK) {
+        const uint32_t index = command_as_axis(command)->axis;
+        axis_t *const axis = &self->axes[index];
+        axis_disable(axis);
+        controller_note(self, cycle, EVENT_AXIS_DISABLED, index,
+                        axis->sealed.encoder.position_ticks);
     }
     return status;
 }

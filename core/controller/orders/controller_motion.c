@@ -43,8 +43,7 @@ status_t controller_obey_motion(controller_t *self, const cycle_t *cycle, const 
         !controller_hand(self, cycle).is_trusted) {
         judged.status = STATUS_FORCE_DOUBTFUL;
     }
-    answer->axis = (uint32_t)judged.axis;
-    answer->is_maximum = (uint32_t)judged.is_maximum;
+    controller_blame(answer, &judged);
     if (judged.status != STATUS_OK) {
         return judged.status;
     }

@@ -89,7 +89,6 @@ static void answer(controller_t *self, const cycle_t *cycle, const command_t *co
                       .command = command->kind,
                       .asked = (uint32_t)command_kinds_workphase(command),
                       .is_final = 1U};
-    rigid_set_identity(&draft.pose);
     const status_t status = obey(self, cycle, command, &draft);
     draft.kind = (status == STATUS_OK) ? (uint32_t)ANSWER_ACCEPTED : (uint32_t)ANSWER_REFUSED;
     draft.status = (uint32_t)status;

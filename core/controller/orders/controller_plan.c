@@ -2,6 +2,7 @@
 #include "controller/orders/controller_plan.h"
 
 #include "controller/controller_facts.h"
+#include "controller/controller_order.h"
 #include "robot/probe.h"
 #include "safety/needle.h"
 
@@ -95,10 +96,9 @@ status_t controller_obey_target(controller_t *self, const cycle_t *cycle, const 
     controller_positions(self, ticks);
     const solution_t result =
         plan_set_target(&self->plan, cycle->robot, ticks, &command_as_pose(command)->pose);
-    answer->axis = (uint32_t)result.axis;
-    answer->is_maximum = (uint32_t)result.is_maximum;
+    controller_blame(answer, &result);
     if (result.status == STATUS_OK) {
-        answer->pose = self->plan.scanner_target;
+        answer->as.pose.pose = self->plan.scanner_target;
         target_way_take(&self->way, cycle->robot, ticks, self->plan.target_ticks);
         controller_note(self, cycle, EVENT_TARGET_ACCEPTED, 0U, 0);
     }
@@ -110,7 +110,7 @@ static status_t take_entry(controller_t *self, const cycle_t *cycle, status_t st
                            answer_t *answer)
 {
     if (status == STATUS_OK) {
-        answer->pose.translation = self->plan.entry;
+        answer->as.point.point = self->plan.entry;
         controller_note(self, cycle, EVENT_ENTRY_TAKEN, 0U, 0);
     }
     return status;

@@ -3,15 +3,36 @@
 
 #include "base/contract.h"
 #include "controller/controller_facts.h"
+#include "controller/controller_order.h"
 
 #include <string.h>
 
 static const char contract_module[] = "controller";
 
-static status_t begin_list(controller_t *self, const command_t *command)
+/* Whether the list may be changed. */
+static status_t judge_list(const controller_t *self, const command_t *command)
 {
+    status_t status = STATUS_OK;
+    if (!controller_is_of_workphase(self, command)) {
+        status = STATUS_WRONG_WORKPHASE;
+    } else if (procedure_is_armed(&self->procedure)) {
+        status = STATUS_NOT_AT_REST;
+    } else {
+        status = STATUS_OK;
+    }
+    return status;
+}
+
+status_t controller_obey_list_begin(controller_t *self, const cycle_t *cycle,
+                                    const command_t *command, answer_t *answer)
+{
+    (void)cycle;
+    (void)answer;
     trajectory_list_t *const list = &self->mode.sealed.list;
-    const status_t status = trajectory_list_begin(list, command_as_list_begin(command)->count);
+    status_t status = judge_list(self, command);
+    if (status == STATUS_OK) {
+        status = trajectory_list_begin(list, command_as_list_begin(command)->count);
+    }
     if (status == STATUS_OK) {
         list->source = (command->source == (uint32_t)COMMAND_SOURCE_HTTP)
                            ? (uint32_t)TRAJECTORY_SOURCE_HTTP
@@ -21,39 +42,35 @@ static status_t begin_list(controller_t *self, const command_t *command)
     return status;
 }
 
-static status_t add_row(controller_t *self, const cycle_t *cycle, const command_t *command,
-                        answer_t *answer)
+status_t controller_obey_list_row(controller_t *self, const cycle_t *cycle,
+                                  const command_t *command, answer_t *answer)
 {
+    const status_t status = judge_list(self, command);
+    if (status != STATUS_OK) {
+        return status;
+    }
     const command_row_t *const sent = command_as_row(command);
     trajectory_row_t row = {.time_ms = sent->time_ms};
     (void)memcpy(row.ticks, sent->ticks, sizeof row.ticks);
     (void)memcpy(row.speeds_ticks_per_s, sent->speeds_ticks_per_s, sizeof row.speeds_ticks_per_s);
     const solution_t judged =
         trajectory_list_add(&self->mode.sealed.list, self->rows, cycle->robot, sent->index, &row);
-    answer->axis = (uint32_t)judged.axis;
-    answer->is_maximum = (uint32_t)judged.is_maximum;
+    controller_blame(answer, &judged);
     return judged.status;
 }
 
-status_t controller_obey_trajectory(controller_t *self, const cycle_t *cycle,
-                                    const command_t *command, answer_t *answer)
+status_t controller_obey_list_end(controller_t *self, const cycle_t *cycle,
+                                  const command_t *command, answer_t *answer)
 {
-    status_t status = STATUS_OK;
-    if (!controller_is_of_workphase(self, command)) {
-        status = STATUS_WRONG_WORKPHASE;
-    } else if (procedure_is_armed(&self->procedure)) {
-        status = STATUS_NOT_AT_REST;
-    } else if (command->kind == (uint32_t)COMMAND_LIST_BEGIN) {
-        status = begin_list(self, command);
-    } else if (command->kind == (uint32_t)COMMAND_LIST_ROW) {
-        status = add_row(self, cycle, command, answer);
-    } else {
-        answer->checksum = command_as_list(command)->checksum;
-        status = trajectory_list_end(&self->mode.sealed.list, answer->checksum);
-        if (status == STATUS_OK) {
-            controller_note(self, cycle, EVENT_TRAJECTORY_HELD, 0U,
-                            (int32_t)self->mode.sealed.list.count);
-        }
+    trajectory_list_t *const list = &self->mode.sealed.list;
+    const uint32_t checksum = command_as_list(command)->checksum;
+    status_t status = judge_list(self, command);
+    if (status == STATUS_OK) {
+        status = trajectory_list_end(list, checksum);
+    }
+    if (status == STATUS_OK) {
+        answer->as.checksum.checksum = checksum;
+        controller_note(self, cycle, EVENT_TRAJECTORY_HELD, 0U, (int32_t)list->count);
     }
     return status;
 }

@@ -42,8 +42,8 @@ static void note_lengths(controller_t *self, const cycle_t *cycle, const command
     }
 }
 
-static void note_told(controller_t *self, const cycle_t *cycle, const command_t *command,
-                      const answer_t *answer)
+static void note_sent_values(controller_t *self, const cycle_t *cycle, const command_t *command,
+                             const answer_t *answer)
 {
     const bool is_refused = answer->kind == (uint32_t)ANSWER_REFUSED;
     switch (command->kind) {
@@ -78,10 +78,11 @@ static void note_told(controller_t *self, const cycle_t *cycle, const command_t 
 static void note_limit(controller_t *self, const cycle_t *cycle, const answer_t *answer)
 {
     if (answer->status == (uint32_t)STATUS_AXIS_LIMIT) {
-        const axis_config_t *axis = &cycle->robot->axes[answer->axis];
-        const bool is_maximum = answer->is_maximum != 0U;
+        const answer_limit_t *const limit = answer_as_limit(answer);
+        const axis_config_t *axis = &cycle->robot->axes[limit->axis];
+        const bool is_maximum = limit->is_maximum != 0U;
         controller_note(self, cycle, is_maximum ? EVENT_UPPER_LIMIT : EVENT_LOWER_LIMIT,
-                        answer->axis, is_maximum ? axis->maximum_ticks : axis->minimum_ticks);
+                        limit->axis, is_maximum ? axis->maximum_ticks : axis->minimum_ticks);
     }
 }
 
@@ -106,10 +107,14 @@ static void note_end(controller_t *self, const cycle_t *cycle, const coupled_lim
 /* A robot has fewer than there are places; those without one refuse with STATUS_OK. */
 static void note_shared_limit(controller_t *self, const cycle_t *cycle, const answer_t *answer)
 {
+    if (answer_form(answer) != ANSWER_FORM_SHARED_LIMIT) {
+        return;
+    }
+    const bool is_maximum = answer_as_shared_limit(answer)->is_maximum != 0U;
     for (uint32_t i = 0U; i < ROBOT_COUPLED_LIMITS; i++) {
         const coupled_limit_t *const limit = &cycle->robot->coupled_limits[i];
         if (answer->status == (uint32_t)limit->refusal) {
-            note_end(self, cycle, limit, answer->is_maximum != 0U);
+            note_end(self, cycle, limit, is_maximum);
         }
     }
 }
@@ -126,9 +131,9 @@ void controller_note_values(controller_t *self, const cycle_t *cycle, const comm
                             const answer_t *answer)
 {
     if (answer->kind == (uint32_t)ANSWER_ACCEPTED) {
-        note_told(self, cycle, command, answer);
+        note_sent_values(self, cycle, command, answer);
     } else if (is_time(self)) {
-        note_told(self, cycle, command, answer);
+        note_sent_values(self, cycle, command, answer);
         note_limit(self, cycle, answer);
         note_shared_limit(self, cycle, answer);
     } else {

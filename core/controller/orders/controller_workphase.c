@@ -60,7 +60,7 @@ status_t controller_obey_workphase(controller_t *self, const cycle_t *cycle,
     procedure_actions_t actions;
     if (asked == WORKPHASE_MOVE_TO_TARGET) {
         const solution_t judged = controller_judge_way(self, cycle);
-        answer->is_maximum = (uint32_t)judged.is_maximum;
+        controller_blame(answer, &judged);
         if (judged.status != STATUS_OK) {
             return judged.status;
         }

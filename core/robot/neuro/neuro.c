@@ -333,9 +333,9 @@ solution_t neuro_solve(const robot_t *robot, const probe_t *probe, const rigid_t
     margin_add(&best, &limits, NEURO_AXIS_YAW, needle.yaw_bam);
     const solution_t result = finish(&needle, &limits, depth_nm, joints);
     /* A height that is missed is the cause of whatever else is. */
-    const bool is_told =
+    const bool is_reported =
         (result.status == STATUS_OK) || (result.status == STATUS_UNREACHABLE_HEIGHT);
-    return is_told ? result : margin_limit(&best, &limits);
+    return is_reported ? result : margin_limit(&best, &limits);
 }
 
 int64_t neuro_coupled(const robot_t *robot, uint32_t index, const joints_t *joints)

@@ -45,7 +45,7 @@ class TestChartCommand < Minitest::Test
   }.freeze
 
   EXAMPLES.each do |name, (message, id, words)|
-    define_method("test_SWR_CHART_013_the_command_line_tells_and_writes_the_way_to_#{name}") do
+    define_method("test_SWR_CHART_013_the_command_line_reports_and_writes_the_way_to_#{name}") do
       with_charts(name) do |source, target|
         output, errors, status = compile(source, target)
         path = File.join(target, "counterexamples/test_#{id}_counterexample.c")

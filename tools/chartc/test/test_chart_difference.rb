@@ -91,7 +91,7 @@ class TestChartDifference < Minitest::Test
     assert_equal ['~ transition GATE-T04 source: ajar -> gate'], changes(moved, checked: false)
   end
 
-  def test_SWR_CHART_006_what_came_and_what_went_is_told_in_one_line_each
+  def test_SWR_CHART_006_what_came_and_what_went_is_reported_in_one_line_each
     added = GATE.sub('<state id="dark" bs:req="SWR-CHART-001"/>',
                      '<state id="dark" bs:req="SWR-CHART-001" bs:ignores="off"><transition bs:id="GATE-T05" ' \
                      'event="on" target="lit" bs:req="SWR-CHART-001"/></state><state id="lit" bs:ignores="on" ' \
@@ -160,7 +160,7 @@ class TestChartDifference < Minitest::Test
     end
   end
 
-  def test_SWR_CHART_006_trouble_with_files_is_told_in_one_line
+  def test_SWR_CHART_006_trouble_with_files_is_reported_in_one_line
     with_versions(GATE, GATE) do |old, new|
       FileUtils.mkdir_p("#{new}/door.scxml")
       words = "#{new}/door.scxml: Is a directory; correct the path, or what stands there\n"

@@ -56,7 +56,7 @@ class TestChartDoor < Minitest::Test
     assert_equal %w[test_base_walk.c test_base_paths.c], chart.tests.keys
   end
 
-  def test_SWR_CHART_035_the_door_refuses_and_forgives_what_it_is_told_to
+  def test_SWR_CHART_035_the_door_refuses_and_forgives_as_it_is_asked_to
     file = File.join(CHARTS, 'r25_event_forgotten.scxml')
     limits = Chart::Limits.new({ 'cycle_us' => 1000 })
     refusal = assert_raises(Chart::Refusal) { Chart.compile(file, limits) }

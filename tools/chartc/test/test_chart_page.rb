@@ -122,7 +122,7 @@ class TestChartPage < Minitest::Test
     assert_includes element(kiln, 'kiln-low'), 'after 2500 us: warm'
   end
 
-  def test_SWR_CHART_005_an_arrow_tells_event_guard_work_and_requirements
+  def test_SWR_CHART_005_an_arrow_reports_event_guard_work_and_requirements
     arrow = element(kiln, 'KILN-T01')
     ['start', '[is_closed]', '/ greet', 'KILN-T01 SWR-CHART-001 line 4'].each { |words| assert_includes arrow, words }
     assert_includes element(kiln, 'KILN-T08'), 'at once'
@@ -150,7 +150,7 @@ class TestChartPage < Minitest::Test
 
   # --- the page ---
 
-  def test_SWR_CHART_005_the_page_tells_all_of_every_state_and_transition
+  def test_SWR_CHART_005_the_page_reports_all_of_every_state_and_transition
     assert_row 'States', 'low', 'heat', 'atomic', 'start warming', 'stop warming', 'cool', 'SWR-CHART-001',
                'HAZ-01', '15'
     assert_row 'Transitions', 'KILN-T02', '2', 'off', 'start', '!is_closed', 'stays', 'complain', 'SWR-CHART-002',
@@ -160,7 +160,7 @@ class TestChartPage < Minitest::Test
     assert_row 'Transitions', 'KILN-T09', '9', 'shut', 'open', '', 'ajar', 'raise lost', 'SWR-CHART-001', '', '28'
   end
 
-  def test_SWR_CHART_005_the_page_tells_how_timers_round
+  def test_SWR_CHART_005_the_page_reports_how_timers_round
     assert_row 'Timers', 'warming', 'warm', 'low', '2500 us', 'warm_us', 'up (hold-off)', '3', '16'
   end
 
@@ -174,7 +174,7 @@ class TestChartPage < Minitest::Test
     assert_row 'Properties', 'KILN-P04', "In('off') can be reached in 1 step", 'holds', "#{reached} configurations"
   end
 
-  def test_SWR_CHART_005_the_page_tells_which_elements_stand_for_a_requirement_or_a_hazard
+  def test_SWR_CHART_005_the_page_reports_which_elements_stand_for_a_requirement_or_a_hazard
     assert_row 'Requirements and hazards', 'SWR-CHART-002', '', 'KILN-T02', 'KILN-I01, KILN-P02, KILN-P03, KILN-P04'
     assert_row 'Requirements and hazards', 'HAZ-01', 'low', 'KILN-T02', 'KILN-P02'
   end

@@ -134,7 +134,7 @@ class TestChartPromela < Minitest::Test
     end
   end
 
-  def test_SWR_CHART_001_a_difference_is_told_in_names
+  def test_SWR_CHART_001_a_difference_is_reported_in_names
     document = engine(HISTORY)
     text = Chart::Promela.new(document).emit.sub('(in_a -> 2', '(in_a -> 3')
     differences = Spin.new.compare(document, Chart::Walk.new(document).run, text).differences

@@ -69,7 +69,7 @@ class TestChartRefusals < Minitest::Test
     assert_match(/no requirement states cycle_us, which bs:tick must equal; add the limit/, refusal.message)
   end
 
-  def test_SWR_CHART_003_a_long_way_is_told_in_few_words
+  def test_SWR_CHART_003_a_long_way_is_reported_in_few_words
     text = chart('r34_value_too_large_engine')
     assert_match(/becomes 32768, reached by: (go, halt, ){6}\(65511 more\), halt, (go, halt, ){5}go;/,
                  refusal_in('r34_value_too_large_engine', text.sub('bs:max="3"', 'bs:max="32767"')).message)

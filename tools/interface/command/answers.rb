@@ -13,7 +13,7 @@ module Interface
     FROM = 'core/interface'
     SAYS = 'The answers that each command may get.'
     KIND = 'answer_kind'
-    PARTS = %w[refused ended].freeze
+    PARTS = %w[refused ended gives].freeze
     # In place of the refusals of the robots' kinematics.
     ROBOTS = 'robots'
     ROBOT_REFUSALS = "a refusal of the robot's kinematics"
@@ -129,7 +129,7 @@ module Interface
     end
 
     def common
-      @statuses.values.reject(&:robot).map(&:name) - ['OK']
+      @statuses.values.reject(&:robot).select { |status| @model.statuses.of_core?(status) }.map(&:name) - ['OK']
     end
 
     def of_robots

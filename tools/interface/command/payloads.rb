@@ -30,6 +30,10 @@ module Interface
       @all.find { |payload| payload.values.include?(value) }
     end
 
+    def c_type
+      'command_payload_t'
+    end
+
     def bytes
       @all.map { |payload| payload.structure.bytes }.max
     end

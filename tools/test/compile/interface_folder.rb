@@ -65,8 +65,8 @@ module InterfaceFolder
         says: What.
         count: true
         values:
-          - {code: 0, name: SPILT, severity: critical, subject: colour, value: ticks, says: "{subject} by {value}."}
-          - {code: 1, name: DRIED, severity: low, subject: axis, value: [not_yet, at_last], says: "{subject} {value}."}
+          - {code: 0, name: SPILT, severity: critical, subject: colour, value: {way: ticks}, says: "{subject} by {value}."}
+          - {code: 1, name: DRIED, severity: low, subject: axis, value: {time: [not_yet, at_last]}, says: "{subject} {value}."}
   YAML
 
   private

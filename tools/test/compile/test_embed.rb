@@ -58,7 +58,7 @@ class TestEmbed < Minitest::Test
     refute_equal tags[1], tags[2]
   end
 
-  def test_SWR_HTTP_019_a_file_of_elsewhere_is_served_where_it_is_told
+  def test_SWR_HTTP_019_a_file_of_elsewhere_is_served_where_it_is_configured
     Dir.mktmpdir do |folder|
       File.write(File.join(folder, 'index.html'), 'a')
       File.write(File.join(folder, '../of.json'), '{}')

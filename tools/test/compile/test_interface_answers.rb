@@ -49,6 +49,8 @@ class TestInterfaceAnswers < Minitest::Test
     'a status that its columns add' => ['commands.yml', 'refused: [BLACK_BOX_THERE]', 'refused: [NO_AUTHORITY]',
                                         'names NO_AUTHORITY under refused, which its columns in status.yml add'],
     'an early end without an order' => ['commands.yml', 'refused: [BLACK_BOX_THERE]', 'ended: [BLACK_BOX_THERE]', 'is of a command that arms nothing'],
+    'a status that the core does not give' => ['commands.yml', 'refused: [BLACK_BOX_THERE]', 'refused: [NO_ANSWER]', 'is NO_ANSWER; expected'],
+    'a giver that there is not' => ['status.yml', 'given_by: processes', 'given_by: people', 'is people; expected processes'],
     'an unknown part' => ['commands.yml', 'refused: [BLACK_BOX_THERE]', 'failed: [BLACK_BOX_THERE]', 'failed'],
     'a group that there is not' => ['status.yml', 'refuses: every', 'refuses: all', 'is all; expected every or authorised']
   }.freeze
@@ -65,6 +67,18 @@ class TestInterfaceAnswers < Minitest::Test
         assert_match(/#{name}:\d+: /, error.message)
         assert_includes error.message, reason
       end
+    end
+  end
+
+  # A number of a status is written in C nowhere else.
+  def test_SWR_TOOL_481_each_status_is_given_where_its_row_says
+    of_limits = Dir[File.join(CORE, 'robot/*/kinematics.yml')].flat_map { |file| File.read(file).scan(/refusal: (\w+)/).flatten }
+    of_core = sources('core') | of_limits
+    of_processes = sources('app')
+    model.enumeration('status').values.each do |status|
+      is_of_core = model.statuses.of_core?(status)
+      assert_equal is_of_core, of_core.include?(status.name), "#{status.name}, given_by"
+      assert_includes of_processes, status.name unless is_of_core
     end
   end
 
@@ -92,6 +106,12 @@ class TestInterfaceAnswers < Minitest::Test
   end
 
   private
+
+  # The statuses that the written sources of a folder name.
+  def sources(folder)
+    files = Dir[File.join(ROOT, folder, '**/*.{c,h}')].reject { |file| file.include?('/test/') }
+    files.flat_map { |file| File.read(file).scan(/\bSTATUS_([A-Z_]+)\b/).flatten }.uniq
+  end
 
   def model
     @model ||= Interface::Model.new(File.join(CORE, 'interface'), leaves)

@@ -62,22 +62,10 @@ class TestInterfaceColumns < Minitest::Test
   end
 
   def test_SWR_TOOL_071_a_refused_command_names_an_axis_where_the_row_of_the_status_says_so
-    with_output do |folder|
-      assert_equal "1 by 4\n1 by 5\n2 by 5\n9 by 4\n9 by 5\n", output_of(folder, 'app/refused_axis.c', <<~C)
-        #include "interface/app/refused_axis.h"
-        #include <stdio.h>
-        int main(void)
-        {
-            for (unsigned status = 0U; status < 11U; status++) {
-                for (unsigned command = 4U; command < 6U; command++) {
-                    if (refused_axis_is_named(status, command)) {
-                        (void)printf("%u by %u\\n", status, command);
-                    }
-                }
-            }
-            return 0;
-        }
-      C
+    in_folder({}) do |folder|
+      model = Interface::Model.new(File.join(folder, 'core/interface'))
+      named = model.enumeration('status').values.to_h { |status| [status.code, model.statuses.named(status)] }
+      assert_equal({ 1 => 'any', 2 => ['WASH'], 9 => 'any' }, named.compact)
     end
   end
 

@@ -456,10 +456,14 @@ class TestInterfaceCompiler < Minitest::Test
   EVENT_REFUSALS = {
     'an event without severity' => [', severity: low', '', 20, 'has no severity'],
     'a severity that is none' => ['severity: low', 'severity: high', 20, 'is high; expected low or critical'],
-    'a subject that is none' => ['subject: axis', 'subject: shape', 20, 'is shape; expected axis, card, part, length, number'],
-    'a value that is none' => ['value: ticks', 'value: miles', 19, 'is miles; expected ticks, percent, nm, millionths, number'],
+    'a subject that is none' => ['subject: axis', 'subject: shape', 20, 'is shape; expected axis, card, part, length or an enumeration'],
+    'a value that is none' => ['way: ticks', 'way: miles', 19, 'is miles; expected ticks, percent, nm, millionths, us, ms, min, hz, tenths_c, count, number'],
+    'a value without a name' => ['value: {way: ticks}', 'value: ticks', 19, 'has no name; expected {NAME: TYPE}'],
+    'a value with two names' => ['{way: ticks}', '{way: ticks, time: ms}', 19, 'has 2 names; expected one'],
+    'a unit that the sentence does not say' => ['way: ticks', 'way: tenths_c', 19, 'does not say tenths of a degree Celsius'],
+    'a number as subject without a name' => ['subject: axis', 'subject: number', 20, 'is number without a name'],
     'three words for a flag' => ['[not_yet, at_last]', '[a, b, c]', 20, 'has 3 words; expected 2, for 0 and 1'],
-    'a sentence with what is not there' => [', value: ticks', '', 19, 'says {value}, which it has not'],
+    'a sentence with what is not there' => [', value: {way: ticks}', '', 19, 'says {value}, which it has not'],
     'a sentence without its value' => [' by {value}', '', 19, 'does not say {value}'],
     'a cause with what is not there' => [', peer: axis', '', 13, 'says {peer}, which it has not']
   }.freeze
@@ -468,6 +472,15 @@ class TestInterfaceCompiler < Minitest::Test
     define_method("test_SWR_TOOL_012_refuses_#{what.tr(' ', '_')}") do
       assert_refused('events.yml', EVENTS, old, new, line, reason)
     end
+  end
+
+  def test_SWR_TOOL_483_the_value_of_an_event_has_a_name_and_a_type
+    root = File.expand_path('../../..', __dir__)
+    model = Interface::Model.new(File.join(root, 'core/interface'))
+    values = model.events.events.to_h { |event| [event.value.name, event.about] }
+    assert_equal ['correction, ticks', 'trouble, card_trouble', 'end, dwell or dose', nil],
+                 values.values_at('AXIS_HOMED', 'CARD_UNWELL', 'PROGRAM_STEP', 'PEDAL_PRESSED')
+    assert_includes Interface::EventWords.new(model).files['event_words.c'], "    case EVENT_CARD_HOT:\n        return \"temperature\";\n"
   end
 
   def test_SWR_TOOL_012_refuses_a_key_used_twice_in_a_message

@@ -334,20 +334,20 @@ class TestRobotCompiler < Minitest::Test
   end
 
   def test_SWR_IGTL_038_the_order_of_lists_is_the_file_s_or_that_of_the_axes
-    assert_equal [2, 6, 5, 3, 4, 0, 1], joints_told(TEXT)
-    assert_equal (0..6).to_a, joints_told(with('  joints: [lateral, yaw, pitch, insertion, rotation, head, feet]', ''))
+    assert_equal [2, 6, 5, 3, 4, 0, 1], joints_reported(TEXT)
+    assert_equal (0..6).to_a, joints_reported(with('  joints: [lateral, yaw, pitch, insertion, rotation, head, feet]', ''))
   end
 
-  def joints_told(text)
-    compile(text).last[/\.told_joints = \{.*?\n    \}/m].scan(/= (\d+)U/).flatten.map(&:to_i)
+  def joints_reported(text)
+    compile(text).last[/\.reported_joints = \{.*?\n    \}/m].scan(/= (\d+)U/).flatten.map(&:to_i)
   end
 
   def test_SWR_IGTL_038_a_list_without_one_of_the_axes_or_with_one_twice_is_refused
     assert_refused(with('yaw, pitch, insertion', 'yaw, yaw, insertion'),
-                   'told.joints: are lateral, yaw, yaw, insertion, rotation, head, feet; expected each of head, feet, ' \
+                   'reported.joints: are lateral, yaw, yaw, insertion, rotation, head, feet; expected each of head, feet, ' \
                    'lateral, insertion, rotation, pitch, yaw once', at: 'joints: [')
     assert_refused(with('[lateral, yaw', '[laterally, yaw'),
-                   'told.joints[0]: is laterally; expected head or feet or lateral or insertion or rotation or pitch ' \
+                   'reported.joints[0]: is laterally; expected head or feet or lateral or insertion or rotation or pitch ' \
                    'or yaw', at: 'joints: [')
   end
 
@@ -377,22 +377,22 @@ class TestRobotCompiler < Minitest::Test
                    at: "probe:\n")
   end
 
-  def test_SWR_IGTL_039_lengths_that_are_told_have_the_value_of_their_length
-    told = compile(with('robot_to_entry_mm: {value: 5,', 'robot_to_entry_mm: {value: 5.25,')).last[/\.told_lengths.*/m]
-    assert_includes told, '{.name = "robot_to_entry", .length_nm = 5250000, .probe = 2U}'
-    assert_includes told, '{.name = "robot_treatment_home", .length_nm = 41000000, .probe = 4U}'
+  def test_SWR_IGTL_039_lengths_that_are_reported_have_the_value_of_their_length
+    reported = compile(with('robot_to_entry_mm: {value: 5,', 'robot_to_entry_mm: {value: 5.25,')).last[/\.reported_lengths.*/m]
+    assert_includes reported, '{.name = "robot_to_entry", .length_nm = 5250000, .probe = 2U}'
+    assert_includes reported, '{.name = "robot_treatment_home", .length_nm = 41000000, .probe = 4U}'
   end
 
-  def test_SWR_IGTL_039_wrong_lengths_to_be_told_are_refused
+  def test_SWR_IGTL_039_wrong_lengths_to_be_reported_are_refused
     at = 'name: robot_to_entry, length'
     assert_refused(with('name: robot_to_entry,', 'name: treatment_to_tip,'),
-                   'told.lengths[2].name: is treatment_to_tip, which another has; expected another',
+                   'reported.lengths[2].name: is treatment_to_tip, which another has; expected another',
                    line: line_of(TEXT, at, nil))
     assert_refused(with('name: robot_to_entry,', "name: #{'a' * 21},"),
-                   "told.lengths[2].name: is #{'a' * 21}; expected 1 to 20 of a-z, 0-9 and _", at: 'aaaa')
+                   "reported.lengths[2].name: is #{'a' * 21}; expected 1 to 20 of a-z, 0-9 and _", at: 'aaaa')
     assert_refused(with("    - {#{at}", "    - {name: a, length: robot_to_entry_mm}\n    - {#{at}"),
-                   'told.lengths: are 5; expected at most 4', at: '  lengths:')
-    assert_match(/told.lengths\[2\].length: is depth; expected side_link_mm or /,
+                   'reported.lengths: are 5; expected at most 4', at: '  lengths:')
+    assert_match(/reported.lengths\[2\].length: is depth; expected side_link_mm or /,
                  compile(with('length: robot_to_entry_mm', 'length: depth'))[1])
   end
 

@@ -101,7 +101,7 @@ void test_SWR_AXIS_019_an_axis_that_trembles_in_place_is_reported_once(void)
 }
 
 /* A finding of its watchdog is reported, even if no other check finds it. */
-void test_SWR_STALL_003_a_stall_is_told_with_its_place(void)
+void test_SWR_STALL_003_a_stall_is_reported_with_its_place(void)
 {
     stall_watchdog_chart_t *const stall = &rig.controller.axes[NEURO_AXIS_HEAD].supervision.stall;
     rig_start_moving(&rig);
@@ -179,7 +179,7 @@ void test_SWR_AXIS_016_a_motor_that_runs_on_after_the_release_is_noticed(void)
     rig_expect_nothing_known(&rig, NEURO_AXIS_FEET);
 }
 
-void test_SWR_AXIS_017_a_card_that_is_told_nothing_more_switches_off_where_it_may_not_be(void)
+void test_SWR_AXIS_017_a_card_that_receives_nothing_more_switches_off_where_it_may_not_be(void)
 {
     rig_start_moving(&rig);
     const card_command_t sent = rig_sent(&rig, NEURO_AXIS_HEAD);

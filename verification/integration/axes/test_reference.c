@@ -343,7 +343,7 @@ static const event_t *last_event(event_id_t id)
     return found;
 }
 
-static void expect_told(event_id_t id, uint32_t axis)
+static void expect_reported(event_id_t id, uint32_t axis)
 {
     TEST_ASSERT_EQUAL_UINT32(axis, last_event(id)->subject);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, id));
@@ -358,30 +358,30 @@ void test_SWR_REF_011_each_change_of_trust_names_its_axis(void)
     controller_seal(&rig.controller);
     axis_doubt(&rig.controller.axes[axis]);
     rig_cycle(&rig);
-    expect_told(EVENT_AXIS_UNVERIFIED, axis);
+    expect_reported(EVENT_AXIS_UNVERIFIED, axis);
     TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_WARNING, last_event(EVENT_AXIS_UNVERIFIED)->severity);
     (void)hold_button(HOLD_CYCLES + 1U);
-    expect_told(EVENT_AXIS_CONFIRMED, axis);
+    expect_reported(EVENT_AXIS_CONFIRMED, axis);
     TEST_ASSERT_EQUAL_INT32(12, last_event(EVENT_AXIS_CONFIRMED)->value);
     axis_lose_reference(&rig.controller.axes[axis]);
     rig_cycles(&rig, 20U);
-    expect_told(EVENT_AXIS_REFERENCE_LOST, axis);
+    expect_reported(EVENT_AXIS_REFERENCE_LOST, axis);
     TEST_ASSERT_EQUAL_INT32(12, last_event(EVENT_AXIS_REFERENCE_LOST)->value);
 }
 
-void test_SWR_REF_011_what_an_axis_in_doubt_loses_is_told_and_what_was_never_known_is_not(void)
+void test_SWR_REF_011_what_an_axis_in_doubt_loses_is_reported_and_what_was_never_known_is_not(void)
 {
     start_with_doubt(NEURO_AXIS_ROTATION);
     axis_lose_reference(&rig.controller.axes[NEURO_AXIS_ROTATION]);
     rig_cycle(&rig);
-    expect_told(EVENT_AXIS_REFERENCE_LOST, NEURO_AXIS_ROTATION);
+    expect_reported(EVENT_AXIS_REFERENCE_LOST, NEURO_AXIS_ROTATION);
     rig_start(&rig);
     axis_forget(&rig.controller.axes[NEURO_AXIS_ROTATION]);
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_REFERENCE_LOST));
 }
 
-void test_SWR_REF_011_a_fault_tells_the_loss_itself(void)
+void test_SWR_REF_011_a_fault_reports_the_loss_itself(void)
 {
     begin_move();
     rig_box(&rig, "motor head stuck");

@@ -84,7 +84,7 @@ static uint32_t lateness_ms(uint32_t axis, int32_t ticks)
 {
     const command_t command = {.kind = (uint32_t)COMMAND_JOG_BY,
                                .as.jog_by = {.axis = axis, .by_ticks = ticks}};
-    uint32_t told_ms = 0U;
+    uint32_t reported_ms = 0U;
     uint32_t cycles = 0U;
     rig_forget(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
@@ -92,20 +92,20 @@ static uint32_t lateness_ms(uint32_t axis, int32_t ticks)
     while (rig.outputs.snapshot.left_ms == 0U) {
         rig_cycle(&rig);
     }
-    told_ms = rig.outputs.snapshot.left_ms;
+    reported_ms = rig.outputs.snapshot.left_ms;
     while (rig_count(&rig, EVENT_ORDER_DONE) == 0U) {
         rig_cycle(&rig);
         cycles++;
         TEST_ASSERT_LESS_THAN_UINT32(60000U, cycles);
     }
     rig_release(&rig);
-    TEST_ASSERT_GREATER_THAN_UINT32(2000U, told_ms);
-    return (cycles > told_ms) ? (cycles - told_ms) : 0U;
+    TEST_ASSERT_GREATER_THAN_UINT32(2000U, reported_ms);
+    return (cycles > reported_ms) ? (cycles - reported_ms) : 0U;
 }
 
 /* As warm as it may be: the first has a fifth of its speed to spare by its table, the least of all,
  * the second a third. */
-void test_SWR_MOTION_006_a_warm_motor_is_done_in_the_time_that_was_told(void)
+void test_SWR_MOTION_006_a_warm_motor_is_done_in_the_time_that_was_reported(void)
 {
     static const uint32_t axes[] = {NEURO_AXIS_LATERAL, NEURO_AXIS_ROTATION};
     static const int32_t ways[] = {-1000, -3500};

@@ -58,7 +58,7 @@ void test_SWR_NI_005_damaged_reports_are_refused_and_the_card_is_lost(void)
     TEST_ASSERT_FALSE(link_is_usable(&rig.controller.links[3]));
 }
 
-void test_SWR_NI_005_health_that_the_cards_do_not_tell_is_not_judged(void)
+void test_SWR_NI_005_health_that_the_cards_do_not_report_is_not_judged(void)
 {
     rig_cycles(&rig, (LIMIT_CARD_SUPPLY_LOOKS + 2U) * CARD_SLOT_COUNT);
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {

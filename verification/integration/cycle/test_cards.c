@@ -114,7 +114,7 @@ void test_SWR_LINK_010_its_drive_is_off_in_every_cycle_while_an_axis_is_driven(v
     TEST_ASSERT_TRUE(rig_is_driving(&rig));
 }
 
-void test_SWR_LINK_010_it_is_told_as_lost_and_no_axis_stops_for_it(void)
+void test_SWR_LINK_010_it_is_reported_as_lost_and_no_axis_stops_for_it(void)
 {
     begin_jog();
     rig_box(&rig, "card 8 silent");
@@ -140,7 +140,7 @@ void test_SWR_LINK_010_start_up_begins_without_it_and_ends_its_loss(void)
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LIVE, shown(SENSOR)->link);
 }
 
-void test_SWR_LINK_010_damaged_memory_of_it_is_told_and_no_axis_stops_for_it(void)
+void test_SWR_LINK_010_damaged_memory_of_it_is_reported_and_no_axis_stops_for_it(void)
 {
     static rig_t moving;
     begin_jog();
@@ -185,7 +185,7 @@ static void cycle_with_stranger(void)
     }
 }
 
-void test_SWR_LINK_011_a_card_that_the_robot_does_not_name_is_told_of_once_and_shown(void)
+void test_SWR_LINK_011_a_card_that_the_robot_does_not_name_is_reported_of_once_and_shown(void)
 {
     begin_jog();
     for (uint32_t i = 1U; i <= 20U; i++) {
@@ -290,7 +290,7 @@ void test_SWR_DRIVE_011_no_slot_is_looked_at_while_an_axis_is_driven(void)
     TEST_ASSERT_EQUAL_UINT32(0U, told(EVENT_UNEXPECTED_CARD, STRANGER));
 }
 
-void test_SWR_DRIVE_012_a_card_that_is_taken_out_is_told_and_another_found(void)
+void test_SWR_DRIVE_012_a_card_that_is_taken_out_is_reported_and_another_found(void)
 {
     plug("plug 9 analog");
     rig_cycles(&rig, (LIMIT_PROBE_CYCLES * CARD_SLOT_COUNT) + 1U);

@@ -152,8 +152,8 @@ void test_SWR_PLAN_003_a_target_out_of_reach_is_refused_with_the_nearest_limit(v
     const answer_t answer = rig_target(&rig, &pose);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_REFUSED, answer.kind);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_LATERAL, answer.axis);
-    TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_LATERAL, answer_axis(&answer));
+    TEST_ASSERT_EQUAL_UINT32(1U, answer_as_limit(&answer)->is_maximum);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET,
                              rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
@@ -211,7 +211,7 @@ void test_SWR_PLAN_004_a_target_is_taken_in_targeting_only_and_returned_as_reach
     const answer_t answer = rig_target(&rig, &pose);
     int32_t distance_nm = 0;
     int32_t angle_bam = 0;
-    rigid_difference(&answer.pose, &pose, &distance_nm, &angle_bam);
+    rigid_difference(&answer_as_pose(&answer)->pose, &pose, &distance_nm, &angle_bam);
     TEST_ASSERT_LESS_OR_EQUAL_INT32(38000, distance_nm);
     (void)rig_workphase(&rig, WORKPHASE_PLANNING);
     TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, rig_target(&rig, &pose).status);
@@ -259,11 +259,11 @@ void test_SWR_AXIS_004_a_jog_outside_the_soft_limits_is_refused(void)
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     answer_t answer = rig_command(&rig, jog);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(1U, answer_as_limit(&answer)->is_maximum);
     jog.as.jog.to_ticks = -1223;
     answer = rig_command(&rig, jog);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(0U, answer.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(0U, answer_as_limit(&answer)->is_maximum);
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
 }
 
@@ -344,7 +344,7 @@ void test_SWR_AXIS_020_a_jog_to_where_the_switch_may_be_active_is_refused_by_nam
             jog.as.jog.to_ticks -= out;
             const answer_t answer = rig_command(&rig, jog);
             TEST_ASSERT_EQUAL_UINT32(STATUS_SWITCH_ZONE, answer.status);
-            TEST_ASSERT_EQUAL_UINT32(i, answer.axis);
+            TEST_ASSERT_EQUAL_UINT32(i, answer_axis(&answer));
             jog.as.jog.to_ticks += out;
         }
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
@@ -361,7 +361,7 @@ void test_SWR_AXIS_020_a_target_where_a_switch_may_be_active_is_refused_by_name(
     kinematics_forward(&robot_neuro, &robot_neuro.probe, &joints, &pose);
     const answer_t answer = rig_target(&rig, &pose);
     TEST_ASSERT_EQUAL_UINT32(STATUS_SWITCH_ZONE, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_LATERAL, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_LATERAL, answer_axis(&answer));
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
     ticks[NEURO_AXIS_LATERAL] = -20;
     joints_from_ticks(&robot_neuro, ticks, &joints);
@@ -461,7 +461,7 @@ void test_SWR_EVENT_005_what_a_command_caused_names_its_source_and_connection(vo
     expect_cause(EVENT_WORKPHASE, EVENT_CAUSE_CONSOLE, 0U);
 }
 
-void test_SWR_EVENT_009_a_workphase_that_stands_is_told_once(void)
+void test_SWR_EVENT_009_a_workphase_that_stands_is_reported_once(void)
 {
     rig_start_homed(&rig);
     rig_forget(&rig);
@@ -656,7 +656,7 @@ static void expect_aborted_once(uint32_t *word)
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.answer_count);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig.answers[0].kind);
-    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_MAX, rig.answers[0].axis);
+    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_MAX, answer_axis(&rig.answers[0]));
     *word ^= 2U;
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.answer_count);

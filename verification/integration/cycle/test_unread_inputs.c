@@ -50,7 +50,7 @@ static uint32_t cause_of(event_id_t id)
     return UINT32_MAX;
 }
 
-void test_SWR_EVENT_030_a_box_that_is_not_heard_is_told_as_that_alone(void)
+void test_SWR_EVENT_030_a_box_that_is_not_heard_is_reported_as_that_alone(void)
 {
     leave_out(BSP_IN_ALL);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
@@ -109,7 +109,7 @@ void test_SWR_PERMIT_040_reason_and_next_step_are_the_box(void)
     TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_ESTOP_LATCHED, reasons());
 }
 
-void test_SWR_EVENT_030_an_e_stop_that_was_pulled_meanwhile_is_told_once_it_is_read(void)
+void test_SWR_EVENT_030_an_e_stop_that_was_pulled_meanwhile_is_reported_once_it_is_read(void)
 {
     leave_out(BSP_IN_ALL);
     rig_box(&rig, "estop pull");
@@ -124,7 +124,7 @@ void test_SWR_EVENT_030_an_e_stop_that_was_pulled_meanwhile_is_told_once_it_is_r
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ESTOP_RELEASED));
 }
 
-void test_SWR_EVENT_030_an_e_stop_that_was_pulled_before_is_told_once(void)
+void test_SWR_EVENT_030_an_e_stop_that_was_pulled_before_is_reported_once(void)
 {
     rig_box(&rig, "estop pull");
     rig_cycles(&rig, 20U);
@@ -141,7 +141,7 @@ void test_SWR_EVENT_030_an_e_stop_that_was_pulled_before_is_told_once(void)
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ESTOP_RELEASED));
 }
 
-void test_SWR_EVENT_030_a_scan_that_has_begun_meanwhile_is_told_once_it_is_read(void)
+void test_SWR_EVENT_030_a_scan_that_has_begun_meanwhile_is_reported_once_it_is_read(void)
 {
     leave_out(BSP_IN_SCANNER_IDLE);
     rig_box(&rig, "scanner on");

@@ -58,7 +58,7 @@ static uint32_t told(event_id_t id, uint32_t slot, card_trouble_t trouble)
     return count;
 }
 
-void test_SWR_CARD_011_a_bad_supply_is_told_and_shown_of_any_card(void)
+void test_SWR_CARD_011_a_bad_supply_is_reported_and_shown_of_any_card(void)
 {
     rig_box(&rig, "card 8 low");
     rig_cycles(&rig, ROUND + (LIMIT_CARD_SUPPLY_LOOKS * CARD_SLOT_COUNT));
@@ -95,7 +95,7 @@ static void begin_jog(void)
     rig_forget(&rig);
 }
 
-void test_SWR_CARD_012_a_warm_driver_is_told_and_driven_on(void)
+void test_SWR_CARD_012_a_warm_driver_is_reported_and_driven_on(void)
 {
     begin_jog();
     rig_box(&rig, "card lateral warm");
@@ -144,7 +144,7 @@ void test_SWR_CARD_012_of_an_axis_that_is_disabled_there_is_nothing_to_disable(v
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_CARD_HOT));
 }
 
-void test_SWR_CARD_013_a_noisy_wire_is_told_while_motion_goes_on(void)
+void test_SWR_CARD_013_a_noisy_wire_is_reported_while_motion_goes_on(void)
 {
     begin_jog();
     rig_box(&rig, "card lateral noisy");

@@ -467,29 +467,29 @@ void test_SWR_AXIS_004_the_soft_limit_stops_what_was_accepted(void)
     TEST_ASSERT_TRUE(has_stood);
 }
 
-static uint32_t told_to_cards(uint32_t axis)
+static uint32_t sent_to_cards(uint32_t axis)
 {
     return rig_sent(&rig, axis).system_state;
 }
 
-void test_SWR_CARD_005_every_card_is_told_pedal_e_stop_scanner_permit_and_homing(void)
+void test_SWR_CARD_005_every_card_is_sent_pedal_e_stop_scanner_permit_and_homing(void)
 {
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_move();
         TEST_ASSERT_EQUAL_HEX32((uint32_t)WORKPHASE_MOVE_TO_TARGET << 8U,
-                                told_to_cards(i) & ~(uint32_t)CARD_SYSTEM_PERMIT &
+                                sent_to_cards(i) & ~(uint32_t)CARD_SYSTEM_PERMIT &
                                     ~(uint32_t)CARD_SYSTEM_PEDAL);
-        TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL, told_to_cards(i));
+        TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL, sent_to_cards(i));
         rig_box(&rig, "scanner on");
         rig_cycle(&rig);
-        TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_SCANNER, told_to_cards(i));
-        TEST_ASSERT_BITS_LOW(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL, told_to_cards(i));
+        TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_SCANNER, sent_to_cards(i));
+        TEST_ASSERT_BITS_LOW(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL, sent_to_cards(i));
         rig_box(&rig, "estop pull");
         rig_cycle(&rig);
-        TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_ESTOP, told_to_cards(i));
+        TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_ESTOP, sent_to_cards(i));
         rig_start(&rig);
         (void)rig_workphase(&rig, WORKPHASE_START_UP);
-        TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_HOMING, told_to_cards(i));
+        TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_HOMING, sent_to_cards(i));
     }
 }
 
@@ -581,7 +581,7 @@ void test_SWR_MOTION_002_the_needle_is_retracted_before_any_other_axis_moves(voi
     }
 }
 
-void test_SWR_PHASE_005_a_discarded_order_is_told_with_its_cause(void)
+void test_SWR_PHASE_005_a_discarded_order_is_reported_with_its_cause(void)
 {
     begin_move();
     rig_forget(&rig);

@@ -210,15 +210,13 @@ void test_SWR_COUPLE_002_a_jog_that_would_end_beyond_the_limit_is_refused_by_nam
     start_manual();
     answer_t answer = jog(NEURO_AXIS_HEAD, -11418);
     TEST_ASSERT_EQUAL_UINT32(STATUS_SEPARATION_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_HEAD, answer.axis);
-    TEST_ASSERT_EQUAL_UINT32(0U, answer.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(0U, answer_as_shared_limit(&answer)->is_maximum);
     answer = jog(NEURO_AXIS_FEET, -5000);
     TEST_ASSERT_EQUAL_UINT32(STATUS_SEPARATION_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_FEET, answer.axis);
-    TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(1U, answer_as_shared_limit(&answer)->is_maximum);
     answer = jog(NEURO_AXIS_FEET, -5513);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(0U, answer.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(0U, answer_as_limit(&answer)->is_maximum);
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
     expect_jog(NEURO_AXIS_HEAD, -5338, STATUS_OK);
     expect_jog(NEURO_AXIS_HEAD, -5339, STATUS_SEPARATION_LIMIT);

@@ -37,7 +37,7 @@ static void stall_pitch(void)
     rig_press(&rig);
     const answer_t answer = rig_finish(&rig, 5000U);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, answer.kind);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_PITCH, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_PITCH, answer_axis(&answer));
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[NEURO_AXIS_PITCH].power);
     rig_release(&rig);
 }

@@ -63,7 +63,7 @@ void test_SWR_MOTION_005_a_move_that_a_switch_blocks_is_discarded_by_name(void)
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
 }
 
-void test_SWR_PERMIT_003_each_axis_tells_its_reasons_and_since_when(void)
+void test_SWR_PERMIT_003_each_axis_reports_its_reasons_and_since_when(void)
 {
     rig_start(&rig);
     TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_AXIS_DISABLED,

@@ -131,7 +131,7 @@ static double truly(uint32_t axis)
     return ticks[axis];
 }
 
-void test_SWR_PROG_011_a_program_goes_through_its_steps_shows_them_and_tells_its_end(void)
+void test_SWR_PROG_011_a_program_goes_through_its_steps_shows_them_and_reports_its_end(void)
 {
     start_held();
     TEST_ASSERT_EQUAL_UINT32(2U, rig.outputs.snapshot.program_steps);
@@ -318,8 +318,8 @@ void test_SWR_PROG_010_a_refused_step_is_named_and_nothing_is_held(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, send_step(0U, depth(), 0, 1).status);
     const answer_t answer = send_step(1U, depth(), 9000, 1);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_ROTATION, answer.axis);
-    TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_ROTATION, answer_axis(&answer));
+    TEST_ASSERT_EQUAL_UINT32(1U, answer_as_limit(&answer)->is_maximum);
     TEST_ASSERT_EQUAL_UINT32(STATUS_PROGRAM_ORDER, send(COMMAND_PROGRAM_END, sum).status);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.program_steps);
 }

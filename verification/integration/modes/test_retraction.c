@@ -95,12 +95,12 @@ void test_SWR_PHASE_008_in_the_middle_of_a_move_the_move_is_discarded(void)
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_DISCARDED));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_ARMED));
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
-    bool is_told = false;
+    bool is_reported = false;
     for (uint32_t i = 0U; i < rig.answer_count; i++) {
-        is_told = is_told || ((rig.answers[i].command == (uint32_t)COMMAND_WORKPHASE) &&
-                              (rig.answers[i].status == (uint32_t)STATUS_DISCARDED));
+        is_reported = is_reported || ((rig.answers[i].command == (uint32_t)COMMAND_WORKPHASE) &&
+                                      (rig.answers[i].status == (uint32_t)STATUS_DISCARDED));
     }
-    TEST_ASSERT_TRUE(is_told);
+    TEST_ASSERT_TRUE(is_reported);
     TEST_ASSERT_EQUAL_UINT32(WORKPHASE_MOVE_TO_TARGET, rig.outputs.snapshot.workphase);
 }
 
@@ -275,7 +275,7 @@ void test_SWR_MODE_005_a_switch_that_never_comes_ends_at_the_stop_with_a_fault(v
     rig_press(&rig);
     const answer_t answer = rig_finish(&rig, 60000U);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, answer.kind);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_INSERTION, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_INSERTION, answer_axis(&answer));
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
 }
 

@@ -83,7 +83,7 @@ static void expect_aborted(status_t status)
     const answer_t answer = rig_finish(&rig, LONG_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, answer.kind);
     TEST_ASSERT_EQUAL_UINT32(status, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(PROSTATE_AXIS_ROTATION, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(PROSTATE_AXIS_ROTATION, answer_axis(&answer));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_SWEEP_ENDED));
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
 }

@@ -110,7 +110,7 @@ static int32_t yaw(void)
     return rig.outputs.snapshot.axes[NEURO_AXIS_YAW].position_ticks;
 }
 
-void test_SWR_TRAJ_014_a_trajectory_is_driven_in_its_time_and_told_at_its_end(void)
+void test_SWR_TRAJ_014_a_trajectory_is_driven_in_its_time_and_reported_at_its_end(void)
 {
     const int32_t start = begin_ticks();
     send_list();
@@ -267,8 +267,8 @@ void test_SWR_TRAJ_001_a_refused_row_is_named_and_nothing_is_held(void)
     row.ticks[NEURO_AXIS_YAW] = rig.robot.axes[NEURO_AXIS_YAW].maximum_ticks + 1;
     const answer_t answer = send_row(1U, 1000U);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, answer.axis);
-    TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, answer_axis(&answer));
+    TEST_ASSERT_EQUAL_UINT32(1U, answer_as_limit(&answer)->is_maximum);
     TEST_ASSERT_EQUAL_UINT32(STATUS_TRAJECTORY_ORDER, list(COMMAND_LIST_END, sum).status);
     expect_run(STATUS_TRAJECTORY_EMPTY);
 }
@@ -391,7 +391,7 @@ static solution_t hold(int32_t way, uint32_t *refused)
     return controller_hold(&rig.controller, &rig.robot, kept, 3U, refused);
 }
 
-void test_SWR_TRAJ_020_a_list_of_a_file_is_held_from_the_first_cycle_on_and_told(void)
+void test_SWR_TRAJ_020_a_list_of_a_file_is_held_from_the_first_cycle_on_and_reported(void)
 {
     uint32_t refused = 7U;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, hold(-10, &refused).status);

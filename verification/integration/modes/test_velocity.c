@@ -59,7 +59,7 @@ static answer_t run(command_t command)
     return answer;
 }
 
-static int32_t end_told(uint32_t axis)
+static int32_t end_reported(uint32_t axis)
 {
     for (uint32_t i = 0U; i < rig.event_count; i++) {
         if ((rig.events[i].id == (uint32_t)EVENT_VELOCITY_ENDED) &&
@@ -96,16 +96,16 @@ void test_SWR_VEL_001_a_speed_is_armed_in_manual_alone_and_moves_nothing_without
     TEST_ASSERT_INT32_WITHIN(8, start - 45, rig_position(&rig, NEURO_AXIS_YAW));
 }
 
-void test_SWR_VEL_011_time_and_way_are_done_and_told_by_name(void)
+void test_SWR_VEL_011_time_and_way_are_done_and_reported_by_name(void)
 {
     start_manual();
     const int32_t start = rig_position(&rig, NEURO_AXIS_YAW);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, run(speed_of(NEURO_AXIS_YAW, -400, 1000)).kind);
-    TEST_ASSERT_EQUAL_INT32(VELOCITY_END_TIME, end_told(NEURO_AXIS_YAW));
+    TEST_ASSERT_EQUAL_INT32(VELOCITY_END_TIME, end_reported(NEURO_AXIS_YAW));
     const int32_t way = rig_position(&rig, NEURO_AXIS_YAW) - start;
     rig_forget(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, run(speed_of(NEURO_AXIS_YAW, -833, -600)).kind);
-    TEST_ASSERT_EQUAL_INT32(VELOCITY_END_WAY, end_told(NEURO_AXIS_YAW));
+    TEST_ASSERT_EQUAL_INT32(VELOCITY_END_WAY, end_reported(NEURO_AXIS_YAW));
     TEST_ASSERT_EQUAL_INT32(start + way - 600, rig_position(&rig, NEURO_AXIS_YAW));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_DONE));
 }
@@ -116,14 +116,14 @@ void test_SWR_VEL_011_a_limit_aborts_it_by_its_name(void)
     const answer_t soft = run(speed_of(NEURO_AXIS_YAW, -833, 20000));
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, soft.kind);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, soft.status);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, soft.axis);
-    TEST_ASSERT_EQUAL_INT32(VELOCITY_END_SOFT_LIMIT, end_told(NEURO_AXIS_YAW));
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, answer_axis(&soft));
+    TEST_ASSERT_EQUAL_INT32(VELOCITY_END_SOFT_LIMIT, end_reported(NEURO_AXIS_YAW));
     TEST_ASSERT_EQUAL_INT32(robot_neuro.axes[NEURO_AXIS_YAW].minimum_ticks,
                             rig_position(&rig, NEURO_AXIS_YAW));
     rig_forget(&rig);
     const answer_t zone = run(speed_of(NEURO_AXIS_YAW, 833, 20000));
     TEST_ASSERT_EQUAL_UINT32(STATUS_SWITCH_ZONE, zone.status);
-    TEST_ASSERT_EQUAL_INT32(VELOCITY_END_SWITCH_ZONE, end_told(NEURO_AXIS_YAW));
+    TEST_ASSERT_EQUAL_INT32(VELOCITY_END_SWITCH_ZONE, end_reported(NEURO_AXIS_YAW));
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.axes[NEURO_AXIS_YAW].limit_switches);
 }
 
@@ -148,7 +148,7 @@ void test_SWR_VEL_007_two_carriages_at_any_speeds_stay_inside_of_the_limit_they_
         TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_ORDER_OVERDUE));
     }
     if (ARE_SCENES_WHOLE) {
-        TEST_ASSERT_EQUAL_INT32(VELOCITY_END_SOFT_LIMIT, end_told(NEURO_AXIS_FEET));
+        TEST_ASSERT_EQUAL_INT32(VELOCITY_END_SOFT_LIMIT, end_reported(NEURO_AXIS_FEET));
     }
 }
 

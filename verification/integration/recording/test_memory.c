@@ -400,7 +400,7 @@ void test_SWR_MEMORY_004_without_a_table_stop_is_obeyed_and_nothing_that_needs_i
     TEST_ASSERT_TRUE(rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status != STATUS_OK);
 }
 
-void test_SWR_MEMORY_004_without_a_table_nothing_is_confirmed_and_no_drift_is_told(void)
+void test_SWR_MEMORY_004_without_a_table_nothing_is_confirmed_and_no_drift_is_reported(void)
 {
     begin_move();
     rig.robot.coupled_limits[0].axes = UINT32_MAX;

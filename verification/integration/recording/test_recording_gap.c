@@ -40,7 +40,7 @@ static const event_t *event_now(event_id_t id)
     return found;
 }
 
-void test_SWR_REC_021_a_gap_is_told_in_its_first_cycle_and_with_its_length_after_it(void)
+void test_SWR_REC_021_a_gap_is_reported_in_its_first_cycle_and_with_its_length_after_it(void)
 {
     lose(1U);
     TEST_ASSERT_NOT_NULL(event_now(EVENT_RECORDING_STOPPED));

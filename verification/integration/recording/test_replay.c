@@ -163,6 +163,25 @@ static void expect_sentence(const char *where)
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(text, where), text);
 }
 
+/* In the data of an answer that the controller gives. */
+static void expect_difference_of_target(size_t offset, const char *where)
+{
+    known.is_whole = true;
+    rig_start_targeted(&rig);
+    take_checkpoint();
+    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
+    rig.commands[rig.command_count] = (command_t){.id = 1U,
+                                                  .kind = (uint32_t)COMMAND_TARGET,
+                                                  .source = (uint32_t)COMMAND_SOURCE_HTTP,
+                                                  .peer = RIG_PAGE,
+                                                  .as.pose = {.pose = pose}};
+    rig.command_count++;
+    make_cycle();
+    ((uint8_t *)&record.body.cycle.outputs)[offset] ^= 0x01U;
+    TEST_ASSERT_FALSE(replay_take(&replay, &robot_neuro, &record, &known));
+    expect_sentence(where);
+}
+
 static void expect_difference(size_t offset, const char *where)
 {
     known.is_whole = true;
@@ -210,8 +229,12 @@ void test_SWR_REPLAY_004_one_other_bit_in_any_area_is_a_difference_with_its_fiel
     expect_difference(offsetof(controller_outputs_t, event_count), "counts, word 2, byte 0");
     expect_difference(offsetof(controller_outputs_t, answers[1].status),
                       "answers, answer 1, status");
+    expect_difference(offsetof(controller_outputs_t, answers[1].as) + 5U,
+                      "answers, answer 1, data, byte 5: ");
+    expect_difference_of_target(offsetof(controller_outputs_t, answers[0].as.pose.pose.translation),
+                                "answers, answer 0, pose, word 9: ");
     expect_difference(offsetof(controller_outputs_t, events[3].value),
-                      "events, event 3, value: it is 0 (0x0), recorded 1 (0x1).");
+                      "events, event 3, value (verdict): it is 0 (0x0), recorded 1 (0x1).");
     expect_difference(offsetof(controller_outputs_t, snapshot.time_us), "snapshot, time_us: ");
     expect_difference(offsetof(controller_outputs_t, snapshot.desired_ticks[2]) + 3U,
                       "snapshot, desired_ticks[2]: ");

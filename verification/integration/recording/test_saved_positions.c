@@ -157,7 +157,7 @@ void test_SWR_STORE_020_lost_axes_are_restored_before_START_UP_and_the_button_co
 }
 
 /* The switch is not met where the saved position has it: reported as after a restart. */
-void test_SWR_STORE_020_a_switch_that_contradicts_a_saved_position_is_told(void)
+void test_SWR_STORE_020_a_switch_that_contradicts_a_saved_position_is_reported(void)
 {
     start_homed(WORKPHASE_MANUAL);
     saved.as.positions.axes = BIT(NEURO_AXIS_LATERAL);
@@ -263,7 +263,7 @@ void test_SWR_STORE_021_a_silent_card_bars_its_axis_alone(void)
     rig_box(&rig, "card feet silent");
     rig_cycles(&rig, 50U);
     assert_refused(STATUS_HARDWARE_NOT_READY);
-    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_FEET, rig.outputs.answers[0].axis);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_FEET, answer_axis(&rig.outputs.answers[0]));
     saved.as.positions.axes = ALL & ~BIT(NEURO_AXIS_FEET);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, restore());
     assert_placed(saved.as.positions.axes);
@@ -293,7 +293,7 @@ void test_SWR_STORE_023_a_position_where_its_axis_cannot_stand_is_refused_with_a
         const int32_t good = saved.as.positions.ticks[i];
         saved.as.positions.ticks[i] = config->minimum_ticks - beyond - 1;
         assert_refused(STATUS_OUT_OF_RANGE);
-        TEST_ASSERT_EQUAL_UINT32(i, rig.outputs.answers[0].axis);
+        TEST_ASSERT_EQUAL_UINT32(i, answer_axis(&rig.outputs.answers[0]));
         saved.as.positions.ticks[i] = config->maximum_ticks + beyond + 1;
         assert_refused(STATUS_OUT_OF_RANGE);
         saved.as.positions.ticks[i] = good;

@@ -135,7 +135,7 @@ void test_SWR_HTTP_064_a_lost_card_is_named_with_its_axis_cause_and_time(void)
                              number_of(cJSON_GetArrayItem(alarms, 0), "age_s"));
 }
 
-void test_SWR_HTTP_064_an_axis_with_a_fault_is_told_in_the_sentence_of_its_event(void)
+void test_SWR_HTTP_064_an_axis_with_a_fault_is_reported_in_the_sentence_of_its_event(void)
 {
     char sentence[EVENT_TEXT_SIZE];
 
@@ -491,7 +491,7 @@ void test_SWR_HTTP_066_a_reason_against_an_axis_names_the_part_that_is_in_troubl
     cJSON_Delete(motors);
 }
 
-void test_SWR_HTTP_066_the_fault_of_an_axis_is_told_at_that_axis_alone(void)
+void test_SWR_HTTP_066_the_fault_of_an_axis_is_reported_at_that_axis_alone(void)
 {
     insert();
     rig_box(&rig, "encoder insertion stuck");

@@ -31,14 +31,14 @@ static status_t aim(void)
     return (status_t)rig_target(&rig, &pose).status;
 }
 
-static status_t tell_registration(void)
+static status_t report_registration(void)
 {
     command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION};
     rigid_set_identity(&command.as.registration.pose);
     return (status_t)rig_command(&rig, command).status;
 }
 
-static status_t tell_probe(void)
+static status_t report_probe(void)
 {
     command_t command = {.kind = (uint32_t)COMMAND_PROBE,
                          .as.probe = {.count = robot_neuro.probe_length_count}};
@@ -56,11 +56,11 @@ static status_t follow(next_step_t step)
                                        [NEXT_STEP_MOVE] = WORKPHASE_MOVE_TO_TARGET};
     status_t status = STATUS_UNKNOWN_COMMAND;
     if (step == NEXT_STEP_REGISTER) {
-        status = tell_registration();
+        status = report_registration();
     } else if (step == NEXT_STEP_TARGET) {
         status = aim();
     } else if (step == NEXT_STEP_PROBE) {
-        status = tell_probe();
+        status = report_probe();
     } else {
         status = (status_t)rig_workphase(&rig, ways[step]).status;
     }
@@ -284,7 +284,7 @@ void test_SWR_NEXT_181_a_position_to_be_confirmed_is_named_as_in_doubt(void)
     expect_named(NEXT_STEP_CONFIRM, NEURO_AXIS_FEET, CARD_SLOT_COUNT, EVENT_AXIS_UNVERIFIED);
 }
 
-void test_SWR_NEXT_003_channels_that_disagree_are_told_until_they_are_open(void)
+void test_SWR_NEXT_003_channels_that_disagree_are_reported_until_they_are_open(void)
 {
     rig_start_homed(&rig);
     rig_box(&rig, "pedal a close");

@@ -213,12 +213,12 @@ static int32_t angle_of(uint32_t axis)
     const answer_t refused = rig_command(&rig, jog);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_SHARED_LOWER_LIMIT) +
                                      rig_count(&rig, EVENT_SHARED_UPPER_LIMIT));
-    return value_of((refused.is_maximum != 0U) ? EVENT_SHARED_UPPER_ANGLE
-                                               : EVENT_SHARED_LOWER_ANGLE,
+    return value_of((answer_as_shared_limit(&refused)->is_maximum != 0U) ? EVENT_SHARED_UPPER_ANGLE
+                                                                         : EVENT_SHARED_LOWER_ANGLE,
                     refused.status);
 }
 
-void test_SWR_EVENT_033_an_angle_is_told_in_millionths_of_a_degree(void)
+void test_SWR_EVENT_033_an_angle_is_reported_in_millionths_of_a_degree(void)
 {
     rig_start_robot_homed(&rig, &robot_prostate);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);

@@ -37,7 +37,7 @@ class Composition
     @inputs = spread(@rows.fetch('inputs')).to_h { |name, text| [input(name), expression(text, %w[any])] }
     @reactions = spread_rows('reactions').flat_map { |row| reaction(row) }
     @free = free_inputs
-    @stimuli = spread_rows('stimuli').map { |row| stimulus(*resolve(row.fetch('tell')), row['when']) } + expiries
+    @stimuli = spread_rows('stimuli').map { |row| stimulus(*resolve(row.fetch('send')), row['when']) } + expiries
     @common_facts = @rows.fetch('facts').fetch('common').keys
     @facts = of_each_axis('facts')
     @reasons = of_each_axis('reasons')
@@ -84,7 +84,7 @@ class Composition
   end
 
   def named(row)
-    row['id'] || (row['tell'] unless row.key?('after'))
+    row['id'] || (row['send'] unless row.key?('after'))
   end
 
   def read_members
@@ -193,7 +193,7 @@ class Composition
     raise Wrong, "#{row['after']}: no such trigger" unless TRIGGERS.include?(trigger)
 
     source = member(place)
-    row.fetch('tell').flat_map { |name| name.include?('_N') ? (1..@axes).map { |axis| [name, axis] } : [[name, nil]] }
+    row.fetch('send').flat_map { |name| name.include?('_N') ? (1..@axes).map { |axis| [name, axis] } : [[name, nil]] }
        .map { |name, axis| told(row, source, trigger, what, name, axis) }
   end
 

@@ -74,7 +74,7 @@ void contract_broken(const char *module, uint32_t id)
     exit(2);
 }
 
-static void tell_step(uint32_t stimulus, uint32_t inputs)
+static void report_step(uint32_t stimulus, uint32_t inputs)
 {
     printf("%s", stimuli[stimulus].name);
     for (uint32_t i = 0U; i < FREE_INPUTS; i++) {
@@ -89,13 +89,13 @@ static const way_t *way_to(uint32_t place)
     return &found[place / 2U].ways[place % 2U];
 }
 
-static void tell_path(uint32_t place)
+static void report_path(uint32_t place)
 {
     const way_t *const way = way_to(place);
     if (way->before != NOBODY) {
-        tell_path(way->before);
+        report_path(way->before);
         printf("%s", (way_to(way->before)->before != NOBODY) ? ", " : "");
-        tell_step(way->stimulus, way->inputs);
+        report_step(way->stimulus, way->inputs);
     }
 }
 
@@ -104,10 +104,10 @@ static void complain(const char *what, uint32_t place, const way_t *way)
 {
     errors++;
     printf("%s: ", what);
-    tell_path(place);
+    report_path(place);
     if (way != NULL) {
         printf("%s", (way_to(place)->before != NOBODY) ? ", " : "");
-        tell_step(way->stimulus, way->inputs);
+        report_step(way->stimulus, way->inputs);
     }
     puts("");
 }
@@ -211,8 +211,8 @@ static result_t step(config_t before, uint32_t stimulus, uint32_t free)
         }
         const reaction_t *const reaction = &reactions[queue[next]];
         result.is_of_one_axis = result.is_of_one_axis || reaction->is_of_one_axis;
-        member = reaction->told_member;
-        event = reaction->told_event;
+        member = reaction->reported_member;
+        event = reaction->reported_event;
     }
 }
 
@@ -321,10 +321,10 @@ static void take_stimulus(turn_t turn, uint32_t stimulus)
     } while (free != 0U);
 }
 
-static void complain_once(bool *is_told, const char *what, uint32_t place)
+static void complain_once(bool *is_reported, const char *what, uint32_t place)
 {
-    if (!*is_told) {
-        *is_told = true;
+    if (!*is_reported) {
+        *is_reported = true;
         complain(what, place, NULL);
     }
 }

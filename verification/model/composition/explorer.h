@@ -50,8 +50,8 @@ typedef struct {
     uint32_t member;
     trigger_t trigger;
     uint32_t what; /**< A set of own configurations, a bit of the actions, or an event. */
-    uint32_t told_member;
-    uint32_t told_event;
+    uint32_t reported_member;
+    uint32_t reported_event;
     bool is_of_one_axis; /**< It has no twin. */
 } reaction_t;
 

@@ -9,8 +9,8 @@ class CompositionShape
   PARTS = %w[facts reasons].freeze
   # Required and possible words of the rows of a section.
   ROWS = {
-    'stimuli' => [%w[tell], { 'tell' => String, 'when' => String }],
-    'reactions' => [%w[after tell], { 'after' => String, 'tell' => Array, 'when' => String, 'of' => String }],
+    'stimuli' => [%w[send], { 'send' => String, 'when' => String }],
+    'reactions' => [%w[after send], { 'after' => String, 'send' => Array, 'when' => String, 'of' => String }],
     'properties' => [%w[id req],
                      { 'id' => String, 'req' => String, 'always' => String, 'after' => Array, 'only' => Array,
                        'from' => String, 'then' => String, 'reaches' => String, 'steps' => Integer }]
@@ -59,7 +59,7 @@ class CompositionShape
   end
 
   def shown(row)
-    row['id'] || row['tell'] || row['after'] || 'it'
+    row['id'] || row['send'] || row['after'] || 'it'
   end
 
   def part(name)

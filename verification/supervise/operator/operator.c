@@ -375,15 +375,15 @@ void operator_begin(operator_t *self, rig_t *rig, uint32_t seed)
 operator_end_t operator_play(operator_t *self, rig_t *rig)
 {
     const uint32_t step = rig->outputs.snapshot.next_step;
-    const bool is_told_to_wait =
+    const bool is_asked_to_wait =
         (step == (uint32_t)NEXT_STEP_WAIT) || (step == (uint32_t)NEXT_STEP_SCANNER);
     self->shown |= (uint64_t)1U << step;
     self->is_of_others = self->is_of_others &&
                          (rig->outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) &&
                          (self->found_cycles < FOUND_CYCLES);
     self->found_cycles += self->is_of_others ? 1U : 0U;
-    self->time_cycles += (is_told_to_wait || self->is_of_others) ? 0U : 1U;
-    if (is_told_to_wait) {
+    self->time_cycles += (is_asked_to_wait || self->is_of_others) ? 0U : 1U;
+    if (is_asked_to_wait) {
         wait_on(self, rig);
     } else {
         self->waited_cycles = 0U;
@@ -397,7 +397,7 @@ operator_end_t operator_play(operator_t *self, rig_t *rig)
     }
     if (self->wait_cycles > 0U) {
         self->wait_cycles--;
-    } else if ((self->end != OPERATOR_ACTS) || is_told_to_wait ||
+    } else if ((self->end != OPERATOR_ACTS) || is_asked_to_wait ||
                (step == (uint32_t)NEXT_STEP_HOLD_PEDAL)) {
         /* It goes on by itself. */
     } else if (may_command(&rig->outputs.snapshot)) {

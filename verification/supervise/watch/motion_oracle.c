@@ -443,7 +443,7 @@ static void judge_jog(motion_oracle_t *self, const rig_t *rig, double depth_tick
 }
 
 /* Nothing came but what must leave the target alone, and nothing happened that takes it away. */
-static bool is_only_told(const rig_t *rig)
+static bool is_only_reported(const rig_t *rig)
 {
     bool is_only = rig->inputs.command_count > 0U;
     for (uint32_t i = 0U; i < rig->inputs.command_count; i++) {
@@ -460,7 +460,7 @@ static bool is_only_told(const rig_t *rig)
     return is_only;
 }
 
-static void judge_told(motion_oracle_t *self, const rig_t *rig)
+static void judge_reported(motion_oracle_t *self, const rig_t *rig)
 {
     const plan_t *const plan = &rig->controller.plan;
     const plan_t *const before = &self->plan;
@@ -468,7 +468,7 @@ static void judge_told(motion_oracle_t *self, const rig_t *rig)
         (plan->has_target != 0U) &&
         (memcmp(plan->target_ticks, before->target_ticks, sizeof plan->target_ticks) == 0) &&
         (memcmp(&plan->scanner_target, &before->scanner_target, sizeof plan->scanner_target) == 0);
-    if ((before->has_target != 0U) && !is_same && is_only_told(rig)) {
+    if ((before->has_target != 0U) && !is_same && is_only_reported(rig)) {
         complain(self, rig, SENTENCE_TARGET, 0U, 1.0);
     }
     self->plan = *plan;
@@ -661,7 +661,7 @@ void motion_oracle_look(motion_oracle_t *self, const rig_t *rig, const double tr
         judge_coupled(self, rig, i, truth, is_disturbed);
     }
     judge_jog(self, rig, truth[rig->box.robot->needle_axis], is_disturbed);
-    judge_told(self, rig);
+    judge_reported(self, rig);
     judge_retraction(self, rig);
     judge_orders(self, rig, truth, is_disturbed);
     judge_probe(self, rig);

@@ -62,7 +62,8 @@ static bool is_untrue(const sweep_watch_t *self, double told, double at, bool is
     return is_cut || (!is_disturbed && (fabs(told - fabs(at - self->from)) > WAY_SLACK_TICKS));
 }
 
-static uint32_t judge_told(sweep_watch_t *self, const event_t *event, double at, bool is_disturbed)
+static uint32_t judge_reported(sweep_watch_t *self, const event_t *event, double at,
+                               bool is_disturbed)
 {
     const bool is_upwards = event->id == (uint32_t)EVENT_SWEEP_UPWARDS;
     if (!is_upwards && (event->id != (uint32_t)EVENT_SWEEP_DOWNWARDS)) {
@@ -96,7 +97,7 @@ static uint32_t judge_events(sweep_watch_t *self, const rig_t *rig, double at, b
             *self = (sweep_watch_t){0};
         }
         self->is_over = self->is_over || (event->id == (uint32_t)EVENT_SWEEP_ENDED);
-        broken |= judge_told(self, event, at, is_disturbed);
+        broken |= judge_reported(self, event, at, is_disturbed);
     }
     return broken | rule(SWEEP_END, is_done_early(self, rig));
 }

@@ -114,7 +114,7 @@ class TestConsole < Minitest::Test
     assert_parts 'SWR-CON-047'
   end
 
-  def test_SWR_CON_011_one_console_too_many_is_told_why
+  def test_SWR_CON_011_one_console_too_many_is_given_the_reason
     assert_parts 'SWR-CON-011'
   end
 

@@ -19,7 +19,7 @@ class TestHttp < Minitest::Test
     assert_equal %w[core fifo memory], status.dig('loop', 'rights').keys.sort
   end
 
-  def test_SWR_DRIVE_014_status_tells_type_and_converters_of_every_card
+  def test_SWR_DRIVE_014_status_reports_type_and_converters_of_every_card
     self.class.boresight.simctl('plug', '9', 'sensor')
     self.class.boresight.simctl('force', 'needle', '1234')
     card = wait_until('the card is found') { fetch_json('/api/v1/status').fetch('cards').find { |one| one['slot'] == 9 } }
@@ -72,7 +72,7 @@ class TestHttp < Minitest::Test
     end
   end
 
-  def test_SWR_HTTP_037_the_robot_is_told_as_its_file_has_it
+  def test_SWR_HTTP_037_the_robot_is_reported_as_its_file_has_it
     file = YAML.safe_load_file(File.expand_path('../../../core/robot/neuro/robot.yml', __dir__))
     robot = fetch_json('/api/v1/robot')
     assert_match(/\A[0-9a-f]{8}\z/, robot.fetch('checksum'))
@@ -144,7 +144,7 @@ class TestHttp < Minitest::Test
     Process.kill('CONT', control)
   end
 
-  def test_SWR_HTTP_003_the_stream_greets_then_tells_the_log_and_the_state
+  def test_SWR_HTTP_003_the_stream_greets_then_reports_the_log_and_the_state
     stream = open_stream
     hello = stream.next_message
     assert_equal 'hello', hello.first
@@ -164,7 +164,7 @@ class TestHttp < Minitest::Test
     stream&.close
   end
 
-  def test_SWR_HTTP_003_a_change_is_told_to_every_client
+  def test_SWR_HTTP_003_a_change_is_reported_to_every_client
     streams = Array.new(2) { open_stream }
     streams.each { |stream| stream.next_of('state') }
     post('/api/v1/stop', '{}')

@@ -179,7 +179,7 @@ class TestHttpActs < Minitest::Test
   }.freeze
 
   # With a cookie that is wrong no token is right, and no role is known.
-  def test_SWR_HTTP_026_of_two_reasons_the_first_is_told
+  def test_SWR_HTTP_026_of_two_reasons_the_first_is_reported
     anna = holder
     anna.act('workphase', { workphase: 'MANUAL' })
     olga = client('olga')
@@ -314,7 +314,7 @@ class TestHttpActs < Minitest::Test
     page.act('targeting/probe', { lengths: named(lengths) })
   end
 
-  def test_SWR_PROBE_008_another_probe_is_taken_shown_and_told_and_what_none_has_is_refused
+  def test_SWR_PROBE_008_another_probe_is_taken_shown_and_reported_and_what_none_has_is_refused
     anna = holder
     in_targeting(anna)
     anna.act('targeting/entry', { point_mm: [0, 246, 50] })

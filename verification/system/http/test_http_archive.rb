@@ -67,7 +67,7 @@ class TestHttpArchive < Minitest::Test
       'text' => words[9] }
   end
 
-  def test_SWR_HTTP_041_without_a_question_the_newest_200_are_told
+  def test_SWR_HTTP_041_without_a_question_the_newest_200_are_reported
     answer = log
     assert_equal 200, answer['entries'].size
     assert_equal answer['next'] - 1, answer['entries'].last['number']
@@ -298,7 +298,7 @@ class TestHttpArchive < Minitest::Test
     JSON.parse(assert_described('/api/v1/log/level', 'GET', who.request('get', '/api/v1/log/level')).body)
   end
 
-  def test_SWR_HTTP_049_it_is_told_why_somebody_may_not_set_it
+  def test_SWR_HTTP_049_it_is_reported_why_somebody_may_not_set_it
     assert_nil level_told(client('egon'))['reason']
     assert_equal 'The role of this account does not allow it.', level_told(client('anna'))['reason']
     assert_equal 'Log in first; there is no session, or it has ended.', level_told(client)['reason']

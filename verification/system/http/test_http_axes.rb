@@ -52,7 +52,7 @@ class TestHttpAxes < Minitest::Test
     fetch_json('/api/v1/motors').fetch('axes').find { |one| one['name'] == axis }.fetch('position_ticks')
   end
 
-  def test_SWR_POSE_006_the_poses_of_the_robot_are_told_and_gone_to_by_name
+  def test_SWR_POSE_006_the_poses_of_the_robot_are_reported_and_gone_to_by_name
     assert_equal %w[PARK DRAPING EGRESS], fetch_json('/api/v1/robot').fetch('poses')
     anna = holder('anna')
     assert_answer '409', 'NO_POSE', anna.act('pose', { pose: 'HOME' })
@@ -381,7 +381,7 @@ class TestHttpAxes < Minitest::Test
     JSON.parse(modes.body).fetch('commands').find { |one| one['name'] == act }.fetch('reason')
   end
 
-  def test_SWR_HTTP_056_what_may_be_commanded_is_told_for_the_role_of_the_session
+  def test_SWR_HTTP_056_what_may_be_commanded_is_reported_for_the_role_of_the_session
     anna = holder('anna')
     egon = client('egon')
     assert_equal 'The role of this account does not allow it.', reason_against('SET_HOME', anna)

@@ -86,7 +86,7 @@ class TestHttpBox < Minitest::Test
     assert_equal before, seen.call
   end
 
-  def test_SWR_HTTP_038_an_order_is_obeyed_logged_and_its_effect_told
+  def test_SWR_HTTP_038_an_order_is_obeyed_logged_and_its_effect_reported
     anna = client('anna')
     assert give(anna, { scanner: 'on' })['is_scanner_active']
     assert give(anna, { estop: 'pull' })['is_estop_pulled']
@@ -103,7 +103,7 @@ class TestHttpBox < Minitest::Test
     box.filter_map { |name, is_lit| name[/\Ais_lamp_(.*)/, 1] if is_lit == true }.compact
   end
 
-  def test_SWR_HTTP_038_the_lamps_of_the_box_are_told
+  def test_SWR_HTTP_038_the_lamps_of_the_box_are_reported
     assert give(client('anna'), { estop: 'pull' })['is_estop_pulled']
     wait_until('the e-stop is shown') { lit == %w[alive fault] }
   end
@@ -166,7 +166,7 @@ class TestHttpBox < Minitest::Test
     await_pedal false
   end
 
-  def test_SWR_BOX_022_a_box_that_stands_is_told_and_does_nothing_later
+  def test_SWR_BOX_022_a_box_that_stands_is_reported_and_does_nothing_later
     anna = client('anna')
     boresight.while_stopped('box') { assert_equal 'BOX_SILENT', give(anna, { scanner: 'on' }) }
     wait_until('it goes on') { give(anna, { gate: 'off' }).is_a?(Hash) }

@@ -43,7 +43,7 @@ class TestHttpStop < Minitest::Test
     assert_equal({ '200' => THREADS * EACH }, codes_of_many(stop_port))
   end
 
-  def test_SWR_HTTP_008_a_stop_tells_what_control_did
+  def test_SWR_HTTP_008_a_stop_reports_what_control_did
     response = post('/api/v1/stop', '', {}, at: stop_port)
     assert_equal %w[ACCEPTED STOP], JSON.parse(response.body).values_at('result', 'workphase')
     assert_equal 'STOP', fetch_json('/api/v1/status').dig('workphase', 'name')
@@ -233,7 +233,7 @@ class TestHttpStop < Minitest::Test
 
   GO_ON = "HTTP/1.1 100 Continue\r\n\r\n"
 
-  def test_SWR_HTTP_059_a_stop_that_waits_for_its_turn_is_told_to_go_on_and_answered
+  def test_SWR_HTTP_059_a_stop_that_waits_for_its_turn_is_asked_to_go_on_and_answered
     { '{}' => 'STOP', '{"emergency":true}' => 'EMERGENCY' }.each do |body, workphase|
       [port, stop_port].each do |at|
         head = stop_head({ 'Host' => "127.0.0.1:#{at}", 'Content-Length' => body.size.to_s, 'Expect' => '100-Continue',
@@ -255,7 +255,7 @@ class TestHttpStop < Minitest::Test
     assert_match(/\AHTTP\S* 200 /, send_raw(head))
   end
 
-  def test_SWR_HTTP_059_other_requests_are_told_to_go_on_as_well
+  def test_SWR_HTTP_059_other_requests_are_asked_to_go_on_as_well
     head = "POST /api/v1/session HTTP/1.1\r\nHost: #{host}\r\nContent-Type: application/json\r\nContent-Length: 2\r\n" \
            "Expect: 100-continue\r\n\r\n"
     first, answer = ask_first(head, '[]', at: port)
@@ -293,7 +293,7 @@ class TestHttpStop < Minitest::Test
   end
 
   # A server that would ask for the body does so at once: its silence lasts until it loses patience.
-  def test_SWR_HTTP_077_a_client_of_http_1_0_is_not_told_to_go_on
+  def test_SWR_HTTP_077_a_client_of_http_1_0_is_not_reported_to_go_on
     [port, stop_port].each do |at|
       head = stop_head({ 'Host' => "127.0.0.1:#{at}", 'Expect' => '100-continue' }, line: 'POST /api/v1/stop HTTP/1.0')
       refute_includes send_raw(head, at:), '100 Continue'

@@ -195,7 +195,7 @@ class TestHttpTrajectory < Minitest::Test
     end
   end
 
-  def test_SWR_TRAJ_020_a_file_that_is_named_at_the_start_is_held_and_told
+  def test_SWR_TRAJ_020_a_file_that_is_named_at_the_start_is_held_and_reported
     instance = Boresight.start(arguments: ['--trajectory', file(-5).path])
     told = JSON.parse(Net::HTTP.get(URI("http://127.0.0.1:#{instance.http_port}#{PATH}")))
     assert_equal [3, 'FILE'], told.values_at('rows', 'source')

@@ -26,7 +26,7 @@ class TestCommunication < Minitest::Test
     wait_until('it has authority, and is told') { authority['state'] == 'held' && connections.any? }
   end
 
-  def test_SWR_AUTH_017_status_stream_and_route_tell_who_commands_by_name
+  def test_SWR_AUTH_017_status_stream_and_route_report_who_commands_by_name
     assert_equal ['nobody', nil, nil, 0], authority.values_at('state', 'source', 'name', 'age_s')
     command_by_igtl
     wait_until('its age is told') { authority['age_s'] > 0.5 }
@@ -40,7 +40,7 @@ class TestCommunication < Minitest::Test
     stream&.close
   end
 
-  def test_SWR_AUTH_017_a_page_is_told_by_its_account
+  def test_SWR_AUTH_017_a_page_is_reported_by_its_account
     page = holder
     wait_until('it is told') { authority['name'] == 'page of anna' }
     assert_equal ['HTTP', page.page], authority.values_at('source', 'peer')
@@ -61,19 +61,19 @@ class TestCommunication < Minitest::Test
     socket&.close
   end
 
-  def test_SWR_AUTH_018_the_line_of_status_tells_who_commands_by_name
+  def test_SWR_AUTH_018_the_line_of_status_reports_who_commands_by_name
     wait_until('nobody does') { last_line.include?(' | nobody commands | ') }
     command_by_igtl
     wait_until('it does') { last_line.match?(/ \| commanded by workphases 127\.0\.0\.1:\d+ for \d+ s \| /) }
   end
 
-  def test_SWR_AUTH_018_the_line_of_status_tells_who_asks_for_the_button
+  def test_SWR_AUTH_018_the_line_of_status_reports_who_asks_for_the_button
     assert_equal '200', client('anna').act('authority/request', { what: 'TAKE' }).code
     wait_until('it is told') { last_line.match?(/ \| page of anna asks for the button, \d+ s left/) }
     self.assertions += 1
   end
 
-  def test_SWR_IGTL_059_each_connection_and_page_is_told
+  def test_SWR_IGTL_059_each_connection_and_page_is_reported
     watcher = TCPSocket.open('127.0.0.1', boresight.igtl_port)
     command_by_igtl
     wait_until('both are told') { connections.map { |one| one['messages_in'] }.sort == [0, 1] }

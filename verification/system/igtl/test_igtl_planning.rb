@@ -68,7 +68,7 @@ class TestIgtlPlanning < Minitest::Test
   end
 
   # A probe by the port of the workphase protocol, and the messages of the other port about it.
-  def test_SWR_PROBE_007_another_probe_is_told_at_once
+  def test_SWR_PROBE_007_another_probe_is_reported_at_once
     planning do |client|
       client.await('STRING', 'robot_treatment_home')
       IgtlClient.open(boresight.brp_port) do |navigation|

@@ -154,7 +154,7 @@ class TestRecorder < SystemTest
     assert_equal lost, last.to_i - first.to_i + 1, text
   end
 
-  def test_SWR_REC_032_SWR_REC_033_SWR_NEXT_028_a_full_disk_is_told_at_once_and_costs_what_is_told_alone
+  def test_SWR_REC_032_SWR_REC_033_SWR_NEXT_028_a_full_disk_is_reported_at_once_and_costs_what_is_reported_alone
     lost = 0
     record(500) do
       limit_files(File.size(boresight.recording_files.last) + 1000)
@@ -210,7 +210,7 @@ class TestRecorder < SystemTest
     assert_operator cycles + lost, :>=, last
   end
 
-  def test_SWR_REC_032_SWR_REC_033_a_folder_that_a_file_has_replaced_is_told_with_all_that_was_in_it
+  def test_SWR_REC_032_SWR_REC_033_a_folder_that_a_file_has_replaced_is_reported_with_all_that_was_in_it
     lost = 0
     record(500) do
       File.rename(boresight.recordings, "#{boresight.recordings}.old")

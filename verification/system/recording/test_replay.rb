@@ -137,7 +137,7 @@ class TestReplay < SystemTest
     assert(still.any? { |row| row['insertion_permit_reasons'].to_i[11] == 1 }, 'the pedal is a reason')
   end
 
-  def test_SWR_CHECK_005_the_interval_of_each_cycle_is_told
+  def test_SWR_CHECK_005_the_interval_of_each_cycle_is_reported
     boresight.wait_until('something is recorded') { boresight.status['cycle'] > 500 }
     text, code = replay('--loop', end_recording)
     assert_equal 0, code, text

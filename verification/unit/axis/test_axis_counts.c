@@ -128,7 +128,7 @@ static uint32_t tap(int32_t percent, uint32_t cycles, uint32_t taps)
 }
 
 /* 984 ticks/s with a rise of 15 ms make 4 ticks within 14 ms. */
-void test_SWR_AXIS_018_without_any_count_a_driven_axis_is_told(void)
+void test_SWR_AXIS_018_without_any_count_a_driven_axis_is_reported(void)
 {
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, run(drive(true), 0, LONG_CYCLES));
     TEST_ASSERT_LESS_OR_EQUAL_UINT32(14U + SILENT_CYCLES, driven_cycles);
@@ -139,7 +139,7 @@ void test_SWR_AXIS_018_without_any_count_a_driven_axis_is_told(void)
 }
 
 /* 0.25 mm of the head are 19.7 ticks: at full speed they are due within 21 ms. */
-void test_SWR_AXIS_018_a_blind_way_is_told_before_the_time(void)
+void test_SWR_AXIS_018_a_blind_way_is_reported_before_the_time(void)
 {
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 100U));
     driven_cycles = 0U;
@@ -182,7 +182,7 @@ void test_SWR_AXIS_018_a_count_against_the_drive_is_none(void)
     TEST_ASSERT_EQUAL_UINT32(silent_us + CYCLE_US, supervision.sealed.silent_us);
 }
 
-void test_SWR_AXIS_018_missing_counts_are_told_once(void)
+void test_SWR_AXIS_018_missing_counts_are_reported_once(void)
 {
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, run(drive(true), 0, LONG_CYCLES));
     TEST_ASSERT_EQUAL_INT64(0, supervision.sealed.due_q16);
@@ -238,7 +238,7 @@ void test_SWR_AXIS_019_a_sum_is_called_missing_counts_while_nothing_is_counted(v
     TEST_ASSERT_LESS_OR_EQUAL_UINT32(24U, driven_cycles);
 }
 
-void test_SWR_AXIS_019_a_wrong_speed_is_told_once(void)
+void test_SWR_AXIS_019_a_wrong_speed_is_reported_once(void)
 {
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, run(drive(true), 50, LONG_CYCLES));
     TEST_ASSERT_EQUAL_INT64(0, supervision.sealed.account.short_e2_q16);
@@ -256,7 +256,7 @@ static uint32_t flicker(card_drive_t sent, uint32_t cycles)
     return notes;
 }
 
-void test_SWR_AXIS_027_counts_that_come_and_go_are_told_once(void)
+void test_SWR_AXIS_027_counts_that_come_and_go_are_reported_once(void)
 {
     use(needle);
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_UNEVEN_COUNTS, flicker(drive(true), LONG_CYCLES));

@@ -240,7 +240,7 @@ void test_SWR_REF_013_an_axis_that_counts_is_not_taken(void)
     expect(AXIS_REFERENCE_TAKEN);
 }
 
-void test_SWR_REF_013_an_axis_that_never_told_its_counts_is_not_taken(void)
+void test_SWR_REF_013_an_axis_that_never_reported_its_counts_is_not_taken(void)
 {
     axis_init(&axis);
     axis_enable(&axis, false);

@@ -368,7 +368,7 @@ void test_SWR_STALL_002_what_moved_while_not_driven_is_no_progress(void)
     TEST_ASSERT_EQUAL_HEX32(0U, push(STALL_CYCLES - 1U));
 }
 
-void test_SWR_STALL_003_a_stall_is_told_exactly_once(void)
+void test_SWR_STALL_003_a_stall_is_reported_exactly_once(void)
 {
     uint32_t told = 0U;
 

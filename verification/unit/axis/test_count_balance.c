@@ -68,21 +68,21 @@ static bool cycle(int32_t model_ticks, int32_t counted_ticks)
 /* True when one of these cycles is reported, the last one then. */
 static bool run(uint32_t cycles, int32_t model_ticks, int32_t counted_ticks)
 {
-    bool is_told = false;
-    for (uint32_t i = 0U; (i < cycles) && !is_told; i++) {
-        is_told = cycle(model_ticks, counted_ticks);
+    bool is_reported = false;
+    for (uint32_t i = 0U; (i < cycles) && !is_reported; i++) {
+        is_reported = cycle(model_ticks, counted_ticks);
     }
-    return is_told;
+    return is_reported;
 }
 
 /* Driven so often for a short while, with pauses. */
 static bool tap(uint32_t taps, int32_t counted_ticks)
 {
-    bool is_told = false;
-    for (uint32_t i = 0U; (i < taps) && !is_told; i++) {
-        is_told = run(TAP_CYCLES, FULL, counted_ticks) || run(2U * REST_CYCLES, 0, 0);
+    bool is_reported = false;
+    for (uint32_t i = 0U; (i < taps) && !is_reported; i++) {
+        is_reported = run(TAP_CYCLES, FULL, counted_ticks) || run(2U * REST_CYCLES, 0, 0);
     }
-    return is_told;
+    return is_reported;
 }
 
 /* From the next cycle on the motor runs steadily; its sums are empty. */
@@ -116,7 +116,7 @@ static void expect_shares(count_regime_t regime, uint32_t least, uint32_t most)
     TEST_ASSERT_EQUAL_UINT32(most, account.calibrations[regime].most_percent);
 }
 
-void test_SWR_AXIS_019_a_motor_that_counts_its_way_is_never_told(void)
+void test_SWR_AXIS_019_a_motor_that_counts_its_way_is_never_reported(void)
 {
     TEST_ASSERT_FALSE(run(LONG_CYCLES, FULL, FULL));
     TEST_ASSERT_FALSE(run(LONG_CYCLES, -FULL, -FULL));
@@ -172,7 +172,7 @@ void test_SWR_AXIS_019_gaining_speed_the_most_share_is_more(void)
 }
 
 /* From the first cycle on: true and believed needle are 0.4 mm apart then, of 0.8 mm. */
-void test_SWR_AXIS_019_half_the_counts_are_told_soon(void)
+void test_SWR_AXIS_019_half_the_counts_are_reported_soon(void)
 {
     config = head;
     TEST_ASSERT_TRUE(run(LONG_CYCLES, 2, 1));
@@ -183,7 +183,7 @@ void test_SWR_AXIS_019_half_the_counts_are_told_soon(void)
     TEST_ASSERT_LESS_THAN_UINT32(0.4 / 0.0003, cycles_run * 12U);
 }
 
-void test_SWR_AXIS_019_twice_the_counts_are_told_soon(void)
+void test_SWR_AXIS_019_twice_the_counts_are_reported_soon(void)
 {
     TEST_ASSERT_TRUE(run(LONG_CYCLES, FULL, 2 * FULL));
     TEST_ASSERT_LESS_THAN_UINT32(60U, cycles_run);
@@ -213,17 +213,17 @@ void test_SWR_AXIS_019_no_pause_hides_what_is_missing(void)
 }
 
 /* Blind for 8 ms of 48: in sum it counts five sixths of its way. */
-void test_SWR_AXIS_019_an_encoder_that_comes_and_goes_is_told(void)
+void test_SWR_AXIS_019_an_encoder_that_comes_and_goes_is_reported(void)
 {
-    bool is_told = false;
+    bool is_reported = false;
     calibrate(FULL);
     TEST_ASSERT_FALSE(run(RISING_CYCLES + 1U, FULL, FULL));
     uint32_t bursts = 0U;
-    while (!is_told && (bursts < 100U)) {
-        is_told = run(8U, FULL, 0) || run(40U, FULL, FULL);
+    while (!is_reported && (bursts < 100U)) {
+        is_reported = run(8U, FULL, 0) || run(40U, FULL, FULL);
         bursts++;
     }
-    TEST_ASSERT_TRUE(is_told);
+    TEST_ASSERT_TRUE(is_reported);
     TEST_ASSERT_LESS_OR_EQUAL_UINT32(4U, bursts);
 }
 
@@ -405,20 +405,20 @@ void test_SWR_AXIS_024_nothing_is_narrowed_before_the_time(void)
 }
 
 /* Each cycle of these is enough for SWR-AXIS-019, but no motor of that table is like that. */
-static void expect_steady_spread(int32_t counted_ticks, bool is_told)
+static void expect_steady_spread(int32_t counted_ticks, bool is_reported)
 {
     setUp();
     run_up();
     TEST_ASSERT_FALSE(run(CALIBRATION_CYCLES - 1U, FULL, counted_ticks));
-    TEST_ASSERT_EQUAL(is_told, cycle(FULL, counted_ticks));
+    TEST_ASSERT_EQUAL(is_reported, cycle(FULL, counted_ticks));
     TEST_ASSERT_EQUAL_INT32(0, short_ticks());
     TEST_ASSERT_EQUAL_INT32(0, over_ticks());
 }
 
-static void expect_rising_spread(int32_t counted_ticks, bool is_told)
+static void expect_rising_spread(int32_t counted_ticks, bool is_reported)
 {
     setUp();
-    TEST_ASSERT_EQUAL(is_told, tap(CALIBRATION_CYCLES / TAP_CYCLES, counted_ticks));
+    TEST_ASSERT_EQUAL(is_reported, tap(CALIBRATION_CYCLES / TAP_CYCLES, counted_ticks));
     TEST_ASSERT_EQUAL_INT32(0, short_ticks());
     TEST_ASSERT_EQUAL_INT32(0, over_ticks());
 }

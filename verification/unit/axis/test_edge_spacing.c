@@ -36,11 +36,11 @@ static bool cycle(uint32_t way_q16, uint32_t ticks)
 /* Counts, each after so much of the model's way. True when one is reported, the last one then. */
 static bool run(uint32_t counts, uint32_t way_q16)
 {
-    bool is_told = false;
-    for (uint32_t i = 0U; (i < counts) && !is_told; i++) {
-        is_told = cycle(way_q16 / 2U, 0U) || cycle(way_q16 - (way_q16 / 2U), 1U);
+    bool is_reported = false;
+    for (uint32_t i = 0U; (i < counts) && !is_reported; i++) {
+        is_reported = cycle(way_q16 / 2U, 0U) || cycle(way_q16 - (way_q16 / 2U), 1U);
     }
-    return is_told;
+    return is_reported;
 }
 
 /* So often one count is lost, after so many. @return how many have been lost, 0: more than `most`
@@ -48,15 +48,15 @@ static bool run(uint32_t counts, uint32_t way_q16)
 static uint32_t lose(uint32_t every, uint32_t most)
 {
     uint32_t lost = 0U;
-    bool is_told = run(every, TICK);
-    while (!is_told && (lost < most)) {
+    bool is_reported = run(every, TICK);
+    while (!is_reported && (lost < most)) {
         lost++;
-        is_told = run(1U, 2U * TICK) || run(every, TICK);
+        is_reported = run(1U, 2U * TICK) || run(every, TICK);
     }
-    return is_told ? lost : 0U;
+    return is_reported ? lost : 0U;
 }
 
-void test_SWR_AXIS_027_even_counts_are_never_told(void)
+void test_SWR_AXIS_027_even_counts_are_never_reported(void)
 {
     TEST_ASSERT_FALSE(run(LONG, TICK));
     TEST_ASSERT_EQUAL_UINT32(0U, pace.uneven);
@@ -73,7 +73,7 @@ void test_SWR_AXIS_027_states_of_unequal_width_are_even(void)
     }
 }
 
-void test_SWR_AXIS_027_counts_that_are_lost_now_and_then_are_told(void)
+void test_SWR_AXIS_027_counts_that_are_lost_now_and_then_are_reported(void)
 {
     static const uint32_t every[] = {1U, 2U, 3U, 10U, 50U, 150U, 400U};
     for (uint32_t i = 0U; i < (sizeof every / sizeof every[0]); i++) {
@@ -87,15 +87,15 @@ void test_SWR_AXIS_027_counts_that_are_lost_now_and_then_are_told(void)
 /* A cycle of a fast axis makes many counts. */
 void test_SWR_AXIS_027_ways_of_many_counts_are_compared_as_well(void)
 {
-    bool is_told = false;
+    bool is_reported = false;
     for (uint32_t i = 0U; i < 40U; i++) {
         TEST_ASSERT_FALSE(cycle((12U + (i % 3U)) * TICK, 12U + (i % 3U)));
     }
     TEST_ASSERT_EQUAL_UINT32(0U, pace.uneven);
-    for (uint32_t i = 0U; (i < 40U) && !is_told; i++) {
-        is_told = cycle(12U * TICK, ((i % 10U) == 0U) ? 6U : 12U);
+    for (uint32_t i = 0U; (i < 40U) && !is_reported; i++) {
+        is_reported = cycle(12U * TICK, ((i % 10U) == 0U) ? 6U : 12U);
     }
-    TEST_ASSERT_TRUE(is_told);
+    TEST_ASSERT_TRUE(is_reported);
 }
 
 void test_SWR_AXIS_027_each_even_way_takes_back_one(void)
@@ -116,7 +116,7 @@ void test_SWR_AXIS_027_a_rare_loss_is_borne_for_ever(void)
     TEST_ASSERT_EQUAL_UINT32(0U, lose((2U * LIMIT_UNEVEN_WEIGHT) + 1U, 1000U));
 }
 
-void test_SWR_AXIS_027_at_the_limit_a_change_is_told(void)
+void test_SWR_AXIS_027_at_the_limit_a_change_is_reported(void)
 {
     TEST_ASSERT_FALSE(run(3U, TICK));
     pace.uneven = LIMIT_UNEVEN_MOST - LIMIT_UNEVEN_WEIGHT - 1U;

@@ -161,7 +161,7 @@ void test_SWR_NI_002_a_drive_that_has_no_word_goes_out_as_off(void)
     expect_off(CARD_DRIVE_HIGH_FREQUENCY, 0U, LIMIT_WAVE_SLOWEST_WORD, 256U);
 }
 
-void test_SWR_NI_003_a_report_tells_state_switch_encoder_and_converters(void)
+void test_SWR_NI_003_a_report_reports_state_switch_encoder_and_converters(void)
 {
     card_report_t report = {.heartbeat = 77U, .motor_temperature_dc = 250};
     TEST_ASSERT_EQUAL_INT(CARD_FRAME_OK, aim32_frame_decode_report(bytes, &report));

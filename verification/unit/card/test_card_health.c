@@ -54,7 +54,7 @@ void test_SWR_CARD_011_a_supply_at_its_border_is_well(void)
     TEST_ASSERT_EQUAL_HEX32(0U, look_long(LIMIT_CARD_SUPPLY_MOST_MV));
 }
 
-void test_SWR_CARD_011_a_supply_below_or_above_is_told_once(void)
+void test_SWR_CARD_011_a_supply_below_or_above_is_reported_once(void)
 {
     TEST_ASSERT_EQUAL_HEX32(LOW, look_long(LIMIT_CARD_SUPPLY_LEAST_MV - 1U));
     TEST_ASSERT_EQUAL_HEX32(LOW, health.troubles);
@@ -64,7 +64,7 @@ void test_SWR_CARD_011_a_supply_below_or_above_is_told_once(void)
     TEST_ASSERT_EQUAL_HEX32(HIGH, health.troubles);
 }
 
-void test_SWR_CARD_011_a_dip_that_does_not_last_is_not_told(void)
+void test_SWR_CARD_011_a_dip_that_does_not_last_is_not_reported(void)
 {
     report.supply_mv = 0U;
     for (uint32_t i = 0U; i < 3U * LIMIT_CARD_SUPPLY_LOOKS; i++) {
@@ -126,7 +126,7 @@ void test_SWR_CARD_012_it_is_over_when_the_driver_has_cooled_down(void)
     TEST_ASSERT_EQUAL_HEX32(0U, heat(INT16_MIN));
 }
 
-void test_SWR_CARD_013_damaged_commands_and_gaps_are_told_while_they_come(void)
+void test_SWR_CARD_013_damaged_commands_and_gaps_are_reported_while_they_come(void)
 {
     report.rx_crc_errors++;
     TEST_ASSERT_EQUAL_HEX32(REFUSED, look());
@@ -142,7 +142,7 @@ void test_SWR_CARD_013_damaged_commands_and_gaps_are_told_while_they_come(void)
     TEST_ASSERT_EQUAL_HEX32(0U, health.troubles);
 }
 
-void test_SWR_CARD_013_a_trip_is_told_and_is_over_after_a_while(void)
+void test_SWR_CARD_013_a_trip_is_reported_and_is_over_after_a_while(void)
 {
     report.watchdog_trips++;
     TEST_ASSERT_EQUAL_HEX32(TRIPPED, look());
@@ -152,7 +152,7 @@ void test_SWR_CARD_013_a_trip_is_told_and_is_over_after_a_while(void)
     TEST_ASSERT_EQUAL_HEX32(TRIPPED, look());
 }
 
-void test_SWR_CARD_013_what_was_counted_before_the_first_look_is_not_told(void)
+void test_SWR_CARD_013_what_was_counted_before_the_first_look_is_not_reported(void)
 {
     (void)memset(&health, 0, sizeof health);
     report.rx_crc_errors = 7U;

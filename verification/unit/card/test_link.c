@@ -657,7 +657,7 @@ void test_SWR_LINK_012_a_clock_that_stands_still_is_never_believed(void)
     TEST_ASSERT_EQUAL_UINT32(500U, card.reported_us);
 }
 
-void test_SWR_LINK_012_a_board_that_does_not_tell_leaves_the_wake_ups(void)
+void test_SWR_LINK_012_a_board_that_does_not_report_leaves_the_wake_ups(void)
 {
     link_init(&card, CARD_TYPE_PWM, FIRMWARE);
     sample(5000U, 70U);

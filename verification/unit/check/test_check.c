@@ -347,7 +347,7 @@ void test_SWR_CHECK_009_frames_are_as_large_as_the_dialect_of_the_cards_has_them
 
 /* As bsp/nifpga/board.yml has it of the thesis: its calls of eight cards take 300 us, the wires
  * 400. */
-void test_SWR_CHECK_010_it_is_told_for_how_many_cards_there_is_time(void)
+void test_SWR_CHECK_010_it_is_reported_for_how_many_cards_there_is_time(void)
 {
     facts.board = (check_board_t){.wire_hz = 2560000U,
                                   .wires = 10U,

@@ -24,7 +24,7 @@ static uint64_t now_ns;
 static uint32_t bad; /* Bit n: check n is not good. */
 
 /* Each wake-up is as late as its number, in microseconds; the deadlines lie far back. */
-static uint64_t tell_now(int calls)
+static uint64_t give_now(int calls)
 {
     return now_ns + ((uint64_t)calls * 1001000U);
 }
@@ -41,7 +41,7 @@ static uint32_t acquire(int calls)
     return EXCHANGE_RIGHT_FIFO;
 }
 
-static uint32_t tell_core(uint32_t *cores, int calls)
+static uint32_t report_core(uint32_t *cores, int calls)
 {
     (void)calls;
     *cores = 4U;
@@ -80,9 +80,9 @@ void setUp(void)
     check_is_good_Stub(judge);
     check_count_interrupts_Stub(count_interrupts);
     now_ns = 0U;
-    realtime_now_ns_Stub(tell_now);
+    realtime_now_ns_Stub(give_now);
     realtime_acquire_Stub(acquire);
-    realtime_core_Stub(tell_core);
+    realtime_core_Stub(report_core);
     realtime_stay_awake_Stub(stay_awake);
     realtime_count_faults_Stub(count_faults);
 }

@@ -29,7 +29,7 @@ static loop_figures_t published;
 static uint32_t bad; /* Bits of checks that are not good. */
 static uint64_t minor_faults;
 static uint64_t major_faults;
-static uint32_t told_rights;
+static uint32_t reported_rights;
 static char said[2048];
 
 static bool judge(const check_facts_t *about, computer_check_t check, char found[CHECK_TEXT_SIZE],
@@ -49,10 +49,10 @@ static void count_faults(uint64_t *minor, uint64_t *major, int calls)
     *major = major_faults;
 }
 
-static void tell_rights(uint32_t rights, int calls)
+static void report_rights(uint32_t rights, int calls)
 {
     (void)calls;
-    told_rights = rights;
+    reported_rights = rights;
 }
 
 void setUp(void)
@@ -61,10 +61,10 @@ void setUp(void)
     bad = 0U;
     minor_faults = 1000U; /* Before it began. */
     major_faults = 50U;
-    told_rights = 0U;
+    reported_rights = 0U;
     check_is_good_Stub(judge);
     realtime_count_faults_Stub(count_faults);
-    realtime_tell_Stub(tell_rights);
+    realtime_tell_Stub(report_rights);
 }
 
 void tearDown(void)
@@ -112,7 +112,7 @@ void test_SWR_LOOP_007_a_fit_computer_lacks_nothing_and_nothing_is_said(void)
     begin(0U);
     TEST_ASSERT_EQUAL_HEX32(0U, computer.lacks);
     TEST_ASSERT_EQUAL_STRING("", said);
-    TEST_ASSERT_EQUAL_HEX32(GRANTED, told_rights);
+    TEST_ASSERT_EQUAL_HEX32(GRANTED, reported_rights);
 }
 
 void test_SWR_LOOP_007_each_thing_that_it_lacks_is_kept_and_said_by_name(void)
@@ -183,7 +183,7 @@ static void expect_said_of(uint32_t worst_us, const char *sentence)
     check_is_good_Stub(judge_wake_up);
     for (uint32_t i = 1U; i <= (LIMIT_START_LOOK_S + 2U); i++) {
         const hearing_t hearing = hear();
-        computer_tell_wake_up(&computer, &published);
+        computer_report_wake_up(&computer, &published);
         end(&hearing);
         TEST_ASSERT_EQUAL_STRING((i == LIMIT_START_LOOK_S) ? sentence : "", said);
     }
@@ -208,7 +208,7 @@ void test_SWR_LOOP_012_elastic_time_needs_none(void)
     published.is_elastic = 1U;
     for (uint32_t i = 0U; i < (LIMIT_START_LOOK_S + 2U); i++) {
         const hearing_t hearing = hear();
-        computer_tell_wake_up(&computer, &published);
+        computer_report_wake_up(&computer, &published);
         end(&hearing);
         TEST_ASSERT_EQUAL_STRING("", said);
     }

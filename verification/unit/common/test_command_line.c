@@ -157,7 +157,7 @@ void test_SWR_RUN_002_what_was_given_is_handed_over(void)
     TEST_ASSERT_EQUAL_INT(2, read_line(&line, ways[0]));
 }
 
-void test_SWR_RUN_002_what_was_not_given_is_told_from_what_was_given_empty(void)
+void test_SWR_RUN_002_a_missing_value_is_distinguished_from_an_empty_one(void)
 {
     TEST_ASSERT_EQUAL_INT(COMMAND_LINE_GO_ON, read_line(&line, "--name= -"));
     TEST_ASSERT_EQUAL_STRING("", values[NAME]);

@@ -132,7 +132,7 @@ void test_SWR_PACK_001_a_line_that_is_too_long_is_refused(void)
     TEST_ASSERT_EQUAL_UINT(CONFIG_FILE_LINE_SIZE - 11U, strlen(values[NAME]));
 }
 
-void test_SWR_PACK_001_a_file_that_cannot_be_read_is_told(void)
+void test_SWR_PACK_001_a_file_that_cannot_be_read_is_reported(void)
 {
     TEST_ASSERT_EQUAL_INT(COMMAND_LINE_WRONG, read_path("/none"));
     TEST_ASSERT_EQUAL_STRING("any: The file /none cannot be read (No such file or directory). See "

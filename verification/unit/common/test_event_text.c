@@ -79,7 +79,7 @@ void test_SWR_EVENT_007_an_event_that_says_its_cause_itself_says_it_once(void)
     expect((event_t){.id = EVENT_ESTOP_PULLED}, "The e-stop was pulled.");
 }
 
-void test_SWR_EVENT_007_a_refused_frame_is_told_with_its_reason_by_name(void)
+void test_SWR_EVENT_007_a_refused_frame_is_reported_with_its_reason_by_name(void)
 {
     const uint32_t slot = robot_neuro.axes[NEURO_AXIS_YAW].slot;
     char sentence[EVENT_TEXT_SIZE];
@@ -90,7 +90,7 @@ void test_SWR_EVENT_007_a_refused_frame_is_told_with_its_reason_by_name(void)
            sentence);
 }
 
-void test_SWR_EVENT_007_numbers_are_told_as_what_they_are(void)
+void test_SWR_EVENT_007_numbers_are_reported_as_what_they_are(void)
 {
     const uint32_t slot = robot_neuro.axes[NEURO_AXIS_YAW].slot;
     char card[EVENT_TEXT_SIZE];
@@ -131,7 +131,7 @@ void test_SWR_EVENT_007_numbers_are_told_as_what_they_are(void)
            "The table of the robot is damaged in geometry: restart the programs.");
 }
 
-void test_SWR_EVENT_180_ticks_of_an_axis_are_told_in_its_unit_too(void)
+void test_SWR_EVENT_180_ticks_of_an_axis_are_reported_in_its_unit_too(void)
 {
     expect((event_t){.id = EVENT_AXIS_UNVERIFIED, .subject = NEURO_AXIS_HEAD, .value = 7874},
            "The position of axis head is in doubt, it is shown at 100.000 mm (7874 ticks).");
@@ -146,7 +146,7 @@ void test_SWR_EVENT_180_ticks_of_an_axis_are_told_in_its_unit_too(void)
            "Axis ? stalled at 5 ticks.");
 }
 
-void test_SWR_EVENT_007_a_loss_is_told_with_what_its_cause_means(void)
+void test_SWR_EVENT_007_a_loss_is_reported_with_what_its_cause_means(void)
 {
     const uint32_t slot = robot_neuro.axes[NEURO_AXIS_INSERTION].slot;
 

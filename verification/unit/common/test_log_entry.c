@@ -166,7 +166,7 @@ void test_SWR_EVENT_010_an_event_of_a_note_stands_there_in_its_words(void)
     TEST_ASSERT_EQUAL_STRING("Note of anna: needle in", again.text);
 }
 
-void test_SWR_SESS_026_what_a_page_has_done_is_told_with_the_name_of_its_account(void)
+void test_SWR_SESS_026_what_a_page_has_done_is_reported_with_the_name_of_its_account(void)
 {
     const event_t event = {.id = EVENT_ORDER_DISCARDED,
                            .subject = MODE_MOVE,

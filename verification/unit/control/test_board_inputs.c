@@ -143,7 +143,7 @@ void test_SWR_REC_018_what_the_board_said_is_noted_as_it_was(void)
     TEST_ASSERT_EACH_EQUAL_HEX8(0U, said.reserved, sizeof said.reserved);
 }
 
-void test_SWR_CARD_015_what_became_of_a_frame_that_did_not_come_is_told(void)
+void test_SWR_CARD_015_what_became_of_a_frame_that_did_not_come_is_reported(void)
 {
     const bsp_exchange_t exchanged = {.received = 4U,
                                       .results = {[1] = BSP_SLOT_NO_ANSWER,

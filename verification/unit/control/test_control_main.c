@@ -27,7 +27,7 @@ void tearDown(void)
     end_control();
 }
 
-void test_SWR_TRAJ_020_a_trajectory_that_is_refused_is_told_and_nothing_starts(void)
+void test_SWR_TRAJ_020_a_trajectory_that_is_refused_is_reported_and_nothing_starts(void)
 {
     list_count = WITH_LIST;
     const int status = control_ends(BY_SIGNAL, SIGTERM);
@@ -56,7 +56,7 @@ void test_SWR_BSP_006_the_watchdogs_hear_nothing_of_late_cycles(void)
 }
 
 /* Each of those ends before the next one is due. */
-void test_SWR_BSP_006_a_cycle_that_began_too_late_is_not_told(void)
+void test_SWR_BSP_006_a_cycle_that_began_too_late_is_not_reported(void)
 {
     late_ns = UINT64_C(1000) * (LIMIT_OVERRUN_US - LIMIT_CYCLE_US + 1U);
     is_late_at_times = true;
@@ -91,7 +91,7 @@ void test_SWR_REC_019_real_time_waits_for_nobody(void)
     TEST_ASSERT_EQUAL_UINT32(LAST_CYCLE + 1U, record->kicks);
 }
 
-void test_SWR_REC_033_the_controller_is_told_that_the_recorder_cannot_write(void)
+void test_SWR_REC_033_the_controller_is_informed_that_the_recorder_cannot_write(void)
 {
     (void)control_ends(BY_SIGNAL, SIGTERM);
     TEST_ASSERT_EQUAL_UINT32(0U, record->is_recorder_failing);
@@ -103,21 +103,21 @@ void test_SWR_REC_033_the_controller_is_told_that_the_recorder_cannot_write(void
     TEST_ASSERT_EQUAL_UINT64(0U, record->stood_ns);
 }
 
-void test_SWR_REC_050_the_controller_is_told_that_there_is_no_black_box(void)
+void test_SWR_REC_050_the_controller_is_informed_that_there_is_no_black_box(void)
 {
     exchange_note_recorder(segment, true, 0U);
     (void)control_ends(BY_SIGNAL, SIGTERM);
     TEST_ASSERT_EQUAL_UINT32(1U, record->lacks_black_box);
 }
 
-void test_SWR_REC_036_the_controller_is_told_how_long_the_disk_lasts(void)
+void test_SWR_REC_036_the_controller_is_informed_how_long_the_disk_lasts(void)
 {
     exchange_note_recording_left(segment, 25U);
     (void)control_ends(BY_SIGNAL, SIGTERM);
     TEST_ASSERT_EQUAL_UINT32(25U, record->recording_left_min);
 }
 
-void test_SWR_REC_022_what_is_recorded_again_begins_with_the_state_and_tells_of_the_gap(void)
+void test_SWR_REC_022_what_is_recorded_again_begins_with_the_state_and_reports_of_the_gap(void)
 {
     static cycle_record_t taken;
     char error[200] = "";
@@ -138,7 +138,7 @@ void test_SWR_REC_022_what_is_recorded_again_begins_with_the_state_and_tells_of_
     exchange_close(reader);
 }
 
-static void expect_told(uint32_t lacks)
+static void expect_reported(uint32_t lacks)
 {
     loop_figures_t told = {0};
     const int status = control_ends(BY_SIGNAL, SIGTERM);
@@ -148,15 +148,15 @@ static void expect_told(uint32_t lacks)
     TEST_ASSERT_EQUAL_HEX32(LACKS, told.computer); /* Which is shown in both cases. */
 }
 
-void test_SWR_LOOP_007_on_a_real_board_the_controller_is_told_what_the_computer_lacks(void)
+void test_SWR_LOOP_007_on_a_real_board_the_controller_is_informed_what_the_computer_lacks(void)
 {
     is_simulated = false;
-    expect_told(LACKS);
+    expect_reported(LACKS);
 }
 
 void test_SWR_LOOP_007_a_simulated_board_does_without(void)
 {
-    expect_told(0U);
+    expect_reported(0U);
 }
 
 void test_SWR_CHECK_007_only_a_real_boards_computer_is_kept_from_deep_sleep(void)
@@ -207,7 +207,8 @@ static void expect_accepted(const char *person, uint32_t is_accepted, const char
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, expected), said);
 }
 
-void test_SWR_NI_012_who_accepts_cards_without_protections_is_said_and_told_the_controller(void)
+void test_SWR_NI_012_who_accepts_cards_without_protections_is_said_and_reported_to_the_controller(
+    void)
 {
     expect_accepted("A. Engineer, 2026-11-23", 1U,
                     "watchdog, echo, sequence or CRC; accepted by: A. Engineer, 2026-11-23.\n");

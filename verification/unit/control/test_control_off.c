@@ -62,7 +62,7 @@ void test_SWR_CTRL_010_a_crash_sends_off_to_every_card_and_stays_a_crash(void)
     }
 }
 
-void test_SWR_CTRL_011_the_line_is_set_before_any_card_is_told_whatever_ends_control(void)
+void test_SWR_CTRL_011_the_line_is_set_before_any_card_is_informed_whatever_ends_control(void)
 {
     (void)control_ends(BY_CONTRACT, 0);
     TEST_ASSERT_EQUAL_UINT32(1U, record->lines);
@@ -108,7 +108,7 @@ void test_SWR_ROBOT_019_the_box_of_another_robot_hears_nothing(void)
     TEST_ASSERT_NOT_NULL(strstr(said, "the box \"y\" is not that of this robot neuro"));
 }
 
-void test_SWR_CTRL_010_a_box_that_answers_nothing_is_told_off_and_nothing_is_claimed(void)
+void test_SWR_CTRL_010_a_box_that_answers_nothing_is_switched_off_and_nothing_is_claimed(void)
 {
     static const bsp_slot_result_t fates[] = {BSP_SLOT_NOT_SENT, BSP_SLOT_NO_ANSWER, BSP_SLOT_LATE,
                                               BSP_SLOT_NOT_IDLE, BSP_SLOT_BUS_ERROR};
@@ -123,7 +123,7 @@ void test_SWR_CTRL_010_a_box_that_answers_nothing_is_told_off_and_nothing_is_cla
     }
 }
 
-void test_SWR_BSP_003_a_failed_self_test_is_told_and_ends_in_off_before_any_cycle(void)
+void test_SWR_BSP_003_a_failed_self_test_is_reported_and_ends_in_off_before_any_cycle(void)
 {
     is_wire_good = false;
     const int status = control_ends(BY_SIGNAL, SIGTERM);
@@ -138,7 +138,7 @@ void test_SWR_BSP_003_a_failed_self_test_is_told_and_ends_in_off_before_any_cycl
     TEST_ASSERT_EQUAL_UINT32(0U, record->kicks);
 }
 
-void test_SWR_BSP_003_a_board_that_does_not_open_is_told_and_nothing_is_sent(void)
+void test_SWR_BSP_003_a_board_that_does_not_open_is_reported_and_nothing_is_sent(void)
 {
     is_board_there = false;
     const int status = control_ends(BY_SIGNAL, SIGTERM);

@@ -56,7 +56,7 @@ static void nap(uint64_t nap_ns, int calls)
     stop = (naps == stops_at) ? 15 : stop;
 }
 
-static uint64_t tell_now(int calls)
+static uint64_t give_now(int calls)
 {
     (void)calls;
     return world_ns;
@@ -76,7 +76,7 @@ void setUp(void)
     stops_at = NEVER;
     stop = 0;
     bsp_stand_still_ns_Stub(nap);
-    realtime_now_ns_Stub(tell_now);
+    realtime_now_ns_Stub(give_now);
 }
 
 void tearDown(void)
@@ -229,7 +229,7 @@ void test_SWR_REC_033_elastic_time_does_not_wait_for_a_disk(void)
     TEST_ASSERT_EQUAL_UINT32(0U, naps);
 }
 
-void test_SWR_REC_033_what_was_removed_is_counted_once_and_told_as_what_cannot_be_written(void)
+void test_SWR_REC_033_what_was_removed_is_counted_once_and_reported_as_what_cannot_be_written(void)
 {
     exchange_note_recorder(reader, false, 500U);
     (void)run_cycle();

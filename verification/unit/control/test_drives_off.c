@@ -160,7 +160,7 @@ void test_SWR_CTRL_004_the_exchange_after_the_frame_confirms_it(void)
     expect_text(&done, "all 7 cards confirm that their drive is off.\n");
 }
 
-void test_SWR_CTRL_004_a_board_that_does_not_answer_is_told_again_and_nothing_is_claimed(void)
+void test_SWR_CTRL_004_a_board_that_does_not_answer_is_informed_again_and_nothing_is_claimed(void)
 {
     answering = 0U;
     const drives_off_t done = run();
@@ -183,7 +183,7 @@ void test_SWR_CTRL_004_silent_damaged_and_driving_cards_do_not_count_as_off(void
     TEST_ASSERT_EQUAL_HEX32(0x0F0U, done.confirmed);
 }
 
-void test_SWR_NI_007_cards_that_cannot_confirm_are_told_each_time_and_nothing_is_claimed(void)
+void test_SWR_NI_007_cards_that_cannot_confirm_are_reported_each_time_and_nothing_is_claimed(void)
 {
     const card_command_t command = {.control = CARD_CONTROL_CLEAR_FAULT};
     aim32_frame_encode_command(&command, off);

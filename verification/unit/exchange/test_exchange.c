@@ -147,7 +147,7 @@ void test_SWR_EXCH_001_loop_figures_come_back_whole(void)
     TEST_ASSERT_FALSE(exchange_read_loop(reader, &read));
 }
 
-void test_SWR_LIFE_002_who_was_replaced_is_told_once(void)
+void test_SWR_LIFE_002_a_replaced_process_is_reported_once(void)
 {
     exchange_note_replaced(control, EXCHANGE_IGTL);
     exchange_note_replaced(control, EXCHANGE_IGTL);

@@ -389,7 +389,7 @@ void test_SWR_EXCH_015_every_stop_is_handed_over_and_none_refused_for_another(vo
     expect_refusals(0U, WORKPHASE_STOP);
 }
 
-void test_SWR_EXCH_021_a_lane_that_tells_nonsense_is_emptied(void)
+void test_SWR_EXCH_021_a_lane_that_reports_nonsense_is_emptied(void)
 {
     command_t taken[4];
 

@@ -334,7 +334,7 @@ void test_SWR_EXCH_019_what_is_not_whole_is_not_handed_over(void)
     TEST_ASSERT_FALSE(exchange_read_note(control, 2U, &note));
 }
 
-void test_SWR_EVENT_010_an_event_is_told_in_the_words_of_its_note(void)
+void test_SWR_EVENT_010_an_event_is_reported_in_the_words_of_its_note(void)
 {
     char text[256];
     event_t event = {.id = EVENT_NOTE, .subject = NOTE_LOGIN, .value = 1};

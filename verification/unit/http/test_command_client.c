@@ -117,7 +117,7 @@ void test_SWR_HTTP_021_an_act_is_one_command_in_the_name_of_its_page(void)
     TEST_ASSERT_EQUAL_UINT32(ANSWER_REFUSED, answer.kind);
 }
 
-void test_SWR_HTTP_023_a_repeated_act_does_nothing_and_tells_how_it_stands(void)
+void test_SWR_HTTP_023_a_repeated_act_does_nothing_and_reports_how_it_stands(void)
 {
     TEST_ASSERT_EQUAL(ACT_NO_ANSWER, ask(7U, 1U, &go));
     TEST_ASSERT_EQUAL(ACT_NO_ANSWER, ask(7U, 1U, &go));

@@ -141,7 +141,7 @@ static void expect_damage(uint32_t number, const char *text)
     log_it();
 }
 
-void test_SWR_EXCH_024_a_damaged_lane_is_told_at_once_and_then_in_sums(void)
+void test_SWR_EXCH_024_a_damaged_lane_is_reported_at_once_and_then_in_sums(void)
 {
     http_notes_tell_damage(&notes, NOW_MS);
     expect_asked(0U);

@@ -289,7 +289,7 @@ void test_SWR_SESS_030_who_is_refused_keeps_the_session(void)
     TEST_ASSERT_EQUAL_UINT(0U, count_said("session ended"));
 }
 
-void test_SWR_SESS_030_both_that_give_way_to_a_login_are_told(void)
+void test_SWR_SESS_030_both_that_give_way_to_a_login_are_informed(void)
 {
     const account_t other = {.name = "olga", .role = ROLE_OBSERVER};
     fill_share();
@@ -611,7 +611,7 @@ void test_SWR_SESS_020_what_a_stranger_calls_himself_is_not_written(void)
     TEST_ASSERT_EQUAL_STRING("1 ?: login refused: name, password or code is wrong.\n", said);
 }
 
-void test_SWR_SESS_021_refusals_within_a_second_are_told_with_the_next(void)
+void test_SWR_SESS_021_refusals_within_a_second_are_reported_with_the_next(void)
 {
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "wrong"));
     now_ms += SECOND - 1U;

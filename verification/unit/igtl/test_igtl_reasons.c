@@ -29,7 +29,9 @@ void test_SWR_IGTL_008_a_target_at_a_switch_names_its_axis(void)
 {
     char text[IGTL_REASON_SIZE];
     const igtl_moment_t moment = {.snapshot = NULL};
-    const answer_t at_switch = {.status = (uint32_t)STATUS_SWITCH_ZONE, .axis = NEURO_AXIS_LATERAL};
+    const answer_t at_switch = {.kind = (uint32_t)ANSWER_REFUSED,
+                                .status = (uint32_t)STATUS_SWITCH_ZONE,
+                                .as.axis = {.axis = NEURO_AXIS_LATERAL}};
 
     igtl_reason_text(&robot_neuro, &at_switch, &moment, text);
     TEST_ASSERT_NOT_NULL(strstr(text, "SWITCH_ZONE"));

@@ -299,13 +299,13 @@ void test_SWR_IGTL_042_the_needle_is_tracked_here_too(void)
     EXPECT(0U, "");
 }
 
-void test_SWR_IGTL_039_lengths_of_the_robot_are_told_to_who_joins_or_asks(void)
+void test_SWR_IGTL_039_lengths_of_the_robot_are_sent_to_a_client_that_joins_or_asks(void)
 {
     static const robot_t measured = {
         .axis_count = 1U,
         .axes = {{.unit = (uint8_t)AXIS_UNIT_MM, .unit_per_tick_q16 = INT64_C(655360000)}},
-        .told_lengths = {{.name = "treatment_to_tip", .length_nm = 10000000},
-                         {.name = "robot_treatment_home", .length_nm = -41250000}}};
+        .reported_lengths = {{.name = "treatment_to_tip", .length_nm = 10000000},
+                             {.name = "robot_treatment_home", .length_nm = -41250000}}};
     const igtl_message_t start_up = igtl_peer_string("start_up", "START_UP");
 
     dialect.robot = &measured;
@@ -320,13 +320,13 @@ void test_SWR_IGTL_039_lengths_of_the_robot_are_told_to_who_joins_or_asks(void)
     }
 }
 
-void test_SWR_PROBE_007_lengths_of_the_present_probe_are_told_whenever_it_changes(void)
+void test_SWR_PROBE_007_lengths_of_the_present_probe_are_reported_whenever_it_changes(void)
 {
     static const robot_t carrying = {
         .axis_count = 1U,
         .axes = {{.unit = (uint8_t)AXIS_UNIT_MM, .unit_per_tick_q16 = INT64_C(655360000)}},
-        .told_lengths = {{.name = "needle_length", .length_nm = 1, .probe = 2U},
-                         {.name = "link", .length_nm = 60000000}}};
+        .reported_lengths = {{.name = "needle_length", .length_nm = 1, .probe = 2U},
+                             {.name = "link", .length_nm = 60000000}}};
 
     dialect.robot = &carrying;
     snapshot.has_probe = 1U;
@@ -357,7 +357,7 @@ void test_SWR_PROBE_007_without_a_probe_joints_are_known_and_no_pose(void)
     EXPECT_BEGIN(0U, "STRING measured_jv ");
 }
 
-void test_SWR_PLAN_023_that_a_rotation_is_ignored_is_told_with_the_registration(void)
+void test_SWR_PLAN_023_that_a_rotation_is_ignored_is_reported_with_the_registration(void)
 {
     pass_us(0U);
     expect_measured(0U);
@@ -375,7 +375,7 @@ void test_SWR_PLAN_023_that_a_rotation_is_ignored_is_told_with_the_registration(
     EXPECT(0U, "");
 }
 
-static void expect_silence_told(uint32_t peer)
+static void expect_silence_reported(uint32_t peer)
 {
     EXPECT_BEGIN(peer, "STATUS measured_cp 7 NO_ANSWER|");
     EXPECT_BEGIN(peer, "STATUS measured_jp 7 NO_ANSWER|");
@@ -387,18 +387,18 @@ void test_SWR_IGTL_051_before_the_first_snapshot_nothing_is_known(void)
 {
     moment.snapshot = NULL;
     pass_us(IGTL_STREAM_US);
-    expect_silence_told(0U);
+    expect_silence_reported(0U);
     pass_us(IGTL_STREAM_US);
     EXPECT(0U, "");
 }
 
-void test_SWR_IGTL_051_a_controller_that_falls_silent_is_told_once_and_its_return_at_once(void)
+void test_SWR_IGTL_051_a_controller_that_falls_silent_is_reported_once_and_its_return_at_once(void)
 {
     pass_us(0U);
     expect_measured(0U);
     moment.snapshot = NULL;
     pass_us(0U);
-    expect_silence_told(0U);
+    expect_silence_reported(0U);
     pass_us(IGTL_STREAM_US);
     EXPECT(0U, "");
     moment.snapshot = &snapshot;
@@ -424,7 +424,7 @@ void test_SWR_IGTL_037_neither_poses_nor_joints_are_streamed_before_they_are_kno
     EXPECT(0U, ""); /* The reasons were sent. */
 }
 
-void test_SWR_IGTL_037_who_proposes_is_told_the_reasons_again(void)
+void test_SWR_IGTL_037_the_client_that_proposes_is_sent_the_reasons_again(void)
 {
     snapshot.pose_status = (uint32_t)STATUS_NOT_HOMED;
     for (uint32_t i = 0U; i < 2U; i++) {
@@ -453,7 +453,7 @@ void test_SWR_IGTL_037_joints_need_no_registration(void)
     EXPECT(0U, "");
 }
 
-void test_SWR_IGTL_037_a_lost_reference_is_told_in_the_same_turn(void)
+void test_SWR_IGTL_037_a_lost_reference_is_reported_in_the_same_turn(void)
 {
     pass_us(0U);
     expect_measured(0U);
@@ -467,7 +467,7 @@ void test_SWR_IGTL_037_a_lost_reference_is_told_in_the_same_turn(void)
     expect_measured(0U);
 }
 
-void test_SWR_IGTL_014_a_pose_that_becomes_known_or_unknown_is_told_at_once(void)
+void test_SWR_IGTL_014_a_pose_that_becomes_known_or_unknown_is_reported_at_once(void)
 {
     pass_us(0U);
     expect_measured(0U);

@@ -166,7 +166,7 @@ static const robot_t robot = {
     .axis_count = 2U,
     .axes = {{.unit = (uint8_t)AXIS_UNIT_MM, .unit_per_tick_q16 = INT64_C(10000) * 65536},
              {.unit = (uint8_t)AXIS_UNIT_RAD, .unit_per_tick_q16 = (INT64_C(1) << 20) * 65536}},
-    .told_joints = {0U, 1U}};
+    .reported_joints = {0U, 1U}};
 
 void test_SWR_IGTL_012_joints_go_out_in_millimetres_and_radians(void)
 {
@@ -192,8 +192,8 @@ void test_SWR_IGTL_038_lists_have_the_order_that_the_robot_names(void)
     char text[IGTL_LIST_SIZE];
     robot_t other = robot;
 
-    other.told_joints[0] = 1U;
-    other.told_joints[1] = 0U;
+    other.reported_joints[0] = 1U;
+    other.reported_joints[1] = 0U;
     igtl_units_write_positions(&other, counts, text);
     TEST_ASSERT_EQUAL_STRING("1.570796,-256.000000,", text);
     igtl_units_write_speeds(&other, counts, text);
@@ -294,7 +294,7 @@ void test_SWR_IGTL_012_a_list_of_all_axes_that_a_robot_may_have_is_whole(void)
 
     for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
         longest.axes[i] = robot.axes[0];
-        longest.told_joints[i] = (uint8_t)i;
+        longest.reported_joints[i] = (uint8_t)i;
         ticks[i] = -214748364;
     }
     igtl_units_write_positions(&longest, ticks, text);

@@ -250,7 +250,7 @@ void test_SWR_IGTL_030_whatever_workphase_follows_nothing_is_said_of_the_order(v
     }
 }
 
-void test_SWR_IGTL_030_an_order_ended_by_someone_else_is_told_after_a_refused_command(void)
+void test_SWR_IGTL_030_an_order_ended_by_someone_else_is_reported_after_a_refused_command(void)
 {
     command_t move;
     command_t planning;
@@ -287,7 +287,7 @@ void test_SWR_IGTL_030_a_refused_command_does_not_silence_the_order(void)
     EXPECT_BEGIN(0U, "STATUS MOVE_TO_TARGET 13 ");
 }
 
-void test_SWR_IGTL_030_an_end_is_told_when_the_command_after_it_is_never_answered(void)
+void test_SWR_IGTL_030_an_end_is_reported_when_the_command_after_it_is_never_answered(void)
 {
     command_t move;
 

@@ -285,7 +285,7 @@ void test_SWR_TRAJ_024_an_array_without_room_for_its_begin_is_refused(void)
 }
 
 /* Those that were behind it on their way are refused as well, and not reported. */
-void test_SWR_TRAJ_024_a_refused_row_is_told_once_and_ends_it(void)
+void test_SWR_TRAJ_024_a_refused_row_is_reported_once_and_ends_it(void)
 {
     command_t last;
 
@@ -313,7 +313,7 @@ void test_SWR_TRAJ_024_a_refused_row_is_told_once_and_ends_it(void)
     pass_all(4U);
 }
 
-void test_SWR_TRAJ_024_silence_of_control_is_told_once_and_ends_it(void)
+void test_SWR_TRAJ_024_silence_of_control_is_informed_once_and_ends_it(void)
 {
     make(4U);
     hand_in(0U);

@@ -67,7 +67,7 @@ void test_SWR_FLOW_005_an_axis_and_its_position_become_a_jog(void)
     expect_no_command();
 }
 
-void test_SWR_FLOW_005_it_is_told_that_it_is_armed_and_how_it_has_ended(void)
+void test_SWR_FLOW_005_it_is_reported_that_it_is_armed_and_how_it_has_ended(void)
 {
     say(0U, "CMD_5", "JOG yaw -20 deg");
     EXPECT(0U, "STRING ACK_5 JOG yaw -20 deg");

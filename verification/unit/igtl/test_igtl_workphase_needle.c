@@ -222,7 +222,7 @@ void test_SWR_IGTL_034_a_tip_that_waits_is_denied_once_another_commands(void)
     EXPECT(1U, "");
 }
 
-void test_SWR_IGTL_035_a_retraction_is_acknowledged_when_accepted_and_told_when_out(void)
+void test_SWR_IGTL_035_a_retraction_is_acknowledged_when_accepted_and_reported_when_out(void)
 {
     static const char *const words[] = {"RETRACT_NEEDLE", "RETRACT_PROBE"};
 
@@ -318,7 +318,8 @@ void test_SWR_IGTL_066_a_name_is_no_order_when_the_text_says_something_else(void
 }
 
 /* As a retraction is. */
-void test_SWR_ALIGN_007_align_and_insert_are_words_that_are_acknowledged_and_told_at_their_end(void)
+void test_SWR_ALIGN_007_align_and_insert_are_words_that_are_acknowledged_and_reported_at_their_end(
+    void)
 {
     static const struct {
         const char *word;
@@ -423,7 +424,7 @@ void test_SWR_IGTL_090_draping_that_is_refused_or_ends_early_says_so(void)
     EXPECT_BEGIN(0U, "STATUS DRAPING 13 MANUAL|DISCARDED: ");
 }
 
-void test_SWR_IGTL_090_draping_without_an_answer_or_a_place_is_told_by_its_name(void)
+void test_SWR_IGTL_090_draping_without_an_answer_or_a_place_is_reported_by_its_name(void)
 {
     snapshot.workphase = (uint32_t)WORKPHASE_START_UP;
     say(0U, "Text", "DRAPING");
@@ -477,7 +478,7 @@ void test_SWR_IGTL_035_entry_points_are_accepted_and_withdrawn(void)
     EXPECT_BEGIN(0U, "STATUS WITHDRAW_ENTRY 7 NO_ANSWER|");
 }
 
-void test_SWR_IGTL_035_every_subject_is_told_when_control_does_not_answer(void)
+void test_SWR_IGTL_035_every_subject_is_reported_when_control_does_not_answer(void)
 {
     place(0U, "CLB_1", 1.0F);
     place(0U, "TGT_1", 1.0F);
@@ -498,7 +499,7 @@ void test_SWR_IGTL_035_every_subject_is_told_when_control_does_not_answer(void)
     EXPECT_BEGIN(0U, "STATUS ACCEPT_ENTRY 6 BUSY|");
 }
 
-void test_SWR_IGTL_035_silence_after_a_tip_or_a_retraction_is_told(void)
+void test_SWR_IGTL_035_silence_after_a_tip_or_a_retraction_is_reported(void)
 {
     place(0U, "NPOS_1", 1.0F);
     EXPECT_BEGIN(0U, "TRANSFORM ACK_1 ");
@@ -545,7 +546,7 @@ void test_SWR_IGTL_035_the_prefix_of_an_entry_point_is_that_of_the_port(void)
 /* The needle of the robot is 259.075 mm long. */
 static void say_length(const char *text)
 {
-    robot.told_lengths[1] = (told_length_t){"needle_length", 1, 2U};
+    robot.reported_lengths[1] = (reported_length_t){"needle_length", 1, 2U};
     snapshot.has_probe = 1U;
     snapshot.probe_nm[1] = 259075000;
     say(0U, "NEEDLE_LENGTH", text);
@@ -581,7 +582,7 @@ void test_SWR_IGTL_036_another_length_is_refused_with_that_of_the_robot(void)
 
 void test_SWR_IGTL_036_a_needle_that_is_not_known_is_compared_with_none(void)
 {
-    robot.told_lengths[1] = (told_length_t){"needle_length", 259075000, 2U};
+    robot.reported_lengths[1] = (reported_length_t){"needle_length", 259075000, 2U};
     snapshot.has_probe = 0U;
     say(0U, "NEEDLE_LENGTH", "259.075");
     EXPECT_BEGIN(0U, "STRING ACK_NEEDLE_LENGTH ");
@@ -626,7 +627,7 @@ static void expect_probe(uint32_t count, const int32_t *length_nm)
     TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
 }
 
-void test_SWR_PROBE_006_lengths_are_passed_on_and_the_result_is_told(void)
+void test_SWR_PROBE_006_lengths_are_passed_on_and_the_result_is_reported(void)
 {
     static const int32_t first_nm[] = {10000000, 5250000, -5, 41000000};
 

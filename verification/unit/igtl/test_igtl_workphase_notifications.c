@@ -291,7 +291,7 @@ void test_SWR_IGTL_008_lost_controller_is_reported_to_who_waits(void)
     EXPECT(0U, "");
 }
 
-void test_SWR_IGTL_033_nobody_is_told_while_nobody_commands(void)
+void test_SWR_IGTL_033_no_client_is_informed_while_none_commands(void)
 {
     workphase_dialect_disconnected(&dialect, 0U);
     pull_estop();
@@ -398,7 +398,7 @@ static void end_by(const command_t *order, uint32_t axis)
                           .kind = (uint32_t)ANSWER_ABORTED,
                           .status = (uint32_t)STATUS_FAULT_PRESENT,
                           .is_final = 1U,
-                          .axis = axis,
+                          .as.ended = {.axis = axis},
                           .workphase = (uint32_t)command_kinds_workphase(order)};
 
     TEST_ASSERT_TRUE(workphase_dialect_answer(&dialect, &end, &moment));

@@ -125,7 +125,7 @@ static void send_program(void)
     taken();
 }
 
-void test_SWR_PROG_013_steps_become_commands_and_the_end_tells_their_checksum(void)
+void test_SWR_PROG_013_steps_become_commands_and_the_end_reports_their_checksum(void)
 {
     char line[64];
 
@@ -136,7 +136,7 @@ void test_SWR_PROG_013_steps_become_commands_and_the_end_tells_their_checksum(vo
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, line), told);
 }
 
-void test_SWR_PROG_013_a_step_that_control_refuses_is_told_by_name(void)
+void test_SWR_PROG_013_a_step_that_control_refuses_is_reported_by_name(void)
 {
     say(0U, "CMD_7", FIRST);
     EXPECT(0U, "STRING ACK_7 " FIRST);
@@ -232,7 +232,7 @@ static void run_program(void)
     EXPECT(0U, "");
 }
 
-void test_SWR_PROG_016_who_runs_it_is_told_each_step_once(void)
+void test_SWR_PROG_016_the_client_that_runs_it_is_informed_of_each_step_once(void)
 {
     char line[64];
 
@@ -332,7 +332,7 @@ void test_SWR_PROG_014_an_array_becomes_the_commands_of_its_steps_and_one_answer
     expect_command(COMMAND_RUN_PROGRAM, sum_of_both());
 }
 
-void test_SWR_PROG_014_a_refused_step_of_an_array_is_told_once_with_its_index(void)
+void test_SWR_PROG_014_a_refused_step_of_an_array_is_reported_once_with_its_index(void)
 {
     make(2U);
     hand_in();

@@ -66,7 +66,7 @@ void test_SWR_SWEEP_013_an_axis_and_that_it_is_free_become_a_command(void)
     expect_no_command();
 }
 
-void test_SWR_SWEEP_013_it_is_told_that_it_is_armed_and_how_it_has_ended(void)
+void test_SWR_SWEEP_013_it_is_reported_that_it_is_armed_and_how_it_has_ended(void)
 {
     say(0U, "CMD_5", "SWEEP rotation FREE");
     EXPECT(0U, "STRING ACK_5 SWEEP rotation FREE");

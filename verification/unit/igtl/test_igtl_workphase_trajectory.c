@@ -107,7 +107,7 @@ void test_SWR_TRAJ_019_each_list_has_a_sum_of_its_own(void)
     TEST_ASSERT_EQUAL_HEX32(sum, send_list());
 }
 
-void test_SWR_TRAJ_019_a_row_that_control_refuses_is_told(void)
+void test_SWR_TRAJ_019_a_row_that_control_refuses_is_reported(void)
 {
     done("TRAJECTORY BEGIN 2", COMMAND_LIST_BEGIN, 2U);
     say(0U, "Text", ROW);

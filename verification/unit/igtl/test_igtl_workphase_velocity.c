@@ -75,7 +75,7 @@ void test_SWR_VEL_014_the_word_may_be_the_name_of_the_string(void)
     TEST_ASSERT_EQUAL_UINT32(2000U, command.as.velocity.time_ms);
 }
 
-void test_SWR_VEL_014_it_is_told_that_they_are_armed_and_how_they_have_ended(void)
+void test_SWR_VEL_014_it_is_reported_that_they_are_armed_and_how_they_have_ended(void)
 {
     say(0U, "CMD_5", "VELOCITY yaw 5 deg/s 2 s");
     EXPECT(0U, "STRING ACK_5 VELOCITY yaw 5 deg/s 2 s");

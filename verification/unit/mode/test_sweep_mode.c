@@ -420,7 +420,7 @@ void test_SWR_SWEEP_007_an_axis_that_is_none_is_not_driven(void)
     TEST_ASSERT_EQUAL_UINT32(MODE_NO_AXIS, result.axis);
 }
 
-void test_SWR_SWEEP_008_an_interrupted_step_begins_anew_and_is_told(void)
+void test_SWR_SWEEP_008_an_interrupted_step_begins_anew_and_is_reported(void)
 {
     steps(STEP_CYCLES + PAUSE_CYCLES + 3000U);
     TEST_ASSERT_EQUAL_INT32(54000, nth(EVENT_SWEEP_WORD, 1U));

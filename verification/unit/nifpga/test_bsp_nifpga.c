@@ -384,7 +384,7 @@ void test_SWR_NI_010_a_library_without_an_entry_is_refused_by_its_name(void)
                    "delivers for this box.");
 }
 
-void test_SWR_NI_010_an_fpga_that_refuses_the_bitfile_is_told_with_its_status(void)
+void test_SWR_NI_010_an_fpga_that_refuses_the_bitfile_is_reported_with_its_status(void)
 {
     char expected[256];
     fpga_world.refuses = -61206;

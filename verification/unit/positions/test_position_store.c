@@ -225,7 +225,7 @@ void test_SWR_STORE_003_positions_from_the_future_are_refused(void)
     assert_no_axis_is_kept();
 }
 
-void test_SWR_STORE_003_a_box_that_was_used_without_positions_kept_is_told(void)
+void test_SWR_STORE_003_a_box_that_was_used_without_positions_kept_is_reported(void)
 {
     TEST_ASSERT_EQUAL_UINT32(KEPT_MISSING, ask(NOW_US, ROBOT, POWER_ON, true));
     assert_no_axis_is_kept();

@@ -231,7 +231,7 @@ void test_SWR_PLAN_016_the_way_is_judged_again_from_where_the_axes_are_then(void
 }
 
 /* The way back, a switch, a coupled limit, the way there. */
-void test_SWR_PLAN_020_whatever_refuses_a_depth_that_an_entry_decided_is_told_as_that(void)
+void test_SWR_PLAN_020_whatever_refuses_a_depth_that_an_entry_decided_is_reported_as_that(void)
 {
     rigid_t pose;
     int32_t middle[ROBOT_AXIS_MAX];

@@ -150,7 +150,7 @@ void test_SWR_PHASE_005_every_change_discards_what_was_armed_and_a_refusal_does_
                 (void)procedure_request_motion(&procedure, &inputs, &actions);
             }
             if ((i % 2U) != 0U) {
-                (void)procedure_tell(&procedure, ARMING_EVENT_PEDAL_DOWN);
+                (void)procedure_notify(&procedure, ARMING_EVENT_PEDAL_DOWN);
             }
             const arming_state_t before = procedure.arming.state;
             TEST_ASSERT_TRUE(procedure_is_armed(&procedure));
@@ -196,7 +196,7 @@ void test_SWR_PHASE_008_a_retraction_takes_the_place_of_the_armed_move(void)
     for (uint32_t is_pressed = 0U; is_pressed < 2U; is_pressed++) {
         arm();
         if (is_pressed != 0U) {
-            (void)procedure_tell(&procedure, ARMING_EVENT_PEDAL_DOWN);
+            (void)procedure_notify(&procedure, ARMING_EVENT_PEDAL_DOWN);
         }
         TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_motion(&procedure, &inputs, &actions));
         TEST_ASSERT_EQUAL_HEX32(ARMING_ACTION_RENEW_PEDAL | ARMING_ACTION_REPORT_DISCARDED,
@@ -209,7 +209,7 @@ void test_SWR_PHASE_008_a_retraction_takes_the_place_of_the_armed_move(void)
 void test_SWR_PHASE_008_a_retraction_needs_no_target_and_a_move_may_follow_it(void)
 {
     arm();
-    (void)procedure_tell(&procedure, ARMING_EVENT_DONE);
+    (void)procedure_notify(&procedure, ARMING_EVENT_DONE);
     inputs.has_target = false;
     TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_motion(&procedure, &inputs, &actions));
     TEST_ASSERT_EQUAL_HEX32(ARMING_ACTION_RENEW_PEDAL, actions.arming);
@@ -290,8 +290,8 @@ void test_SWR_CORE_004_beside_a_damaged_chart_the_other_one_takes_no_event(void)
 {
     arm();
     procedure.workphase.state_inverse ^= 1U;
-    TEST_ASSERT_EQUAL_HEX32(0U, procedure_tell(&procedure, ARMING_EVENT_PEDAL_DOWN));
+    TEST_ASSERT_EQUAL_HEX32(0U, procedure_notify(&procedure, ARMING_EVENT_PEDAL_DOWN));
     TEST_ASSERT_FALSE(procedure_is_moving(&procedure));
-    TEST_ASSERT_EQUAL_HEX32(0U, procedure_tell(&procedure, ARMING_EVENT_FAULT));
+    TEST_ASSERT_EQUAL_HEX32(0U, procedure_notify(&procedure, ARMING_EVENT_FAULT));
     TEST_ASSERT_TRUE(procedure_is_armed(&procedure));
 }

@@ -171,7 +171,7 @@ void test_SWR_REC_012_what_a_full_disk_has_cost_is_counted_in_the_next_file(void
     expect_newest(3U, 6U, 15U);
 }
 
-void test_SWR_REC_032_nothing_is_lost_of_what_control_has_handed_over_before_it_was_told(void)
+void test_SWR_REC_032_nothing_is_lost_of_what_control_has_handed_over_before_it_was_informed(void)
 {
     record_cycles(0U, 10U);
     fill_disk(1U);
@@ -185,7 +185,7 @@ void test_SWR_REC_032_nothing_is_lost_of_what_control_has_handed_over_before_it_
     expect_newest(2U, 23U, 0U);
 }
 
-void test_SWR_REC_032_control_is_told_until_a_block_is_written_and_not_only_a_header(void)
+void test_SWR_REC_032_control_is_informed_until_a_block_is_written_and_not_only_a_header(void)
 {
     record_cycles(0U, 10U);
     fill_disk(RECORDING_HEADER_SIZE + 1U);
@@ -371,7 +371,7 @@ void test_SWR_REC_014_a_folder_that_is_moved_is_made_again_with_a_new_recording(
     expect_newest(1U, 11U, 10U);
 }
 
-void test_SWR_REC_032_a_folder_that_a_file_has_replaced_is_told_until_it_is_a_folder_again(void)
+void test_SWR_REC_032_a_folder_that_a_file_has_replaced_is_reported_until_it_is_a_folder_again(void)
 {
     record_cycles(0U, 10U);
     remove_folder();
@@ -614,7 +614,7 @@ void test_SWR_REC_032_with_nothing_left_to_write_control_is_asked_for_more(void)
     TEST_ASSERT_FALSE(exchange_is_recorder_failing(exchange));
 }
 
-void test_SWR_REC_035_control_is_told_how_long_the_disk_lasts_also_by_the_next_recorder(void)
+void test_SWR_REC_035_control_is_informed_how_long_the_disk_lasts_also_by_the_next_recorder(void)
 {
     record_cycles(0U, 10U);
     TEST_ASSERT_EQUAL_UINT32(0U, exchange_recording_left_min(exchange));

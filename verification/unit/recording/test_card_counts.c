@@ -35,7 +35,7 @@ static bool look(uint64_t now_us)
     return card_counts_look(&counts, SLOT, &card, now_us, text);
 }
 
-void test_SWR_REC_053_a_card_without_trouble_is_not_told_of(void)
+void test_SWR_REC_053_a_card_without_trouble_is_not_reported_of(void)
 {
     card.heartbeat = 4711U;
     card.uptime_s = 60U;
@@ -59,7 +59,7 @@ void test_SWR_REC_053_the_counts_of_both_directions_are_one_line(void)
                              text);
 }
 
-void test_SWR_REC_053_each_count_alone_is_told(void)
+void test_SWR_REC_053_each_count_alone_is_reported(void)
 {
     uint32_t *const numbers[] = {&card.frame_errors,  &card.frames_out_of_order,
                                  &card.frames_missed, &card.rx_crc_errors,
@@ -97,7 +97,7 @@ static void begin_run(void)
     card.heartbeat = 4711U;
 }
 
-void test_SWR_REC_054_what_a_card_has_counted_up_to_its_first_frames_is_not_told(void)
+void test_SWR_REC_054_what_a_card_has_counted_up_to_its_first_frames_is_not_reported(void)
 {
     begin_run();
     card.rx_crc_errors = 3U;
@@ -110,7 +110,7 @@ void test_SWR_REC_054_what_a_card_has_counted_up_to_its_first_frames_is_not_told
     TEST_ASSERT_FALSE(look(CARD_COUNTS_END));
 }
 
-void test_SWR_REC_054_what_it_counts_after_them_is_told_with_the_whole_counts(void)
+void test_SWR_REC_054_what_it_counts_after_them_is_reported_with_the_whole_counts(void)
 {
     begin_run();
     card.sequence_gaps = 1U;

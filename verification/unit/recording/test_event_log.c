@@ -327,7 +327,7 @@ void test_SWR_EVENT_015_what_is_critical_is_always_written(void)
     assert_line(1U, 1U, " CRITICAL ");
 }
 
-void test_SWR_EVENT_015_a_level_is_kept_for_the_run_and_told_in_each_log(void)
+void test_SWR_EVENT_015_a_level_is_kept_for_the_run_and_reported_in_each_log(void)
 {
     set_level((uint32_t)EVENT_SEVERITY_CRITICAL);
     log_each_severity();
@@ -543,7 +543,7 @@ void test_SWR_EVENT_017_events_wait_for_a_folder(void)
     assert_numbers(2U, 1U, 0U, 4U);
 }
 
-void test_SWR_EVENT_017_a_level_is_told_when_there_is_room_again(void)
+void test_SWR_EVENT_017_a_level_is_reported_when_there_is_room_again(void)
 {
     log_events(1U);
     fill_disk(1U, 3U);

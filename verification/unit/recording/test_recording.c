@@ -225,7 +225,7 @@ void test_SWR_REC_030_the_run_comes_back_and_has_the_name_of_its_time(void)
     TEST_ASSERT_EQUAL_STRING("5865240119T080149.551615Z", name);
 }
 
-void test_SWR_REC_031_only_the_trailer_that_was_told_so_says_that_the_run_ends(void)
+void test_SWR_REC_031_only_the_trailer_that_was_informed_says_that_the_run_ends(void)
 {
     for (uint32_t i = 0U; i < 2U; i++) {
         write_blocks(1U);
@@ -587,13 +587,13 @@ void test_SWR_REPLAY_007_files_of_noise_are_refused_with_a_sentence(void)
 }
 
 /* A block of these bytes with right checksums and hash, as a malicious writer makes it. */
-static void forge_block(const uint8_t *raw, uint32_t raw_size, uint32_t told_size)
+static void forge_block(const uint8_t *raw, uint32_t raw_size, uint32_t reported_size)
 {
     static uint8_t bytes[65536];
     uint8_t *const block = &bytes[RECORDING_HEADER_SIZE];
     uint8_t packed[32768];
     recording_fields_t fields = {
-        .magic = RECORDING_BLOCK_MAGIC, .cycle = 7U, .records = 10U, .raw_size = told_size};
+        .magic = RECORDING_BLOCK_MAGIC, .cycle = 7U, .records = 10U, .raw_size = reported_size};
 
     recording_encode_header(&header, bytes);
     fields.compressed_size = (uint32_t)ZSTD_compress(packed, sizeof(packed), raw, raw_size, 1);

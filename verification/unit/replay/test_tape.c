@@ -48,7 +48,7 @@ void test_SWR_REPLAY_015_later_ones_have_what_changed_at_its_place(void)
         "[2,4,2]", take(5U, true, "{\"a\":\"x\",\"b\":{\"c\":true,\"d\":2},\"e\":\"y\"}"));
 }
 
-void test_SWR_REPLAY_015_a_number_that_goes_on_is_not_told(void)
+void test_SWR_REPLAY_015_a_number_that_goes_on_is_not_reported(void)
 {
     (void)take(0U, true, "{\"a\":0,\"b\":1.5}");
     TEST_ASSERT_EQUAL_STRING("[10,1,20]", take(10U, true, "{\"a\":20,\"b\":1.5}"));
@@ -56,7 +56,7 @@ void test_SWR_REPLAY_015_a_number_that_goes_on_is_not_told(void)
     TEST_ASSERT_EQUAL_STRING("[5,1,70]", take(40U, true, "{\"a\":70,\"b\":1.5}"));
 }
 
-void test_SWR_REPLAY_015_a_part_that_grows_is_told_whole(void)
+void test_SWR_REPLAY_015_a_part_that_grows_is_reported_whole(void)
 {
     (void)take(0U, true, "{\"a\":[],\"b\":1}");
     (void)take(1U, true, "{\"a\":[],\"b\":2}");
@@ -71,7 +71,7 @@ void test_SWR_REPLAY_015_what_stands_behind_a_part_that_shrinks_keeps_its_place(
     TEST_ASSERT_EQUAL_STRING("[-1,1,[],3,\"q\"]", take(1U, false, "{\"a\":[],\"b\":\"q\"}"));
 }
 
-void test_SWR_REPLAY_015_nothing_to_tell_is_no_row(void)
+void test_SWR_REPLAY_015_nothing_to_report_is_no_row(void)
 {
     (void)take(0U, true, "{\"a\":1}");
     TEST_ASSERT_EQUAL_STRING("", take(1U, false, "{\"a\":2}"));

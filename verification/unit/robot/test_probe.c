@@ -80,11 +80,11 @@ void test_SWR_PROBE_005_every_bit_of_the_lengths_counts_in_the_checksum(void)
     TEST_ASSERT_EQUAL_UINT32(crc, probe_checksum(&probe));
 }
 
-void test_SWR_PROBE_007_of_the_probe_the_present_length_is_told_and_else_that_of_the_file(void)
+void test_SWR_PROBE_007_of_the_probe_the_present_length_is_reported_and_else_that_of_the_file(void)
 {
-    const told_length_t of_probe = {"robot_to_entry", 5000000, 2U};
-    const told_length_t of_file = {"side_link", 60000000, 0U};
+    const reported_length_t of_probe = {"robot_to_entry", 5000000, 2U};
+    const reported_length_t of_file = {"side_link", 60000000, 0U};
     probe.length_nm[1] = 7000000;
-    TEST_ASSERT_EQUAL_INT32(7000000, probe_told_nm(&of_probe, probe.length_nm));
-    TEST_ASSERT_EQUAL_INT32(60000000, probe_told_nm(&of_file, probe.length_nm));
+    TEST_ASSERT_EQUAL_INT32(7000000, probe_reported_nm(&of_probe, probe.length_nm));
+    TEST_ASSERT_EQUAL_INT32(60000000, probe_reported_nm(&of_file, probe.length_nm));
 }

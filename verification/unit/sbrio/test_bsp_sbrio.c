@@ -367,7 +367,7 @@ void test_SWR_SPI_006_pauses_that_no_clock_makes_up_for_are_refused(void)
                    "us; spread them over more buses, as no clock is fast enough.");
 }
 
-void test_SWR_SPI_007_a_transfer_that_fails_tells_the_error(void)
+void test_SWR_SPI_007_a_transfer_that_fails_reports_the_error(void)
 {
     open_board(ONE_BUS LINES);
     spi_world_wrong.error = ETIMEDOUT;
@@ -486,7 +486,7 @@ void test_SWR_GPIO_006_lamps_are_shown(void)
     TEST_ASSERT_EQUAL_INT(1, gpio_world[0].lines[9].value);
 }
 
-void test_SWR_STORE_001_a_box_that_cannot_tell_its_power_on_is_another_one_each_time(void)
+void test_SWR_STORE_001_a_box_that_does_not_know_its_power_on_is_another_one_each_time(void)
 {
     open_board(ONE_BUS LINES);
     const uint32_t first = identity.power_on;

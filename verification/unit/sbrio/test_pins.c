@@ -170,7 +170,7 @@ void test_SWR_GPIO_005_drives_have_no_power_until_it_is_given(void)
     TEST_ASSERT_EQUAL_INT(0, line(8)->value);
 }
 
-void test_SWR_GPIO_005_a_line_that_does_not_follow_is_told(void)
+void test_SWR_GPIO_005_a_line_that_does_not_follow_is_reported(void)
 {
     open_pins();
     line(8)->stuck_at = 0;

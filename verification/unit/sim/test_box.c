@@ -54,7 +54,7 @@ void test_SWR_BOX_001_axes_stand_still_when_the_exchanges_end(void)
                             report_of(NEURO_AXIS_HEAD).status & CARD_STATUS_FAULTS);
 }
 
-void test_SWR_BSP_005_the_amplifier_off_line_takes_the_torque_whatever_the_cards_are_told(void)
+void test_SWR_BSP_005_the_amplifier_off_line_takes_the_torque_whatever_the_cards_are_sent(void)
 {
     drive(NEURO_AXIS_FEET, true);
     cycles(100U);

@@ -132,7 +132,7 @@ void test_SWR_BOX_007_alone_it_pauses_with_the_machine(void)
     TEST_ASSERT_EQUAL_UINT32(BOX_CLOCK_STRIDE_US, look_alone(1000000U));
 }
 
-void test_SWR_BOX_007_alone_it_is_as_slow_as_it_was_told(void)
+void test_SWR_BOX_007_alone_it_is_as_slow_as_requested(void)
 {
     start(true, 10U);
     use_up_patience();

@@ -323,7 +323,8 @@ void test_SWR_BOX_003_show_lists_inputs_and_every_axis(void)
     TEST_ASSERT_NOT_NULL(strstr(reply, "- 4321 "));
 }
 
-void test_SWR_BOX_003_orders_that_are_unknown_change_nothing_and_are_told_the_known_ones(void)
+void test_SWR_BOX_003_orders_that_are_unknown_change_nothing_and_are_answered_with_the_known_ones(
+    void)
 {
     static const char *const wrong[] = {"",
                                         "dance",
@@ -402,7 +403,7 @@ void test_SWR_BOX_003_a_card_is_plugged_in_where_no_axis_has_its_own(void)
     TEST_ASSERT_EQUAL_HEX32(USED_SLOTS, exchange(ALL_SLOTS));
 }
 
-void test_SWR_BOX_003_the_load_cell_reads_what_it_is_told(void)
+void test_SWR_BOX_003_the_load_cell_reads_the_value_that_was_set(void)
 {
     card_report_t report;
     static const char *const wrong[] = {"force foot 1",  "force hand 4096", "force hand x",

@@ -103,7 +103,7 @@ static void close_obeying(void)
     bsp_close();
 }
 
-void test_SWR_BOX_006_elastic_time_passes_only_in_sleep_and_is_told_to_the_box(void)
+void test_SWR_BOX_006_elastic_time_passes_only_in_sleep_and_is_reported_to_the_box(void)
 {
     open_obeying(20U, 1U);
     TEST_ASSERT_TRUE(identity.is_elastic);
@@ -216,7 +216,7 @@ void test_SWR_BOX_007_control_follows_a_box_that_went_on_alone(void)
     bsp_close();
 }
 
-void test_SWR_BOX_007_control_that_waits_tells_the_box_and_no_time_passes(void)
+void test_SWR_BOX_007_control_that_waits_informs_the_box_and_no_time_passes(void)
 {
     serve_anew(true, 1U);
     TEST_ASSERT_TRUE(bsp_open(name, &identity, error, sizeof error));

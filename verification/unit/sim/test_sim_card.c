@@ -340,7 +340,7 @@ void test_SWR_BOX_001_the_position_guard_holds_across_the_wrap_of_the_reading(vo
     TEST_ASSERT_FALSE(is_driving());
 }
 
-void test_SWR_BOX_001_the_report_tells_what_is_applied_and_accepted(void)
+void test_SWR_BOX_001_the_report_reports_what_is_applied_and_accepted(void)
 {
     send();
     const card_report_t read = report();

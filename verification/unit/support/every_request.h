@@ -32,7 +32,7 @@ typedef struct {
     .offset = offsetof(structure, field), .size = sizeof(((structure *)0)->field)
 #define ROW(structure, field)                                                                      \
     .offset = offsetof(structure, field), .size = sizeof(((structure *)0)->field[0])
-#define TOLD(structure, field) .is_optional = true, .told_offset = offsetof(structure, field)
+#define GIVEN(structure, field) .is_optional = true, .given_offset = offsetof(structure, field)
 #define COUNT(fields) (uint32_t)(sizeof(fields) / sizeof(fields)[0])
 
 static const request_word_t words[] = {{"STOP", 3U}, {"MANUAL", 6U}};
@@ -45,7 +45,7 @@ static const request_field_t inner_fields[] = {{.name = "depth_mm",
                                                {.name = "hard",
                                                 .kind = REQUEST_FLAG,
                                                 PLACE(inner_request_t, hard),
-                                                TOLD(inner_request_t, has_hard)}};
+                                                GIVEN(inner_request_t, has_hard)}};
 
 static const request_message_t inner = {inner_fields, COUNT(inner_fields)};
 
@@ -55,13 +55,13 @@ static const request_message_t inner = {inner_fields, COUNT(inner_fields)};
          .kind = REQUEST_UINT32,                                                                   \
          PLACE(every_request_t, count),                                                            \
          .is_optional = (is_free),                                                                 \
-         .told_offset = offsetof(every_request_t, has_note),                                       \
+         .given_offset = offsetof(every_request_t, has_note),                                      \
          .maximum = 4294967295.0},                                                                 \
         {.name = "ticks",                                                                          \
          .kind = REQUEST_INT32,                                                                    \
          PLACE(every_request_t, ticks),                                                            \
          .is_optional = (is_free),                                                                 \
-         .told_offset = offsetof(every_request_t, has_note),                                       \
+         .given_offset = offsetof(every_request_t, has_note),                                      \
          .minimum = -2147483648.0,                                                                 \
          .maximum = 2147483647.0,                                                                  \
          .unit = "ticks"},                                                                         \
@@ -69,7 +69,7 @@ static const request_message_t inner = {inner_fields, COUNT(inner_fields)};
          .kind = REQUEST_NUMBER,                                                                   \
          PLACE(every_request_t, speed_mm_per_s),                                                   \
          .is_optional = (is_free),                                                                 \
-         .told_offset = offsetof(every_request_t, has_note),                                       \
+         .given_offset = offsetof(every_request_t, has_note),                                      \
          .minimum = -10.0,                                                                         \
          .maximum = 10.0,                                                                          \
          .unit = "mm per s"},                                                                      \
@@ -77,10 +77,10 @@ static const request_message_t inner = {inner_fields, COUNT(inner_fields)};
          .kind = REQUEST_TEXT,                                                                     \
          PLACE(every_request_t, name),                                                             \
          .is_optional = (is_free),                                                                 \
-         .told_offset = offsetof(every_request_t, has_note)},                                      \
+         .given_offset = offsetof(every_request_t, has_note)},                                     \
     {                                                                                              \
         .name = "workphase", .kind = REQUEST_WORD, PLACE(every_request_t, workphase),              \
-        .is_optional = (is_free), .told_offset = offsetof(every_request_t, has_note),              \
+        .is_optional = (is_free), .given_offset = offsetof(every_request_t, has_note),             \
         .word_count = 2U, .words = words                                                           \
     }
 
@@ -90,7 +90,7 @@ static const request_field_t fields[] = {
     {.name = "point",
      .kind = REQUEST_NUMBER,
      ROW(every_request_t, point),
-     TOLD(every_request_t, point_count),
+     GIVEN(every_request_t, point_count),
      .least = 3U,
      .most = 3U,
      .minimum = -1000.0,
@@ -98,13 +98,13 @@ static const request_field_t fields[] = {
     {.name = "rows",
      .kind = REQUEST_OBJECT,
      ROW(every_request_t, rows),
-     TOLD(every_request_t, rows_count),
+     GIVEN(every_request_t, rows_count),
      .most = 2U,
      .message = &inner},
     {.name = "note",
      .kind = REQUEST_TEXT,
      PLACE(every_request_t, note),
-     TOLD(every_request_t, has_note)}};
+     GIVEN(every_request_t, has_note)}};
 
 static const request_field_t query_fields[] = {SINGLE_FIELDS(true)};
 

@@ -142,6 +142,29 @@ static inline void show_authority(const command_t *asked)
     }
 }
 
+static inline void set_data(const command_t *asked, answer_t *answer)
+{
+    switch ((int)answer_form(answer)) {
+    case ANSWER_FORM_POSE:
+        answer->as.pose.pose = snapshot.scanner_target;
+        break;
+    case ANSWER_FORM_POINT:
+        answer->as.point.point = snapshot.scanner_target.translation;
+        break;
+    case ANSWER_FORM_CHECKSUM:
+        answer->as.checksum.checksum = asked->as.list.checksum;
+        break;
+    case ANSWER_FORM_ENDED:
+        answer->as.ended.axis = 3U;
+        break;
+    default:
+        if (answer->kind == (uint32_t)ANSWER_REFUSED) {
+            answer_refuse(answer, answer->status, 3U, 1U);
+        }
+        break;
+    }
+}
+
 static inline void answer_to(const command_t *asked, answer_kind_t kind, status_t status,
                              uint32_t is_final)
 {
@@ -149,18 +172,12 @@ static inline void answer_to(const command_t *asked, answer_kind_t kind, status_
                        .source = asked->source,
                        .command = asked->kind,
                        .asked = (uint32_t)command_kinds_workphase(asked),
-                       .checksum = (asked->kind == (uint32_t)COMMAND_LIST_END) ||
-                                           (asked->kind == (uint32_t)COMMAND_PROGRAM_END)
-                                       ? asked->as.list.checksum
-                                       : 0U,
                        .kind = (uint32_t)kind,
                        .status = (uint32_t)status,
                        .is_final = is_final,
-                       .workphase = snapshot.workphase,
-                       .axis = 3U,
-                       .is_maximum = 1U,
-                       .pose = snapshot.scanner_target};
+                       .workphase = snapshot.workphase};
 
+    set_data(asked, &answer);
     if (kind == ANSWER_ACCEPTED) {
         show_authority(asked);
     }

@@ -157,7 +157,7 @@ void test_SWR_SWEEP_010_points_of_a_sweep_that_was_given_up_are_forgotten(void)
     TEST_ASSERT_EQUAL_INT32(50000, curve.points[2].hertz);
 }
 
-void test_SWR_SWEEP_010_what_the_exchange_has_is_heard_and_a_full_disk_is_told(void)
+void test_SWR_SWEEP_010_what_the_exchange_has_is_heard_and_a_full_disk_is_reported(void)
 {
     ring[0] = event_of(EVENT_SWEEP_BEGUN, 0);
     ring[1] = event_of(EVENT_SWEEP_ENDED, 0);
@@ -210,7 +210,7 @@ void test_SWR_SWEEP_011_a_file_of_another_form_or_none_is_damage(void)
     expect_kept(SWEEP_KEPT_DAMAGED);
 }
 
-void test_SWR_SWEEP_011_a_curve_of_another_robot_or_file_is_told_as_that(void)
+void test_SWR_SWEEP_011_a_curve_of_another_robot_or_file_is_reported_as_that(void)
 {
     hear_sweep();
     hear(EVENT_SWEEP_ENDED, 0);

@@ -60,7 +60,7 @@ void test_SWR_TRAJ_015_units_become_ticks(void)
     TEST_ASSERT_INT32_WITHIN(1, 125, table.rows[0].speeds_ticks_per_s[NEURO_AXIS_YAW]);
 }
 
-void test_SWR_TRAJ_015_speeds_that_are_not_told_overshoot_no_row(void)
+void test_SWR_TRAJ_015_speeds_that_are_not_reported_overshoot_no_row(void)
 {
     expect(0U, "time s,yaw ticks\n0,0\n1,100\n2,400\n3,300\n4,300\n");
     TEST_ASSERT_EQUAL_INT32(0, table.rows[0].speeds_ticks_per_s[NEURO_AXIS_YAW]);

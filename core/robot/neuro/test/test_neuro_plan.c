@@ -100,7 +100,7 @@ void test_SWR_PLAN_001_an_entry_that_asks_for_an_illegal_depth_is_refused(void)
         neuro_solve(&robot, &robot.probe, &pose, &entry, &joints));
 }
 
-void test_SWR_PLAN_020_it_is_told_whether_an_entry_decided_the_depth(void)
+void test_SWR_PLAN_020_it_is_reported_whether_an_entry_decided_the_depth(void)
 {
     const rigid_t pose = pose_at(middle);
     const point_t inside = entry_at(middle, 0.09);

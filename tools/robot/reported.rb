@@ -6,8 +6,8 @@ module Robot
   #
   # @satisfies SWR-IGTL-038
   # @satisfies SWR-IGTL-039
-  class Told
-    MOST_LENGTHS = 4 # ROBOT_TOLD_LENGTHS of core/robot/robot.h
+  class Reported
+    MOST_LENGTHS = 4 # ROBOT_REPORTED_LENGTHS of core/robot/robot.h
     LONGEST_NAME = 20 # Letters of a device's name in OpenIGTLink.
 
     Length = Struct.new(:millimetres, :probe) # probe: 1 + its place there, or 0
