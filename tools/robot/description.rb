@@ -209,9 +209,9 @@ module Robot
       @axes = read_axes(nodes['axes'])
       @sensor_slots = nodes.key?('cards') ? read_sensors(nodes['cards']) : []
       @force = Force.new(nodes['force'], @sensor_slots) if nodes.key?('force')
-      @hand = Hand.new(nodes['hand'], @axes[needle_axis], nodes.key?('force'))
       @followers = Followers.new(@axes)
       check_axes
+      @hand = Hand.new(nodes['hand'], @axes[needle_axis], nodes.key?('force'))
       @poses = read_poses(nodes['poses'])
       @reported = Reported.new(nodes['reported'], @axes.map { |axis| axis['name'] }, @geometry, @probe)
     end
