@@ -71,6 +71,24 @@ class TestSite < Minitest::Test
     19600 order nonsense
   LINES
 
+  FORCE_CYCLES = 32_000
+  # A hand, membranes, and load cells that fail.
+  FORCE_SCENE = <<~LINES
+    100 order hand stiffness 2000
+    110 order hand speed 2000
+    120 order push 100
+    2000 order force hand noisy
+    3000 order force needle drift
+    5000 order force needle normal
+    9000 order hand press
+    15000 order show
+    15100 order tissue show
+    21000 order push -50
+    25000 order tissue whole
+    26000 order hand go -1500
+    30000 order show
+  LINES
+
   # Results of one run of the page.
   def self.results
     @results ||= Dir.mktmpdir do |folder|
@@ -226,6 +244,14 @@ class TestSite < Minitest::Test
     # The scene is one in which something happens: homed and jogged.
     assert_match(/^\d+ answer 1 2 0$/, lived.fetch('neuro'))
     assert_match(/^\d+ answer 3 2 0$/, lived.fetch('neuro'))
+  end
+
+  def test_SWR_BOX_524_hand_tissue_and_load_cells_are_in_a_page_as_in_native_code
+    native, = Open3.capture2e(NATIVE, 'prostate', SEED.to_s, FORCE_CYCLES.to_s, stdin_data: FORCE_SCENE)
+    said, = node("#{__dir__}/scene.mjs", MODULE, 'prostate', SEED.to_s, FORCE_CYCLES.to_s, stdin_data: FORCE_SCENE)
+    assert_match(/2 ruptured$/, native)
+    assert_match(/^#{FORCE_CYCLES} hash \d+$/, native)
+    assert_equal native.lines, said.lines
   end
 
   def test_SWR_SITE_004_what_is_asked_for_without_a_robot_stops_with_its_contract
