@@ -61,10 +61,7 @@ module Interface
         #{forms.join(",\n")}
         } answer_form_t;
 
-        /** Form of an answer to a command_kind_t `command`, by its answer_kind_t and status_t. */
-        answer_form_t answer_form_of(uint32_t command, uint32_t kind, uint32_t status);
-
-        /** Form of `answer`. */
+        /** Form of `answer`, by its command, kind and status. */
         answer_form_t answer_form(const answer_t *answer);
 
         /** Refuses the command of `answer`, which has no data yet, with a status_t: the axis and the end of the limit are said as
@@ -185,15 +182,15 @@ module Interface
     end
 
     FORM = <<~CODE
-      answer_form_t answer_form_of(uint32_t command, uint32_t kind, uint32_t status)
+      answer_form_t answer_form(const answer_t *answer)
       {
           answer_form_t form = ANSWER_FORM_NONE;
-          switch (kind) {
+          switch (answer->kind) {
           case (uint32_t)ANSWER_ACCEPTED:
-              form = given(command);
+              form = given(answer->command);
               break;
           case (uint32_t)ANSWER_REFUSED:
-              form = refused(command, status);
+              form = refused(answer->command, answer->status);
               break;
           case (uint32_t)ANSWER_ABORTED:
               form = ANSWER_FORM_ENDED;
@@ -202,11 +199,6 @@ module Interface
               break;
           }
           return form;
-      }
-
-      answer_form_t answer_form(const answer_t *answer)
-      {
-          return answer_form_of(answer->command, answer->kind, answer->status);
       }
     CODE
 

@@ -69,25 +69,29 @@ void test_SWR_CMD_480_each_answer_is_read_as_its_own_form_and_as_no_other(void)
     }
 }
 
-static answer_form_t refusal(command_kind_t command, status_t status)
+static answer_form_t form_of(command_kind_t command, answer_kind_t kind, status_t status)
 {
-    return answer_form_of((uint32_t)command, (uint32_t)ANSWER_REFUSED, (uint32_t)status);
+    const answer_t answer = {
+        .command = (uint32_t)command, .kind = (uint32_t)kind, .status = (uint32_t)status};
+    return answer_form(&answer);
+}
+
+static void expect_refusal_form(answer_form_t form, command_kind_t command, status_t status)
+{
+    TEST_ASSERT_EQUAL(form, form_of(command, ANSWER_REFUSED, status));
 }
 
 void test_SWR_CMD_480_the_form_is_that_of_the_rows_of_command_and_status(void)
 {
-    TEST_ASSERT_EQUAL(ANSWER_FORM_POSE,
-                      answer_form_of((uint32_t)COMMAND_TARGET, (uint32_t)ANSWER_ACCEPTED, 0U));
-    TEST_ASSERT_EQUAL(ANSWER_FORM_NONE,
-                      answer_form_of((uint32_t)COMMAND_JOG, (uint32_t)ANSWER_ACCEPTED, 0U));
-    TEST_ASSERT_EQUAL(ANSWER_FORM_LIMIT, refusal(COMMAND_TARGET, STATUS_AXIS_LIMIT));
-    TEST_ASSERT_EQUAL(ANSWER_FORM_SHARED_LIMIT, refusal(COMMAND_JOG, STATUS_SEPARATION_LIMIT));
-    TEST_ASSERT_EQUAL(ANSWER_FORM_AXIS, refusal(COMMAND_RESTORE, STATUS_OUT_OF_RANGE));
-    TEST_ASSERT_EQUAL(ANSWER_FORM_NONE, refusal(COMMAND_TARGET, STATUS_OUT_OF_RANGE));
-    TEST_ASSERT_EQUAL(ANSWER_FORM_NONE, refusal(COMMAND_LIST_END, STATUS_NOT_AT_REST));
-    TEST_ASSERT_EQUAL(
-        ANSWER_FORM_ENDED,
-        answer_form_of((uint32_t)COMMAND_JOG, (uint32_t)ANSWER_ABORTED, (uint32_t)STATUS_EXPIRED));
+    TEST_ASSERT_EQUAL(ANSWER_FORM_POSE, form_of(COMMAND_TARGET, ANSWER_ACCEPTED, STATUS_OK));
+    TEST_ASSERT_EQUAL(ANSWER_FORM_NONE, form_of(COMMAND_JOG, ANSWER_ACCEPTED, STATUS_OK));
+    TEST_ASSERT_EQUAL(ANSWER_FORM_NONE, form_of(COMMAND_JOG, ANSWER_DONE, STATUS_OK));
+    TEST_ASSERT_EQUAL(ANSWER_FORM_ENDED, form_of(COMMAND_JOG, ANSWER_ABORTED, STATUS_EXPIRED));
+    expect_refusal_form(ANSWER_FORM_LIMIT, COMMAND_TARGET, STATUS_AXIS_LIMIT);
+    expect_refusal_form(ANSWER_FORM_SHARED_LIMIT, COMMAND_JOG, STATUS_SEPARATION_LIMIT);
+    expect_refusal_form(ANSWER_FORM_AXIS, COMMAND_RESTORE, STATUS_OUT_OF_RANGE);
+    expect_refusal_form(ANSWER_FORM_NONE, COMMAND_TARGET, STATUS_OUT_OF_RANGE);
+    expect_refusal_form(ANSWER_FORM_NONE, COMMAND_LIST_END, STATUS_NOT_AT_REST);
 }
 
 /* Words of the data that a refusal with `status` has, with axis 5 and the upper end. */
