@@ -18,6 +18,7 @@
  * @satisfies SWR-MODE-001
  * @satisfies SWR-MODE-002
  * @satisfies SWR-MODE-007
+ * @satisfies SWR-PERMIT-380
  */
 status_t controller_obey_motion(controller_t *self, const cycle_t *cycle, const command_t *command,
                                 answer_t *answer);

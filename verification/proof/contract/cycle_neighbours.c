@@ -7,6 +7,7 @@
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
 #include "controller/orders/controller_aim.h"
+#include "controller/orders/controller_axis.h"
 
 void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject,
                      int32_t value)
@@ -143,5 +144,52 @@ solution_t controller_judge_way(controller_t *self, const cycle_t *cycle)
     solution_t judged;
     (void)self;
     (void)cycle;
+    return judged;
+}
+
+solution_t controller_aim(controller_t *self, const cycle_t *cycle, const command_t *command,
+                          mode_kind_t kind, mode_request_t *request)
+{
+    solution_t judged;
+    mode_request_t aimed;
+    (void)self;
+    (void)cycle;
+    (void)command;
+    (void)kind;
+    *request = aimed;
+    return judged;
+}
+
+void controller_forget_reference(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    (void)self;
+    (void)cycle;
+    PROVE(index < ROBOT_AXIS_MAX, "contract of controller_forget_reference: an axis of the robot");
+}
+
+mode_kind_t mode_of_command(uint32_t command_kind)
+{
+    mode_kind_t kind;
+    (void)command_kind;
+    return kind;
+}
+
+mode_request_t mode_ask(mode_kind_t kind, const mode_asked_t *asked)
+{
+    mode_request_t request;
+    (void)kind;
+    (void)asked;
+    return request;
+}
+
+/* An axis that it accepts to be homed is one of the robot. */
+solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const robot_t *robot,
+                      const axis_t axes[ROBOT_AXIS_MAX])
+{
+    solution_t judged;
+    (void)robot;
+    (void)axes;
+    assume(IMPLIES((judged.status == STATUS_OK) && (kind == MODE_HOME_AXIS),
+                   request->sealed.way.axis < ROBOT_AXIS_MAX));
     return judged;
 }
