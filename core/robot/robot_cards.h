@@ -15,8 +15,8 @@ typedef struct {
     uint32_t named_slots;           /**< Bit n: a card belongs into slot n. */
 } robot_cards_t;
 
-/** Finds them in the first `axis_count` rows of a table, at most ROBOT_AXIS_MAX; robot_cards_bound()
- * must follow if the table may be damaged. */
+/** Finds them in the first `axis_count` rows of a table, at most ROBOT_AXIS_MAX;
+ * robot_cards_bound() must follow if the table may be damaged. */
 void robot_cards_find(robot_cards_t *self, const robot_t *robot, uint32_t axis_count);
 
 /**
