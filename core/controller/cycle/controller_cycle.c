@@ -28,14 +28,15 @@ void controller_init(controller_t *self, const robot_t *robot)
     estop_latch_init(&self->estop);
     procedure_init(&self->procedure);
     plan_init(&self->plan, robot);
-    self->sealed.axis_count = robot->axis_count;
+    self->sealed.axis_count =
+        (robot->axis_count <= ROBOT_AXIS_MAX) ? robot->axis_count : ROBOT_AXIS_MAX;
     for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         axis_init(&self->axes[i]);
     }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         link_init(&self->links[slot], robot_cards_type(robot, slot), robot->card_firmware);
     }
-    robot_cards_find(&self->cards, robot);
+    robot_cards_find(&self->cards, robot, self->sealed.axis_count);
     robot_cards_bound(&self->cards); /* The table is not checked yet. */
     self->refused_cycle = (UINT32_MAX - LIMIT_REFUSED_VALUES_MS) + 1U;
     controller_seal(self);

@@ -217,7 +217,7 @@ static void take_axes(controller_t *self, const robot_t *robot, uint32_t damage)
 {
     if (damage == 0U) {
         self->sealed.axis_count = robot->axis_count;
-        robot_cards_find(&self->cards, robot);
+        robot_cards_find(&self->cards, robot, robot->axis_count);
         return;
     }
     if (self->sealed.axis_count > ROBOT_AXIS_MAX) {
