@@ -124,7 +124,7 @@ module Chart
 
       def timer_fields(timer)
         ["    uint32_t #{@names.time(timer)}; /* since it was armed; 0 while it is not */",
-         "    bool #{@names.armed(timer)};"]
+         "    uint32_t #{@names.armed(timer)}; /* 1, or 0; any other number is a damaged 1 */"]
       end
 
       def functions
