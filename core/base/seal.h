@@ -17,6 +17,12 @@
 /** Start value of a seal; so that memory that was cleared, and its seal with it, is damaged. */
 #define SEAL_START 0x5EA1ED00U
 
+/** `bytes`, a constant; one that is no multiple of 4 does not compile.
+ *
+ * @satisfies SWR-MEMORY-510
+ */
+#define WHOLE_WORDS(bytes) ((bytes) * sizeof(uint8_t[(((bytes) % 4U) == 0U) ? 1 : -1]))
+
 /** One word more, read from 4 bytes. For this file only, as seal_of_four(). */
 static inline uint32_t seal_of_word(uint32_t seal, const uint8_t *bytes)
 {
@@ -39,8 +45,8 @@ static inline uint32_t seal_of_sixteen(uint32_t seal, const uint8_t *bytes)
     return seal_of_four(seal_of_four(half, &bytes[32]), &bytes[48]);
 }
 
-/** The seal of `length` bytes, a multiple of 4, in continuation of `seal`. Sixteen words at a time,
- * and here, where the compiler knows the length: half of the instructions. */
+/** The seal of `length` bytes, WHOLE_WORDS(), in continuation of `seal`. Sixteen words at a
+ * time, and here, where the compiler knows the length: half of the instructions. */
 static inline uint32_t seal_of(uint32_t seal, const uint8_t *bytes, size_t length)
 {
     const uint8_t *at = bytes;

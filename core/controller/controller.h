@@ -199,7 +199,12 @@ typedef struct {
 /** Bytes of a checkpoint without rows. */
 #define CONTROLLER_CHECKPOINT_BYTES offsetof(controller_t, rows)
 
-/** Starts in workphase UNDEFINED with nothing enabled. */
+/**
+ * Starts in workphase UNDEFINED with nothing enabled. Of a table with more axes than there is room
+ * for, which is damaged, the first ROBOT_AXIS_MAX.
+ *
+ * @satisfies SWR-MEMORY-380
+ */
 void controller_init(controller_t *self, const robot_t *robot);
 
 /** Seals the state; a writer from outside calls this afterwards. */

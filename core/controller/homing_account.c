@@ -11,7 +11,8 @@
 
 static uint32_t seal_it(const homing_account_t *self)
 {
-    return seal_of(SEAL_START, (const uint8_t *)self, offsetof(homing_account_t, seal));
+    return seal_of(SEAL_START, (const uint8_t *)self,
+                   WHOLE_WORDS(offsetof(homing_account_t, seal)));
 }
 
 /* A damaged account stays so until it begins anew. */

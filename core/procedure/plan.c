@@ -14,7 +14,7 @@
 
 static uint32_t seal_of_plan(const plan_t *self)
 {
-    return seal_of(SEAL_START, (const uint8_t *)self, offsetof(plan_t, seal));
+    return seal_of(SEAL_START, (const uint8_t *)self, WHOLE_WORDS(offsetof(plan_t, seal)));
 }
 
 void plan_seal(plan_t *self)

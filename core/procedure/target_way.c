@@ -42,7 +42,7 @@ static target_way_kind_t judge_next(const target_way_t *self, const robot_t *rob
 
 static uint32_t seal_of_way(const target_way_t *self)
 {
-    return seal_of(SEAL_START, (const uint8_t *)self, offsetof(target_way_t, seal));
+    return seal_of(SEAL_START, (const uint8_t *)self, WHOLE_WORDS(offsetof(target_way_t, seal)));
 }
 
 static bool is_of(const target_way_t *self, const robot_t *robot,

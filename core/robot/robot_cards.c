@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "robot/robot_cards.h"
 
-void robot_cards_find(robot_cards_t *self, const robot_t *robot)
+void robot_cards_find(robot_cards_t *self, const robot_t *robot, uint32_t axis_count)
 {
     self->sensor_slots = robot->sensor_slots;
     self->named_slots = robot->sensor_slots;
-    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+    for (uint32_t i = 0U; i < axis_count; i++) {
         const uint32_t slot = (uint32_t)robot->axes[i].slot;
         self->slots[i] = slot;
         self->named_slots |= (uint32_t)1U << (slot % 32U); /* A row may be damaged by now. */

@@ -15,8 +15,9 @@ typedef struct {
     uint32_t named_slots;           /**< Bit n: a card belongs into slot n. */
 } robot_cards_t;
 
-/** Finds them in a table; robot_cards_bound() must follow if that may be damaged. */
-void robot_cards_find(robot_cards_t *self, const robot_t *robot);
+/** Finds them in the first `axis_count` rows of a table, at most ROBOT_AXIS_MAX;
+ * robot_cards_bound() must follow if the table may be damaged. */
+void robot_cards_find(robot_cards_t *self, const robot_t *robot, uint32_t axis_count);
 
 /**
  * Makes of whatever stands there slots that the box has.

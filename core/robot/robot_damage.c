@@ -9,7 +9,8 @@
 bool robot_is_pose_damaged(const robot_t *robot, uint32_t pose)
 {
     const pose_t *const row = &robot->poses[pose];
-    return seal_of(SEAL_START, (const uint8_t *)row, offsetof(pose_t, seal)) != row->seal;
+    return seal_of(SEAL_START, (const uint8_t *)row, WHOLE_WORDS(offsetof(pose_t, seal))) !=
+           row->seal;
 }
 
 /* A robot without a force sensor may have a card without an axis. */
@@ -24,7 +25,8 @@ static bool is_force_damaged(const robot_t *robot)
 uint32_t robot_damage(const robot_t *robot)
 {
     uint32_t damage = 0U;
-    const uint32_t seal = seal_of(SEAL_START, (const uint8_t *)robot, offsetof(robot_t, seal));
+    const uint32_t seal =
+        seal_of(SEAL_START, (const uint8_t *)robot, WHOLE_WORDS(offsetof(robot_t, seal)));
     if (seal != robot->seal) {
         return (uint32_t)1U << ROBOT_PART_GEOMETRY;
     }
@@ -37,7 +39,8 @@ uint32_t robot_damage(const robot_t *robot)
     }
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const axis_config_t *const row = &robot->axes[i];
-        if (seal_of(SEAL_START, (const uint8_t *)row, offsetof(axis_config_t, seal)) != row->seal) {
+        if (seal_of(SEAL_START, (const uint8_t *)row, WHOLE_WORDS(offsetof(axis_config_t, seal))) !=
+            row->seal) {
             damage |= (uint32_t)1U << i;
         }
     }

@@ -71,6 +71,7 @@ module Interface
         #{C.file(SAYS, FROM).chomp}
         #include "mode/mode_dispatch.h"
 
+        #include "base/seal.h"
         #include "interface/command.h"
         #include "interface/mode_own.h"
         #{includes}#include "mode/mode.h"
@@ -84,7 +85,7 @@ module Interface
     def ranges
       rows = owners.map do |mode|
         "    [#{@kinds.constant(mode.value)}] = {.from = (uint32_t)offsetof(mode_own_t, #{mode.folder}),\n" \
-          "         .bytes = (uint32_t)sizeof(#{mode.folder}_mode_t)},\n"
+          "         .bytes = (uint32_t)WHOLE_WORDS(sizeof(#{mode.folder}_mode_t))},\n"
       end
       "const mode_own_range_t mode_own_ranges[MODE_KIND_COUNT] = {\n#{rows.join}};\n"
     end

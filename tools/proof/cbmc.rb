@@ -15,6 +15,8 @@ module Proof
     # Bounds, pointers, signed overflow, shifts, divisions and ends of loops are checked unless switched off.
     OPTIONS = %w[--c99 --drop-unused-functions --slice-formula --json-ui].freeze
     MOST_SECONDS = 300
+    # Ends with its parent, however that ends.
+    BOUND = %w[setpriv --pdeathsig KILL].freeze
 
     # What holds is a sentence, or a check of its own; what it begins with by which prove.h has made it.
     Property = Struct.new(:text, :place, :function, :holds, keyword_init: true) do
@@ -36,9 +38,10 @@ module Proof
                   *includes.flat_map { |folder| ['-I', folder] }, *sources]
     end
 
+    # @satisfies SWR-TOOL-510
     def run
       began = Process.clock_gettime(Process::CLOCK_MONOTONIC)
-      text, = Open3.capture2e('timeout', MOST_SECONDS.to_s, *@command)
+      text, = Open3.capture2e(*BOUND, 'timeout', MOST_SECONDS.to_s, *BOUND, *@command)
       seconds = Process.clock_gettime(Process::CLOCK_MONOTONIC) - began
       Answer.new(**read(text), seconds: seconds)
     end

@@ -134,6 +134,7 @@ module Robot
       below('minimum_ticks', 'maximum_ticks')
       %w[home_ticks start_ticks].each { |key| check_inside(key) }
       refuse('home', 'is switch, but the axis has none; expected in_place') if homes_without_switch?
+      check_travel_time
       check_home_speed
       at_most('speed_ticks_per_s', 'full_speed_ticks_per_s')
       below('deadband_ticks', 'following_error_ticks')
@@ -157,6 +158,15 @@ module Robot
 
       refuse('home_speed_ticks_per_s', "is #{self['home_speed_ticks_per_s']}; expected at most #{most}, " \
                                        "#{percent} percent of speed_ticks_per_s (#{self['speed_ticks_per_s']})")
+    end
+
+    # @satisfies SWR-PROFILE-511
+    def check_travel_time
+      most = Limit.of('travel_time_most_s')
+      least = Rational(self['maximum_ticks'] - self['minimum_ticks'], most).ceil
+      return if self['speed_ticks_per_s'] >= least
+
+      refuse('speed_ticks_per_s', "is #{self['speed_ticks_per_s']}; expected at least #{least}, with which the travel takes #{most} s")
     end
 
     def check_jump

@@ -27,6 +27,16 @@ class TestProof < Minitest::Test
         POSSIBLE(is > 5, "a large half");
     }
   C
+  # Takes far longer than the test: the factors of a prime number.
+  FACTORS = <<~C
+    int half(int value)
+    {
+        const unsigned long long factor = (unsigned int)value;
+        unsigned long long other;
+        return ((other > 1U) && (other <= 2147483647U) && (factor * other == 1534567891234567949U)) ? 5 : 0;
+    }
+  C
+  SLOW_RUN = 'Proof::Run.new([Proof::Harness.new(JSON.parse(ARGV[0]))], $stdout, at_night: false).call'
   MUTANT = { 'by' => 'prove_SWR_HALF_001_it_is_smaller', 'file' => 'core/half/half.c', 'before' => '/ 2', 'after' => '* 2' }.freeze
   ROW = { 'file' => 'half/prove_half.c', 'sources' => ['core/half/half.c'], 'proves' => ['half'], 'mutants' => [MUTANT] }.freeze
 
@@ -120,7 +130,44 @@ class TestProof < Minitest::Test
     assert_empty(lines.grep_v(/\Apackage +\S+ +[\w.:+-]+ +\h{64}( \S+)+\z/))
   end
 
+  # Ended by force, it can end nothing itself.
+  def test_SWR_TOOL_510_the_prover_ends_with_it
+    in_project(PROOF.sub('is > 5', 'is == 5'), FACTORS) do
+      pid = Process.spawn(RbConfig.ruby, '-r', "#{ROOT}/tools/proof/proof", '-e', SLOW_RUN, JSON.generate(ROW), out: File::NULL)
+      provers = seen_until('the prover computes') { |found| found.any? { |process| computes?(process) } }
+      Process.kill('KILL', pid)
+      Process.wait(pid)
+      assert_empty(seen_until('the prover has ended', &:empty?), "of #{provers.inspect}")
+    end
+  end
+
   private
+
+  # Processes of the prover in this folder, once they are as wanted: two minutes are enough for a busy machine.
+  def seen_until(what)
+    1200.times do
+      found = provers
+      return found if yield(found)
+
+      sleep 0.1
+    end
+    flunk "not seen within two minutes: #{what}"
+  end
+
+  def provers
+    Dir.glob('/proc/[0-9]*').select do |process|
+      File.readlink("#{process}/cwd") == Dir.pwd && File.read("#{process}/cmdline").include?('cbmc')
+    rescue SystemCallError
+      false
+    end
+  end
+
+  # For a second: it has no more to say, and would not notice that nothing reads it.
+  def computes?(process)
+    File.read("#{process}/stat").split(') ').last.split[11].to_i > 100
+  rescue SystemCallError
+    false
+  end
 
   # What it says, and whether all is green.
   def run_proof(proof: PROOF, unit: UNIT, row: ROW, at_night: false)

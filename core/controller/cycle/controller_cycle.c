@@ -28,7 +28,8 @@ void controller_init(controller_t *self, const robot_t *robot)
     estop_latch_init(&self->estop);
     procedure_init(&self->procedure);
     plan_init(&self->plan, robot);
-    self->sealed.axis_count = robot->axis_count;
+    self->sealed.axis_count =
+        (robot->axis_count <= ROBOT_AXIS_MAX) ? robot->axis_count : ROBOT_AXIS_MAX;
     for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         axis_init(&self->axes[i]);
     }
@@ -36,7 +37,7 @@ void controller_init(controller_t *self, const robot_t *robot)
         link_init(&self->links[slot], robot_cards_type(robot, slot), robot->card_firmware);
     }
     force_sensor_init(&self->force, &robot->force);
-    robot_cards_find(&self->cards, robot);
+    robot_cards_find(&self->cards, robot, self->sealed.axis_count);
     robot_cards_bound(&self->cards); /* The table is not checked yet. */
     self->refused_cycle = (UINT32_MAX - LIMIT_REFUSED_VALUES_MS) + 1U;
     controller_seal(self);

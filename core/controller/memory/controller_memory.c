@@ -18,7 +18,7 @@
 
 static inline uint32_t seal_of_link(uint32_t seal, const link_t *link)
 {
-    return seal_of(seal, (const uint8_t *)&link->sealed, sizeof link->sealed);
+    return seal_of(seal, (const uint8_t *)&link->sealed, WHOLE_WORDS(sizeof link->sealed));
 }
 
 /* Readings count while a zeroing runs. */
@@ -49,9 +49,9 @@ static uint32_t seal_of_mode(const mode_state_t *mode)
 {
     const mode_request_t *const request = &mode->request;
     const uint32_t common =
-        seal_of(SEAL_START, (const uint8_t *)&mode->sealed, sizeof mode->sealed);
+        seal_of(SEAL_START, (const uint8_t *)&mode->sealed, WHOLE_WORDS(sizeof mode->sealed));
     const uint32_t seal =
-        seal_of(common, (const uint8_t *)&request->sealed, sizeof request->sealed);
+        seal_of(common, (const uint8_t *)&request->sealed, WHOLE_WORDS(sizeof request->sealed));
     if (mode->sealed.kind >= MODE_KIND_COUNT) {
         return seal;
     }
@@ -62,28 +62,34 @@ static uint32_t seal_of_mode(const mode_state_t *mode)
 
 static uint32_t seal_of_pedal(uint32_t seal, const pedal_gate_t *pedal)
 {
-    return seal_of(seal_of(seal, (const uint8_t *)&pedal->sealed, sizeof pedal->sealed),
-                   (const uint8_t *)&pedal->chart, PEDAL_GATE_CHART_BYTES);
+    return seal_of(
+        seal_of(seal, (const uint8_t *)&pedal->sealed, WHOLE_WORDS(sizeof pedal->sealed)),
+        (const uint8_t *)&pedal->chart, WHOLE_WORDS(PEDAL_GATE_CHART_BYTES));
 }
 
 static uint32_t seal_of_interlocks(const controller_t *self)
 {
     uint32_t seal = seal_of_pedal(SEAL_START, &self->pedal);
-    seal = seal_of(seal, (const uint8_t *)&self->loop.sealed, sizeof self->loop.sealed);
-    seal = seal_of(seal, (const uint8_t *)&self->confirm.sealed, sizeof self->confirm.sealed);
-    seal = seal_of(seal, (const uint8_t *)&self->authority.sealed, sizeof self->authority.sealed);
-    return seal_of(seal, (const uint8_t *)&self->procedure.arming, ARMING_CHART_BYTES);
+    seal =
+        seal_of(seal, (const uint8_t *)&self->loop.sealed, WHOLE_WORDS(sizeof self->loop.sealed));
+    seal = seal_of(seal, (const uint8_t *)&self->confirm.sealed,
+                   WHOLE_WORDS(sizeof self->confirm.sealed));
+    seal = seal_of(seal, (const uint8_t *)&self->authority.sealed,
+                   WHOLE_WORDS(sizeof self->authority.sealed));
+    return seal_of(seal, (const uint8_t *)&self->procedure.arming, WHOLE_WORDS(ARMING_CHART_BYTES));
 }
 
 static uint32_t seal_of_rest(const controller_t *self)
 {
-    uint32_t seal = seal_of(SEAL_START, (const uint8_t *)&self->sealed, sizeof self->sealed);
+    uint32_t seal =
+        seal_of(SEAL_START, (const uint8_t *)&self->sealed, WHOLE_WORDS(sizeof self->sealed));
     if (self->sealed.awaited != 0U) {
-        seal = seal_of(seal, (const uint8_t *)self->kept.sealed, sizeof self->kept.sealed);
+        seal = seal_of(seal, (const uint8_t *)self->kept.sealed,
+                       WHOLE_WORDS(sizeof self->kept.sealed));
     }
     for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         const axis_record_t *const record = &self->records[i];
-        seal = seal_of(seal, (const uint8_t *)&record->sealed, sizeof record->sealed);
+        seal = seal_of(seal, (const uint8_t *)&record->sealed, WHOLE_WORDS(sizeof record->sealed));
     }
     return seal;
 }
@@ -92,9 +98,12 @@ static uint32_t seal_of_rest(const controller_t *self)
 static inline uint32_t seal_of_axis(const axis_t *axis)
 {
     const supervision_t *const supervision = &axis->supervision;
-    uint32_t seal = seal_of(SEAL_START, (const uint8_t *)&axis->sealed, sizeof axis->sealed);
-    seal = seal_of(seal, (const uint8_t *)&supervision->sealed, sizeof supervision->sealed);
-    return seal_of(seal, (const uint8_t *)&supervision->stall, STALL_WATCHDOG_CHART_BYTES);
+    uint32_t seal =
+        seal_of(SEAL_START, (const uint8_t *)&axis->sealed, WHOLE_WORDS(sizeof axis->sealed));
+    seal = seal_of(seal, (const uint8_t *)&supervision->sealed,
+                   WHOLE_WORDS(sizeof supervision->sealed));
+    return seal_of(seal, (const uint8_t *)&supervision->stall,
+                   WHOLE_WORDS(STALL_WATCHDOG_CHART_BYTES));
 }
 
 static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
@@ -232,7 +241,7 @@ static void take_axes(controller_t *self, const robot_t *robot, uint32_t damage)
 {
     if (damage == 0U) {
         self->sealed.axis_count = robot->axis_count;
-        robot_cards_find(&self->cards, robot);
+        robot_cards_find(&self->cards, robot, robot->axis_count);
         return;
     }
     if (self->sealed.axis_count > ROBOT_AXIS_MAX) {

@@ -17,6 +17,40 @@ class TestChartCode < Minitest::Test
   COMPILER = File.join(__dir__, '..', 'chartc')
   WARNINGS = %w[-std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum
                 -Wcast-qual -Wmissing-prototypes].freeze
+  # The timer has run for all of its delay; its mark holds one bit.
+  DAMAGED_MARK = <<~C
+    #include "sample_chart.h"
+
+    #include <stdio.h>
+    #include <stdlib.h>
+
+    void contract_broken(const char *module, uint32_t id)
+    {
+        (void)module;
+        exit((int)id);
+    }
+
+    static int expires(uint32_t mark)
+    {
+        const sample_inputs_t inputs = {false, false};
+        sample_chart_t chart;
+        sample_chart_init(&chart);
+        chart.heat_limit_is_armed = mark;
+        chart.heat_limit_us = 0U;
+        (void)sample_chart_advance(&chart, &inputs, 2000000U);
+        return (chart.heat_limit_is_armed == 0U) && (chart.heat_limit_us == 0U);
+    }
+
+    int main(void)
+    {
+        int count = expires(UINT32_MAX);
+        for (uint32_t bit = 0U; bit < 32U; bit++) {
+            count += expires((uint32_t)1U << bit);
+        }
+        (void)printf("%d of 33 expire\\n", count);
+        return 0;
+    }
+  C
 
   class << self
     # One compilation of the sample chart serves all tests.
@@ -76,7 +110,7 @@ class TestChartCode < Minitest::Test
   def test_SWR_CHART_001_the_header_says_how_many_bytes_decide
     header = File.read(Dir[File.join(TestChartCode.folder, 'gen', '**', 'sample_chart.h')].first)
     assert_includes header, '#define SAMPLE_CHART_BYTES offsetof(sample_chart_t, now_us)'
-    assert_match(/_is_armed;\n    uint64_t now_us;[^\n]*\n    chart_trace_t trace;[^\n]*\n\} sample_chart_t;/, header)
+    assert_match(/    uint32_t \w+_is_armed;[^\n]*\n    uint64_t now_us;[^\n]*\n    chart_trace_t trace;[^\n]*\n\} sample_chart_t;/, header)
   end
 
   def test_SWR_CHART_001_the_table_numbers_agree_with_the_code
@@ -88,6 +122,15 @@ class TestChartCode < Minitest::Test
       name = "take_#{one.fetch('id').downcase.tr('-', '_')}"
       assert_match(/#{name}\([^{]*\{[^}]*self->now_us, #{one.fetch('number')}U\);/, source)
     end
+  end
+
+  # A bool of another value than 0 and 1 would be undefined, and every bit of memory may flip.
+  def test_SWR_CHART_510_a_timer_with_a_damaged_mark_is_armed
+    program = path('damaged_mark')
+    output, status = Open3.capture2e('gcc', *WARNINGS, '-fsanitize=undefined', '-fno-sanitize-recover', '-I', CORE, '-I', path('gen', 'charts'), '-x', 'c',
+                                     '-', '-x', 'none', path('gen', 'charts', 'sample_chart.c'), '-o', program, stdin_data: DAMAGED_MARK)
+    assert status.success?, output
+    assert_equal ["33 of 33 expire\n", true], Open3.capture2e(program).then { |text, ended| [text, ended.success?] }
   end
 
   private

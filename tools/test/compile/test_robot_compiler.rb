@@ -237,6 +237,18 @@ class TestRobotCompiler < Minitest::Test
                    at: "acceleration_ticks_per_s2: #{least - 1}")
   end
 
+  def test_SWR_PROFILE_511_an_axis_whose_cycles_would_not_fit_is_refused
+    most = Robot::Limit.of('travel_time_most_s')
+    travel = %w[maximum minimum].map { |end_of| TEXT[/#{end_of}_ticks: (-?\d+)/, 1].to_i }.inject(:-)
+    cycles = most * (1_000_000 / Robot::Limit.of('cycle_us')) * 100 * 100 / Robot::Limit.of('profile_speed_percent')
+    assert_operator 2 * cycles, :<, 2**31
+    least = (travel / most.to_r).ceil
+    text = TEXT.sub(/\bspeed_ticks_per_s: \d+/, "speed_ticks_per_s: #{least - 1}")
+               .sub(/home_speed_ticks_per_s: \d+/, 'home_speed_ticks_per_s: 1')
+    assert_refused(text, "axes[0].speed_ticks_per_s: is #{least - 1}; expected at least #{least}, with which the travel takes #{most} s",
+                   at: "speed_ticks_per_s: #{least - 1}")
+  end
+
   def test_SWR_TRAJ_025_an_acceleration_whose_ways_do_not_fit_is_refused
     most = Robot::Limit.of('acceleration_most_ticks_per_s2')
     text = TEXT.sub(/acceleration_ticks_per_s2: \d+/, "acceleration_ticks_per_s2: #{most + 1}")

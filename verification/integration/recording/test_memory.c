@@ -430,6 +430,24 @@ void test_SWR_MEMORY_004_a_table_that_is_damaged_at_the_start_moves_nothing(void
     TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, rig_workphase(&rig, WORKPHASE_START_UP).status);
 }
 
+void test_SWR_MEMORY_380_a_number_of_axes_without_room_stays_within_the_room(void)
+{
+    const uint32_t counts[] = {ROBOT_AXIS_MAX + 1U, 4096U};
+    for (size_t i = 0U; i < (sizeof counts / sizeof counts[0]); i++) {
+        (void)memset(&rig, 0, sizeof rig);
+        rig.elapsed_us = 1000U;
+        rig.robot = robot_neuro;
+        rig.robot.axis_count = counts[i];
+        box_init(&rig.box, &robot_neuro, 1U);
+        controller_init(&rig.controller, &rig.robot);
+        TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_MAX, rig.controller.sealed.axis_count);
+        rig_cycles(&rig, 20U);
+        expect_blind(ROBOT_PART_GEOMETRY);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED,
+                                 rig_workphase(&rig, WORKPHASE_START_UP).status);
+    }
+}
+
 void test_SWR_MEMORY_005_a_target_that_does_not_lead_to_its_pose_is_not_armed(void)
 {
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {

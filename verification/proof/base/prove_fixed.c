@@ -43,3 +43,14 @@ void prove_SWR_FIX_003_a_number_is_saturated_or_kept_within_its_ends(void)
           "SWR-FIX-003: what lies within is kept");
     POSSIBLE((int64_t)narrow != value, "one that does not fit");
 }
+
+/* Positions of a cubic have 8 fraction bits. */
+void prove_SWR_FIX_003_eight_fraction_bits_are_rounded_half_away_from_zero(void)
+{
+    int64_t value;
+    assume((value >= -(INT64_C(1) << 40)) && (value <= (INT64_C(1) << 40)));
+    const int64_t ticks = fixed_shift_rounded(value, 8U);
+    PROVE(ticks == ((value < 0) ? -((128 - value) / 256) : ((value + 128) / 256)),
+          "SWR-FIX-003: the nearest tick, of two the one further away from zero");
+    POSSIBLE(ticks < 0, "a negative tick");
+}

@@ -19,9 +19,7 @@ static bool is_sound(void)
 static void begin(void)
 {
     pedal_gate_t any;
-    bool is_armed;
     self = any;
-    self.chart.disagreement_is_armed = is_armed ? true : false;
     assume(is_sound());
 }
 

@@ -37,7 +37,7 @@ void test_SWR_LINK_009_a_card_without_an_axis_is_a_sensor(void)
     robot.sensor_slots = (uint32_t)1U << NOBODYS_SLOT;
     TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_MAX, robot_cards_axis(&robot, NOBODYS_SLOT));
     TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_SENSOR, robot_cards_type(&robot, NOBODYS_SLOT));
-    robot_cards_find(&cards, &robot);
+    robot_cards_find(&cards, &robot, robot.axis_count);
     TEST_ASSERT_EQUAL_HEX32(0x200U, cards.sensor_slots);
     TEST_ASSERT_EQUAL_HEX32(0x2FEU, cards.named_slots);
 }
@@ -45,7 +45,7 @@ void test_SWR_LINK_009_a_card_without_an_axis_is_a_sensor(void)
 void test_SWR_MEMORY_006_wild_slots_are_made_slots_of_the_box(void)
 {
     robot_cards_t cards;
-    robot_cards_find(&cards, &robot_neuro);
+    robot_cards_find(&cards, &robot_neuro, robot_neuro.axis_count);
     cards.slots[0] = CARD_SLOT_COUNT;
     cards.sensor_slots = UINT32_MAX;
     cards.named_slots = UINT32_MAX;

@@ -103,7 +103,7 @@ module Chart
     end
 
     def started(timer)
-      assertion("(chart.#{@names.armed(timer)} && (chart.#{@names.time(timer)} == 0U))")
+      assertion("((chart.#{@names.armed(timer)} != 0U) && (chart.#{@names.time(timer)} == 0U))")
     end
 
     # Where it may do something, what it takes has no target.

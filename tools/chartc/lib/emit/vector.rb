@@ -57,7 +57,7 @@ module Chart
     end
 
     def timer_fields
-      @document.timers.map { |timer| Field.new(@names.armed(timer), :timer, 'bool', timer) }
+      @document.timers.map { |timer| Field.new(@names.armed(timer), :timer, 'uint32_t', timer) }
     end
 
     def number(region, leaf)

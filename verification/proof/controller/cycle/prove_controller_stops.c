@@ -36,14 +36,19 @@ static void begin(void)
 }
 
 /* As controller_check_memory() and controller_observe() leave the charts in each cycle. */
-static bool are_charts_sound(void)
+static bool are_charts_but_authority_sound(void)
 {
     return estop_latch_chart_is_sound(&controller.estop) &&
            loop_guard_chart_is_sound(&controller.loop.chart) &&
            pedal_gate_chart_is_sound(&controller.pedal.chart) &&
-           authority_chart_is_sound(&controller.authority.chart) &&
            arming_chart_is_sound(&controller.procedure.arming) &&
            workphase_chart_is_sound(&controller.procedure.workphase);
+}
+
+static bool are_charts_sound(void)
+{
+    return are_charts_but_authority_sound() &&
+           authority_chart_is_sound(&controller.authority.chart);
 }
 
 static bool is_armed(void)
@@ -78,34 +83,86 @@ static void obey_authority(answer_t *answer)
     }
 }
 
-void prove_SWR_AUTH_270_lost_authority_leaves_no_order_armed(void)
+/* Facts before one of the ways in which authority is lost. */
+typedef struct {
+    bool was_armed;
+    bool was_held;
+    bool was_order_held;
+    bool was_stopped;
+} before_t;
+
+static before_t before_a_loss(void)
 {
-    uint32_t way;
+    const before_t before = {.was_armed = is_armed(),
+                             .was_held = authority_is_held(&controller.authority),
+                             .was_order_held = is_order_held(),
+                             .was_stopped = is_stopped()};
+    return before;
+}
+
+static void prove_disarmed(const before_t *before)
+{
+    PROVE(IMPLIES(before->was_held && !authority_is_held(&controller.authority), !is_armed()),
+          "SWR-AUTH-270: authority that is lost disarms in that cycle, from any sound state");
+    PROVE(IMPLIES(before->was_order_held, is_order_held()),
+          "SWR-AUTH-270: no order stays armed without a holder");
+    PROVE(IMPLIES(is_armed(), before->was_armed), "SWR-AUTH-270: nothing is armed by it");
+    PROVE(IMPLIES(before->was_stopped, is_stopped()),
+          "SWR-PERMIT-270: what was stopped stays stopped");
+}
+
+/* The chart of authority may be damaged: it is looked at here. */
+void prove_SWR_AUTH_270_silence_or_a_damaged_chart_leaves_no_order_armed(void)
+{
+    begin();
+    assume(are_charts_but_authority_sound());
+    const bool was_sound = authority_chart_is_sound(&controller.authority.chart);
+    const bool is_holder_silent =
+        (inputs.silent_sources >> (controller.authority.sealed.holder.source % 32U)) & 1U;
+    const before_t before = before_a_loss();
+
+    controller_observe_authority(&controller, &cycle);
+
+    prove_disarmed(&before);
+    PROVE(authority_chart_is_sound(&controller.authority.chart),
+          "SWR-AUTH-270: the rest of the cycle may rely on the chart");
+    PROVE(IMPLIES(!was_sound, !is_armed()), "SWR-AUTH-270: a damaged chart disarms");
+    POSSIBLE(was_sound && is_holder_silent && before.was_armed && before.was_held && !is_armed(),
+             "the holder of an armed order is silent");
+    POSSIBLE(was_sound && !is_holder_silent && before.was_armed && before.was_held && !is_armed(),
+             "the holder of an armed order misses its renewal");
+    POSSIBLE(!was_sound && before.was_armed, "an order is armed under a damaged chart");
+}
+
+void prove_SWR_AUTH_270_a_release_leaves_no_order_armed(void)
+{
     command_t any_command;
     answer_t answer;
     begin();
     assume(are_charts_sound());
     command = any_command;
-    const bool was_armed = is_armed();
-    const bool was_held = authority_is_held(&controller.authority);
-    const bool was_order_held = is_order_held();
-    const bool was_stopped = is_stopped();
+    const before_t before = before_a_loss();
 
-    if (way == 0U) {
-        controller_observe_authority(&controller, &cycle);
-    } else if (way == 1U) {
-        obey_authority(&answer);
-    } else {
-        controller_grant(&controller, &cycle);
-    }
+    obey_authority(&answer);
 
-    PROVE(IMPLIES(was_held && !authority_is_held(&controller.authority), !is_armed()),
-          "SWR-AUTH-270: authority that is lost disarms in that cycle, from any sound state");
-    PROVE(IMPLIES(was_order_held, is_order_held()),
-          "SWR-AUTH-270: no order stays armed without a holder");
-    PROVE(IMPLIES(is_armed(), was_armed), "SWR-AUTH-270: nothing is armed by it");
-    PROVE(IMPLIES(was_stopped, is_stopped()), "SWR-PERMIT-270: what was stopped stays stopped");
-    POSSIBLE(was_armed && was_held && !is_armed(), "the holder of an armed order is lost");
+    prove_disarmed(&before);
+    POSSIBLE((command.kind == (uint32_t)COMMAND_RELEASE) && before.was_armed && before.was_held &&
+                 !is_armed(),
+             "the holder of an armed order releases authority");
+}
+
+void prove_SWR_AUTH_270_a_grant_leaves_no_order_armed(void)
+{
+    begin();
+    assume(are_charts_sound());
+    const before_t before = before_a_loss();
+
+    controller_grant(&controller, &cycle);
+
+    prove_disarmed(&before);
+    PROVE(!authority_is_held(&controller.authority), "SWR-AUTH-270: nobody holds it after a grant");
+    POSSIBLE(before.was_armed && before.was_held && !is_armed(),
+             "authority is granted to another client while an order is armed");
 }
 
 void prove_SWR_PERMIT_270_a_stop_disarms_and_no_workphase_starts_a_drive(void)

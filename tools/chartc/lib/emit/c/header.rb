@@ -122,9 +122,11 @@ module Chart
         "    #{@names.variable_type(variable)} #{@names.field(variable.name)};#{range}"
       end
 
+      # A bool of another value than 0 and 1 is undefined.
+      # @satisfies SWR-CHART-510
       def timer_fields(timer)
         ["    uint32_t #{@names.time(timer)}; /* since it was armed; 0 while it is not */",
-         "    bool #{@names.armed(timer)};"]
+         "    uint32_t #{@names.armed(timer)}; /* 1, or 0; any other number is a damaged 1 */"]
       end
 
       def functions

@@ -161,7 +161,7 @@ module Chart
       def count_function
         rows = @document.timers.map do |timer|
           time = "self->#{@names.time(timer)}"
-          ["    if (self->#{@names.armed(timer)}) {",
+          ["    if (self->#{@names.armed(timer)} != 0U) {",
            "        #{time} = #{@names.function('add_saturated')}(#{time}, elapsed_us);", '    }']
         end
         head = "static void #{@names.function('count_time')}"
@@ -176,7 +176,7 @@ module Chart
 
       def expired_function(timer)
         [call("static bool #{expired(timer)}", constant_self, ''), '{',
-         joined(["self->#{@names.armed(timer)}", "(self->#{@names.time(timer)} >= #{@names.delay(timer)})"]), '}', '']
+         joined(["(self->#{@names.armed(timer)} != 0U)", "(self->#{@names.time(timer)} >= #{@names.delay(timer)})"]), '}', '']
       end
 
       def expired(timer)

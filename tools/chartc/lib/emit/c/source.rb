@@ -100,14 +100,14 @@ module Chart
 
       def define_timers
         @document.timers.each do |timer|
-          define_timer('start', timer, true)
-          define_timer('stop', timer, false)
+          define_timer('start', timer, 1)
+          define_timer('stop', timer, 0)
         end
       end
 
       def define_timer(verb, timer, armed)
         @code.define('void', "#{verb}.#{@names.stem(timer.id)}",
-                     ["self->#{@names.time(timer)} = 0U;", "self->#{@names.armed(timer)} = #{armed};"])
+                     ["self->#{@names.time(timer)} = 0U;", "self->#{@names.armed(timer)} = #{armed}U;"])
       end
 
       # What follows the first step: the rounds that raised events and eventless transitions can need; their number is

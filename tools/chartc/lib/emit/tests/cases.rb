@@ -217,7 +217,7 @@ module Chart
     def begin_chart
       ["    #{@names.chart_function('init')}(&chart);",
        *@document.timers.flat_map do |timer|
-         ["    chart.#{@names.time(timer)} = 5U;", "    chart.#{@names.armed(timer)} = true;"]
+         ["    chart.#{@names.time(timer)} = 5U;", "    chart.#{@names.armed(timer)} = 1U;"]
        end]
     end
 
@@ -287,7 +287,7 @@ module Chart
         ".at_#{field(@regions.of(state))} = #{@names.leaf(state)}"
       end
       ["    place(&chart, &(const pair_t){ #{cells.join(', ')} });",
-       timers(pair).map { |timer| ["    chart.#{@names.armed(timer)} = true;"] }]
+       timers(pair).map { |timer| ["    chart.#{@names.armed(timer)} = 1U;"] }]
     end
 
     def expect_no_expiry(timer, microseconds, pair)

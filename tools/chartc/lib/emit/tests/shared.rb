@@ -34,7 +34,7 @@ module Chart
       return [] unless timers?
 
       bits = @document.timers.each_with_index.map do |timer, bit|
-        "(chart->#{@names.armed(timer)} ? #{1 << bit}U : 0U)"
+        "((chart->#{@names.armed(timer)} != 0U) ? #{1 << bit}U : 0U)"
       end
       ["static uint32_t armed_of(const #{@names.chart_type} *chart)", '{',
        "    return #{bits.join(" |\n           ")};", '}', '']

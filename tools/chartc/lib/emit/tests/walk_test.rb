@@ -84,8 +84,8 @@ module Chart
       end
       fields += memories.map { |one| "    chart->#{@names.memory(one)} = pair->at_#{@names.memory(one)};" }
       timers = @document.timers.each_with_index.map do |timer, bit|
-        ["    chart->#{@names.armed(timer)} = (pair->armed & #{1 << bit}U) != 0U;",
-         "    chart->#{@names.time(timer)} = chart->#{@names.armed(timer)} ? 7U : 0U;",
+        ["    chart->#{@names.armed(timer)} = (pair->armed >> #{bit}U) & 1U;",
+         "    chart->#{@names.time(timer)} = (chart->#{@names.armed(timer)} != 0U) ? 7U : 0U;",
          "    if ((pair->expiring & #{1 << bit}U) != 0U) {",
          "        chart->#{@names.time(timer)} = #{timer.threshold_us - 1}U;", '    }']
       end
