@@ -87,7 +87,7 @@ class CTests
     @out = "build/#{way}/tests"
     @code = @options.fetch(:code, ["build/#{way}/libtest.a"])
     # Counts of an earlier run, and lines that it could count, would stand in for tests that are gone.
-    FileUtils.rm_f(Dir["build/#{way}/**/*.gcda", "#{@out}/*.gcno", "build/#{way}/profiles/*"])
+    FileUtils.rm_f(Dir["build/#{way}/**/*.gcda", "#{@out}/*.{gcno,o}", "build/#{way}/profiles/*"])
     @profiles = { 'LLVM_PROFILE_FILE' => File.expand_path("build/#{way}/profiles/%p.profraw") }
     @mocks = "build/#{way}/mocks"
     @tests = wanted.any? ? every_test & wanted : tests(way)
