@@ -9,8 +9,8 @@ MAKEFLAGS += --no-builtin-rules
 
 # `make test` lends the compilers a cache of objects here; no other command does. It is no part of the way to compile: the bytes are the same.
 COMPILER_CACHE ?=
-# One directory per way to compile: gcc (the product), clang, asan (AddressSanitizer and UBSan), gcov (coverage), arm
-# (Cortex-A9, static), static (the product as files that need no other), wasm (for a page).
+# One directory per way to compile: gcc (the product), asan (by clang: AddressSanitizer and UBSan, coverage), gcov (coverage of gcc's
+# code), arm (Cortex-A9, static), static (the product as files that need no other), wasm (for a page).
 CONFIG ?= gcc
 OUT := build/$(CONFIG)
 GEN := build/gen
@@ -21,8 +21,7 @@ export GEM_HOME := $(CURDIR)/.tools/gems
 CEEDLING := ruby $(GEM_HOME)/bin/ceedling
 
 CC_gcc := gcc
-CC_clang := clang
-CC_asan := gcc
+CC_asan := clang-19
 CC_gcov := gcc
 CC_arm := arm-linux-gnueabihf-gcc
 CC_static := gcc
@@ -44,7 +43,6 @@ HARDENED := -fstack-protector-strong -D_FORTIFY_SOURCE=2
 # Wherever the clone lies, the same bytes.
 ANYWHERE := -ffile-prefix-map=$(CURDIR)=.
 HARDENED_gcc := $(HARDENED) $(ANYWHERE) -fPIE
-HARDENED_clang := $(HARDENED_gcc)
 HARDENED_arm := $(HARDENED) $(ANYWHERE) -fno-pie
 HARDENED_static := $(HARDENED_arm)
 HARDENED_wasm := $(ANYWHERE)
@@ -57,6 +55,8 @@ STRAIGHT_static := $(STRAIGHT_gcc)
 STRAIGHT := $(STRAIGHT_$(CONFIG))
 # Coverage is that of the core and the charts; around them it would only take time. No debugger looks at it.
 COUNTED_gcov := -O0 -g0 --coverage
+# Clang counts in the source, which no sanitizer changes.
+COUNTED_asan := -fprofile-instr-generate -fcoverage-mapping -include verification/unit/support/contract_ends.h
 COUNTED := $(COUNTED_$(CONFIG))
 WARNINGS := -std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum \
     -Wcast-qual -Wmissing-prototypes

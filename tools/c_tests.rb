@@ -4,8 +4,9 @@
 
 # Runs the C tests, compiled in one of several ways, with the Unity and the CMock that come with Ceedling.
 #
-#   ruby tools/c_tests.rb gcov      all of them, counting what they reach of core and charts
-#   ruby tools/c_tests.rb asan      all of them, under AddressSanitizer and UndefinedBehaviorSanitizer
+#   ruby tools/c_tests.rb asan      all of them, under AddressSanitizer and UndefinedBehaviorSanitizer, counting what they reach of
+#                                   core and charts
+#   ruby tools/c_tests.rb gcov      all of them, counting the same in gcc's code
 #   ruby tools/c_tests.rb arm       those of core and simulated box, as Cortex-A9 code under qemu
 #   ruby tools/c_tests.rb gcc       those with long scenes, whole, on the code of the product
 #   ruby tools/c_tests.rb gcc FILE...   these
@@ -37,12 +38,14 @@ class CTests
   # The cache of `make test`, or none.
   CACHE = ENV.fetch('COMPILER_CACHE', '').split.freeze
   TENTH = '-DSCENE_DIVISOR=10U'
+  # A program leaves its counts when it ends; a test counts too, as it may call functions of headers that the core does not call.
+  COUNTED = %w[-fprofile-instr-generate -fcoverage-mapping].freeze
   WAYS = {
-    'asan' => { compiler: %W[gcc #{TENTH} -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
-                libraries: LIBRARIES },
-    'arm' => { compiler: %W[arm-linux-gnueabihf-gcc #{TENTH} -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static],
+    'asan' => { compiler: %W[clang-19 #{TENTH} -fsanitize=address,undefined -fno-sanitize-recover=all] + COUNTED + WARNINGS,
+                runner: [], libraries: LIBRARIES },
+    'arm' => { compiler: %W[arm-linux-gnueabihf-gcc #{TENTH} -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static] + WARNINGS,
                runner: %w[qemu-arm], libraries: %w[-lm] },
-    'gcc' => { compiler: %w[gcc], runner: [], libraries: LIBRARIES },
+    'gcc' => { compiler: %w[gcc] + WARNINGS, runner: [], libraries: LIBRARIES },
     'gcov' => { compiler: %W[gcc #{TENTH} --coverage] + WARNINGS, runner: [], libraries: LIBRARIES,
                 code: %w[-Wl,--start-group build/gcov/libcore.a build/gcc/libaround.a -Wl,--end-group] }
   }.freeze
@@ -84,7 +87,8 @@ class CTests
     @out = "build/#{way}/tests"
     @code = @options.fetch(:code, ["build/#{way}/libtest.a"])
     # Counts of an earlier run, and lines that it could count, would stand in for tests that are gone.
-    FileUtils.rm_f(Dir["build/#{way}/**/*.gcda", "#{@out}/*.gcno"])
+    FileUtils.rm_f(Dir["build/#{way}/**/*.gcda", "#{@out}/*.{gcno,o}", "build/#{way}/profiles/*"])
+    @profiles = { 'LLVM_PROFILE_FILE' => File.expand_path("build/#{way}/profiles/%p.profraw") }
     @mocks = "build/#{way}/mocks"
     @tests = wanted.any? ? every_test & wanted : tests(way)
     @done = 0
@@ -142,7 +146,7 @@ class CTests
   end
 
   def rows_of(test)
-    output, status = Open3.capture2e(*@options[:runner], build(test))
+    output, status = Open3.capture2e(@profiles, *@options[:runner], build(test))
     CTests.rows(test, output.scrub, status.success?)
   rescue Failed => e
     CTests.rows(test, e.message.scrub, false)

@@ -14,8 +14,10 @@ require_relative 'gates/run'
 
 Dir.chdir(File.expand_path('..', __dir__))
 begin
-  gates = Gates::Gate.choose(Gates::Gate.read('verification/gates.yml'), ARGV)
-  exit(Gates::Run.new(gates, $stdout).call ? 0 : 1)
+  gates = Gates::Gate.read('verification/gates.yml')
+  run = Gates::Run.new(Gates::Gate.choose(gates, ARGV), $stdout)
+  Results.keep_only(gates.map(&:name))
+  exit(run.call ? 0 : 1)
 rescue Gates::Refused => e
   abort "gates: #{e.message}"
 end

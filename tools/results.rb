@@ -30,6 +30,13 @@ module Results
       "#{FOLDER}/#{name}.json"
     end
 
+    # Results of a gate that is gone prove nothing.
+    #
+    # @satisfies SWR-GATE-490
+    def keep_only(names)
+      FileUtils.rm_f(Dir["#{FOLDER}/*.json"] - names.map { |name| file(name) })
+    end
+
     # @satisfies SWR-TRACE-002
     def leave(rows)
       name = ENV.fetch(NAME, '')

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Gates of `make test`; included by the Makefile.
 
-.PHONY: check format gate one generated boards apart pictures unit scenes coverage misra sanitize arm console-test objects programs proof proof-night trace demo velocity sweep charts-fuzz mutants worst-case \
+.PHONY: check format gate one generated boards apart pictures unit scenes coverage misra arm console-test objects programs proof proof-night trace demo velocity sweep charts-fuzz mutants worst-case \
     worst-case-approve
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
@@ -91,13 +91,14 @@ pictures: bootstrap-pictures ## The pictures of the documents, by the tests that
 	@$(MAKE) --no-print-directory -j2 programs
 	@ruby tools/pictures.rb --make $(NAME)
 
-unit: $(GENERATED) ## Unit and integration tests with coverage
+unit: $(GENERATED) ## Unit and integration tests under sanitizers, with coverage: build/asan/coverage/lcov.info
+	@$(MAKE) --no-print-directory -j2 CONFIG=asan build/asan/libtest.a build/asan/libcore.a
+	status=0; ruby tools/c_tests.rb asan || status=$$?; ruby tools/uncovered.rb || status=$$?; exit $$status
+
+coverage: bootstrap-test generated ## The same coverage of gcc's code, counted by lcov and gcovr: build/coverage
 	@$(MAKE) --no-print-directory -j2 build/gcc/libaround.a
 	@$(MAKE) --no-print-directory -j2 CONFIG=gcov build/gcov/libcore.a
-	status=0; ruby tools/c_tests.rb gcov || status=$$?; ruby tools/coverage.rb gcovr || status=$$?; \
-	ruby tools/uncovered.rb || status=$$?; exit $$status
-
-coverage: bootstrap-test ## What the unit tests reach of the core, for lcov's readers: build/coverage
+	ruby tools/c_tests.rb gcov
 	@ruby tools/coverage.rb
 
 misra: $(GENERATED) ## MISRA findings of the core
@@ -133,10 +134,6 @@ $(OUT)/libaround.a: $(call object,$(filter-out $(CORE_SOURCES),$(TESTED)))
 scenes: ## The long scenes of the C tests, whole, on the product's code
 	@$(MAKE) --no-print-directory -j2 build/gcc/libtest.a
 	ruby tools/c_tests.rb gcc
-
-sanitize: ## All C tests under AddressSanitizer and UBSan
-	@$(MAKE) --no-print-directory -j2 CONFIG=asan build/asan/libtest.a
-	ruby tools/c_tests.rb asan
 
 ARM_TESTED := $(filter-out app/% $(OTHER_BOARDS:%=bsp/%/%),$(TESTED)) app/control/board_inputs.c
 $(OUT)/libtest-core.a: $(call object,$(ARM_TESTED))

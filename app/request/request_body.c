@@ -168,6 +168,14 @@ static void end_list(reader_t *self, level_t *level)
     }
 }
 
+/* Where an element of the present field goes; a message without members has no structure. */
+static char *place_of(const level_t *level)
+{
+    const request_field_t *const field = level->field;
+    const size_t offset = field->offset + ((size_t)level->elements * field->size);
+    return (level->structure != NULL) ? (level->structure + offset) : NULL;
+}
+
 static void read_element(reader_t *self, level_t *level)
 {
     const request_field_t *field = level->field;
@@ -179,7 +187,7 @@ static void read_element(reader_t *self, level_t *level)
         level->elements = 0U;
         fail_with(self, REQUEST_COUNT, field);
     } else {
-        char *value = level->structure + field->offset + (level->elements * field->size);
+        char *value = place_of(level);
         level->elements++;
         read_value(self, field, value);
     }
@@ -213,7 +221,7 @@ static void read_member(reader_t *self, level_t *level)
     if (field->most > 0U) {
         level->is_in_list = expect_type(self, '[', field);
     } else {
-        read_value(self, field, level->structure + field->offset);
+        read_value(self, field, place_of(level));
         if ((self->fault == REQUEST_OK) && (field->kind != REQUEST_OBJECT)) {
             end_member(level, 1U);
         }

@@ -51,6 +51,16 @@ class TestGates < Minitest::Test
     end
   end
 
+  def test_SWR_GATE_490_results_of_a_gate_that_is_gone_are_removed_and_those_of_another_stay
+    Dir.mktmpdir do |folder|
+      prepare(folder, 'a' => 'ruby leave.rb', 'b' => 'ruby leave.rb', 'gone' => 'ruby leave.rb')
+      run_in(folder)
+      prepare(folder, 'a' => 'ruby leave.rb', 'b' => 'ruby leave.rb')
+      run_in(folder, 'a')
+      assert_equal %w[a.json b.json], Dir.children(File.join(folder, 'build/results')).sort
+    end
+  end
+
   def test_SWR_GATE_001_a_gate_whose_results_hold_no_test_or_cannot_be_read_fails
     empty = %(echo '{"run": {}, "tests": []}' >build/results/empty.json)
     output, status = run_gates('empty' => empty, 'broken' => 'echo { >build/results/broken.json', 'good' => 'ruby leave.rb')

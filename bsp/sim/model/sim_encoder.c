@@ -3,6 +3,7 @@
 
 #include "sim/model/sim_motor.h"
 
+#include <math.h>
 #include <string.h>
 
 static const double edge_pattern[4] = {0.0, 0.0943, -0.0471, 0.0471};
@@ -61,9 +62,11 @@ static void cross_edge(sim_encoder_t *self, int32_t change, uint32_t time_us)
     }
 }
 
+/* A shaft that stands has been put there in this step. */
 static uint32_t crossing_time(double edge, double from_ticks, double to_ticks, uint32_t start_us)
 {
-    const double share = (edge - from_ticks) / (to_ticks - from_ticks);
+    const double way = to_ticks - from_ticks;
+    const double share = (fabs(way) > 0.0) ? ((edge - from_ticks) / way) : 0.0;
 
     return start_us + (uint32_t)(share * (double)SIM_STEP_US);
 }

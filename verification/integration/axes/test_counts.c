@@ -13,6 +13,7 @@
 #include "robot/robot_bench2.h"
 #include "robot/robot_neuro.h"
 #include "robot/robot_prostate.h"
+#include "unit/support/scenes.h"
 
 #include <stdio.h>
 
@@ -311,16 +312,13 @@ static void expect_even(const robot_t *robot, uint32_t jitter_us)
 
 void test_SWR_CTRL_014_exchanges_apart_from_the_wake_ups_make_no_sound_encoder_uneven(void)
 {
+    static const robot_t *const robots[] = {&robot_neuro, &robot_prostate, &robot_bench2};
     static robot_t near;
-    near = robot_neuro;
-    rig_put_near_switches(&near);
-    expect_even(&near, 400U);
-    near = robot_prostate;
-    rig_put_near_switches(&near);
-    expect_even(&near, 400U);
-    near = robot_bench2;
-    rig_put_near_switches(&near);
-    expect_even(&near, 400U);
+    for (uint32_t i = 0U; i < SCENES(sizeof robots / sizeof robots[0]); i++) {
+        near = *robots[i];
+        rig_put_near_switches(&near);
+        expect_even(&near, 400U);
+    }
 }
 
 /* A frame sent while the box stood has not gone out; its first command took effect late. */

@@ -21,7 +21,7 @@
 #include <stdlib.h>
 
 #define HOLD_CYCLES (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US)
-#define MOST_CYCLES SCENES(300000U)
+#define MOST_CYCLES SCENES(SCENES(300000U))
 #define CARRIAGES 4U
 /* In so many no carriage goes 0.02 mm. */
 #define LOOK_CYCLES 8U

@@ -13,6 +13,7 @@
 #include "interface/loop_figures.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
+#include "unit/support/scenes.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -153,7 +154,7 @@ void test_SWR_LOOP_010_late_cycles_lose_no_reference_and_no_target(void)
 void test_SWR_LOOP_010_cards_that_switched_off_meanwhile_lose_none_either(void)
 {
     static const uint32_t late_us[] = {TRIP_US, 2U * TRIP_US, 50U * TRIP_US};
-    for (uint32_t i = 0U; i < (sizeof late_us / sizeof late_us[0]); i++) {
+    for (uint32_t i = 0U; i < SCENES(sizeof late_us / sizeof late_us[0]); i++) {
         start_moving();
         be_late(1U, late_us[i]);
         rig_cycles(&rig, 3U);
@@ -239,7 +240,7 @@ static void expect_paused(uint32_t cards)
 void test_SWR_REF_014_a_box_that_stands_for_a_while_loses_nothing(void)
 {
     static const uint32_t held[] = {5U, 8U, 9U, 10U, 11U, 14U, 25U, 60U};
-    for (uint32_t i = 0U; i < (sizeof held / sizeof held[0]); i++) {
+    for (uint32_t i = 0U; i < SCENES(sizeof held / sizeof held[0]); i++) {
         start_moving();
         rig_cycles(&rig, 37U * i);
         be_held(held[i]);
@@ -251,7 +252,7 @@ void test_SWR_REF_014_a_box_that_stands_for_a_while_loses_nothing(void)
 void test_SWR_REF_014_a_box_that_stands_beside_a_late_loop_loses_nothing(void)
 {
     static const uint32_t late_us[] = {2000U, 4000U, 6000U, 8000U};
-    for (uint32_t i = 0U; i < (sizeof late_us / sizeof late_us[0]); i++) {
+    for (uint32_t i = 0U; i < SCENES(sizeof late_us / sizeof late_us[0]); i++) {
         start_moving();
         be_held(4U);
         be_late(1U, late_us[i]);
@@ -265,7 +266,7 @@ void test_SWR_REF_014_a_box_that_stands_beside_a_late_loop_loses_nothing(void)
 
 void test_SWR_REF_014_frames_that_the_board_has_too_late_lose_nothing(void)
 {
-    for (uint32_t cycles = 5U; cycles <= 60U; cycles += 11U) {
+    for (uint32_t cycles = 5U; cycles <= 60U; cycles += 11U * SCENE_DIVISOR) {
         start_moving();
         rig.frames_late = CARD_EVERY_SLOT;
         rig_cycles(&rig, cycles);
@@ -426,7 +427,7 @@ void test_SWR_REF_031_a_single_report_that_is_repeated_after_a_trip_loses_nothin
 /* It is not driven: its motion meanwhile was counted all the same. */
 void test_SWR_REF_014_an_axis_that_is_moved_in_a_silence_is_where_it_is_shown(void)
 {
-    for (uint32_t cycles = 10U; cycles < LIMIT_SILENT_KEPT_CYCLES; cycles += 30U) {
+    for (uint32_t cycles = 10U; cycles < LIMIT_SILENT_KEPT_CYCLES; cycles += 30U * SCENE_DIVISOR) {
         start_moving();
         rig_box(&rig, "card lateral silent");
         rig_cycles(&rig, cycles);

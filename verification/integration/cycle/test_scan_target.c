@@ -11,7 +11,7 @@
 
 #include <stdlib.h>
 
-#define SCAN_CYCLES SCENES(600000U) /* Ten minutes. */
+#define SCAN_CYCLES SCENES(SCENES(600000U)) /* Ten minutes. */
 
 static rig_t rig;
 

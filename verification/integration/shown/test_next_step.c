@@ -300,7 +300,7 @@ void test_SWR_NEXT_005_a_hot_motor_is_waited_for(void)
 {
     rig_start_homed(&rig);
     rig_box(&rig, "motor yaw hot");
-    rig_cycles(&rig, 60000U);
+    rig_cycles(&rig, SCENES(60000U));
     expect_named(NEXT_STEP_WAIT, NEURO_AXIS_YAW, CARD_SLOT_COUNT, EVENT_AXIS_HOT);
     rig_box(&rig, "motor yaw normal");
     rig.box.axes[NEURO_AXIS_YAW].card.motor_temperature_c = 20.0;

@@ -300,8 +300,8 @@ void test_SWR_NI_009_what_is_no_bitfile_is_refused(void)
         "<Bitfile>",
         "<SignatureRegister></SignatureRegister>",
         "<SignatureRegister>AB</SignatureRegister><BaseAddressOnDevice>x</BaseAddressOnDevice>",
-        "<SignatureRegister>AB</SignatureRegister><BaseAddressOnDevice>99999999999999999999"
-        "</BaseAddressOnDevice>",
+        ("<SignatureRegister>AB</SignatureRegister><BaseAddressOnDevice>99999999999999999999"
+         "</BaseAddressOnDevice>"),
         "<SignatureRegister>0123456789012345678901234567890123456789</SignatureRegister>"};
     (void)snprintf(expected, sizeof expected, "The bitfile \"%s\" lacks SignatureRegister or ",
                    path);
