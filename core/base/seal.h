@@ -21,7 +21,8 @@
  *
  * @satisfies SWR-MEMORY-510
  */
-#define WHOLE_WORDS(bytes) ((bytes) * sizeof(uint8_t[(((bytes) % 4U) == 0U) ? 1 : -1]))
+#define WHOLE_WORDS(bytes)                                                                         \
+    ((size_t)(bytes) * sizeof(uint8_t[(((size_t)(bytes) % 4U) == 0U) ? 1 : -1]))
 
 /** One word more, read from 4 bytes. For this file only, as seal_of_four(). */
 static inline uint32_t seal_of_word(uint32_t seal, const uint8_t *bytes)
