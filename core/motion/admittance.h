@@ -24,6 +24,7 @@
  * @return the speed of the needle that it asks for, towards the patient, ticks/s, 8 fraction bits
  *
  * @satisfies SWR-COOP-001
+ * @satisfies SWR-COOP-011
  */
 int64_t admittance_speed_q8(const hand_law_t *law, int32_t force_mn);
 
