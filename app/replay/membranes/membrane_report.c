@@ -192,6 +192,11 @@ static void write_insertion(membrane_report_t *self, const force_csv_t *csv, uin
             count(self, &event);
         }
     }
+    const uint32_t left = membrane_list_left(&list);
+    if (left > 0U) {
+        (void)printf("the recording ends before %" PRIu32 " of the expected membranes\n", left);
+    }
+    self->passed += self->expected - left;
     self->insertions++;
 }
 
@@ -219,24 +224,31 @@ bool membrane_report_file(membrane_report_t *self, const char *path)
     return is_known;
 }
 
+/* `whole` is not 0. */
 static double share(uint32_t part, uint32_t whole)
 {
-    return (whole > 0U) ? ((double)part / (double)whole) : 0.0;
+    return (double)part / (double)whole;
 }
 
 void membrane_report_end(const membrane_report_t *self)
 {
-    const uint32_t membranes = self->expected * self->insertions;
+    const uint32_t punctures = self->found + self->false_alarms;
 
-    if (membranes == 0U) {
+    if (self->expected == 0U) {
         return;
     }
-    (void)printf("found %" PRIu32 " of %" PRIu32 " membranes, recall %.1f %%; insertions: %" PRIu32
-                 "\n",
-                 self->found, membranes, 100.0 * share(self->found, membranes), self->insertions);
+    if (self->passed == 0U) {
+        (void)printf("no expected membrane was passed");
+    } else {
+        (void)printf("found %" PRIu32 " of %" PRIu32 " membranes, recall %.1f %%", self->found,
+                     self->passed, 100.0 * share(self->found, self->passed));
+    }
+    (void)printf("; insertions: %" PRIu32 "\n", self->insertions);
     (void)printf("false alarms per insertion: %.2f with the window, %.2f without\n",
                  share(self->false_in_window, self->insertions),
                  share(self->false_alarms, self->insertions));
-    (void)printf("precision without the window: %.1f %%\n",
-                 100.0 * share(self->found, self->found + self->false_alarms));
+    if (punctures > 0U) {
+        (void)printf("precision without the window: %.1f %%\n",
+                     100.0 * share(self->found, punctures));
+    }
 }

@@ -19,7 +19,8 @@ typedef struct {
     uint32_t noise_un;                       /**< Behind the filter. */
     bool has_noise;                          /**< It was given, and is not measured. */
     uint32_t insertions;
-    uint32_t found;           /**< Of the membranes of all insertions. */
+    uint32_t passed; /**< Expected membranes that were found or missed. */
+    uint32_t found;
     uint32_t false_alarms;    /**< Punctures that are no membrane. */
     uint32_t false_in_window; /**< Those of them within the window of one. */
 } membrane_report_t;

@@ -110,6 +110,15 @@ class TestMembranes < Minitest::Test
                   'precision without the window: 33.3 %'], lines.last(3)
   end
 
+  def test_SWR_PUNCT_553_a_membrane_that_was_not_reached_is_not_missed
+    lines = found('--expected', '30,79,200', write('a.csv', [30]))
+    assert_equal ['the recording ends before 2 of the expected membranes', 'found 1 of 1 membranes, recall 100.0 %; insertions: 1'],
+                 lines[2, 2]
+    assert_equal ['the recording ends before 1 of the expected membranes', 'no expected membrane was passed; insertions: 1',
+                  'false alarms per insertion: 0.00 with the window, 0.00 without'],
+                 found('--expected', '200', write('b.csv', [])).drop(1)
+  end
+
   def test_SWR_PUNCT_553_without_given_depths_nothing_is_judged
     refute_match(/recall|false|precision|expected/, found(write('a.csv', [30])).join)
   end
