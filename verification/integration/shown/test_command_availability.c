@@ -9,6 +9,7 @@
 #include "unit/support/commands.h"
 #include "integration/support/rig.h"
 #include "robot/robot_neuro.h"
+#include "robot/robot_prostate.h"
 #include "supervise/scenario/prng.h"
 #include "unit/support/scenes.h"
 
@@ -34,8 +35,7 @@ static const command_kind_t kinds[] = {COMMAND_REGISTRATION,
                                        COMMAND_DISABLE_AXIS,
                                        COMMAND_LIST_BEGIN,
                                        COMMAND_PROGRAM_BEGIN,
-                                       COMMAND_ACCEPT_NO_BLACK_BOX,
-                                       COMMAND_ZERO_FORCE};
+                                       COMMAND_ACCEPT_NO_BLACK_BOX};
 
 #define KINDS (sizeof kinds / sizeof kinds[0])
 
@@ -94,7 +94,7 @@ static bool is_of_command(command_kind_t kind, status_t status)
 static void compare(command_kind_t kind)
 {
     const snapshot_t before = rig.outputs.snapshot;
-    const status_t said = command_availability(&robot_neuro, &before, kind);
+    const status_t said = command_availability(&rig.robot, &before, kind);
     const status_t became = (status_t)rig_command(&rig, command_of(kind)).status;
     if ((said != STATUS_OK) || !is_of_command(kind, became)) {
         TEST_ASSERT_EQUAL_STRING_MESSAGE(status_name((int32_t)became), status_name((int32_t)said),
@@ -168,5 +168,18 @@ void test_SWR_HTTP_055_what_is_said_of_an_act_is_what_becomes_of_it(void)
         const char *const name = command_kind_name((int32_t)kinds[i]);
         TEST_ASSERT_TRUE_MESSAGE(((allowed >> (uint32_t)kinds[i]) & 1U) != 0U, name);
         TEST_ASSERT_TRUE_MESSAGE(((barred >> (uint32_t)kinds[i]) & 1U) != 0U, name);
+    }
+}
+
+void test_SWR_HTTP_055_zeroing_is_said_to_be_refused_as_it_is(void)
+{
+    static const robot_t *const robots[] = {&robot_neuro, &robot_prostate};
+    for (uint32_t i = 0U; i < 2U; i++) {
+        rig_start_robot_homed(&rig, robots[i]);
+        rig_cycles(&rig, 500U);
+        rig_press(&rig);
+        compare(COMMAND_ZERO_FORCE);
+        rig_release(&rig);
+        compare(COMMAND_ZERO_FORCE);
     }
 }
