@@ -3,6 +3,7 @@
 
 #include "controller/controller_facts.h"
 
+#include "robot/robot_damage.h"
 #include "safety/needle.h"
 
 static bool is_calm(const controller_t *self, const cycle_t *cycle)
@@ -57,12 +58,18 @@ static void note_zeroed(controller_t *self, const cycle_t *cycle, const force_ze
     }
 }
 
+/* The table of the sensor has its turn as the slots have. */
+static bool is_table_damaged(const controller_t *self, const robot_t *robot)
+{
+    return ((self->sealed.cycle % CARD_SLOT_COUNT) == 0U) && robot_is_force_damaged(robot);
+}
+
 static bool is_heard(const link_t *link)
 {
     return (link->is_fresh != 0U) && link_is_usable(link);
 }
 
-static void step(controller_t *self, const cycle_t *cycle, const link_t *link)
+static void step_sensor(controller_t *self, const cycle_t *cycle, const link_t *link)
 {
     const force_config_t *const config = &cycle->robot->force;
     if (is_heard(link)) {
@@ -85,13 +92,17 @@ void controller_observe_force(controller_t *self, const cycle_t *cycle, uint32_t
 {
     uint32_t before[ROBOT_FORCE_CHANNELS];
     const force_config_t *const config = &cycle->robot->force;
-    if (controller_is_table_invalid(self) || (config->is_there == 0U) || (config->slot != slot)) {
+    if ((config->is_there == 0U) || (config->slot != slot)) {
         return;
     }
     for (uint32_t i = 0U; i < ROBOT_FORCE_CHANNELS; i++) {
         before[i] = self->force.sealed.channels[i].doubts;
     }
-    step(self, cycle, &self->links[slot]);
+    if (is_table_damaged(self, cycle->robot)) {
+        force_sensor_miss(&self->force, true);
+    } else {
+        step_sensor(self, cycle, &self->links[slot]);
+    }
     for (uint32_t i = 0U; i < ROBOT_FORCE_CHANNELS; i++) {
         if (self->force.sealed.channels[i].doubts != before[i]) {
             note_doubts(self, cycle, i, before[i]);
@@ -113,6 +124,8 @@ status_t controller_obey_force(controller_t *self, const cycle_t *cycle, const c
         status = STATUS_NOT_AT_REST;
     } else if (!needle_is_out(cycle->robot, self->axes)) {
         status = STATUS_NEEDLE_IN;
+    } else if (robot_is_force_damaged(cycle->robot)) {
+        status = STATUS_MEMORY_DAMAGED;
     } else if (!link_is_healthy_now(&self->links[config->slot])) {
         status = STATUS_HARDWARE_NOT_READY;
     } else {

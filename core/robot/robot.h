@@ -203,7 +203,7 @@ typedef struct {
     uint32_t seal;                             /**< seal_of() all before it. */
     axis_config_t axes[ROBOT_AXIS_MAX];
     pose_t poses[POSE_NAME_COUNT]; /**< By pose_name_t. */
-    force_config_t force;          /**< Looked at only where sensor_slots is not 0. */
+    force_config_t force;          /**< Compared with its seal by itself. */
     int32_t
         start_ticks[ROBOT_AXIS_MAX]; /**< Places of the simulated axes when their box is switched
                                         on; nothing else reads it, so it has no seal. */

@@ -13,13 +13,14 @@ bool robot_is_pose_damaged(const robot_t *robot, uint32_t pose)
            row->seal;
 }
 
-/* A robot without a force sensor may have a card without an axis. */
-static bool is_force_damaged(const robot_t *robot)
+bool robot_is_force_damaged(const robot_t *robot)
 {
     const force_config_t *const force = &robot->force;
-    const bool is_whole =
-        seal_of(SEAL_START, (const uint8_t *)force, offsetof(force_config_t, seal)) == force->seal;
-    return (force->is_there != 0U) ? !is_whole : (force->seal != 0U);
+    uint32_t seal = 0U; /* As that of no sensor. */
+    if (force->is_there != 0U) {
+        seal = seal_of(SEAL_START, (const uint8_t *)force, offsetof(force_config_t, seal));
+    }
+    return seal != force->seal;
 }
 
 uint32_t robot_damage(const robot_t *robot)
@@ -32,9 +33,6 @@ uint32_t robot_damage(const robot_t *robot)
     }
     if (robot_has_pose(robot, (uint32_t)POSE_HOME) &&
         robot_is_pose_damaged(robot, (uint32_t)POSE_HOME)) {
-        damage |= (uint32_t)1U << ROBOT_PART_GEOMETRY;
-    }
-    if ((robot->sensor_slots != 0U) && is_force_damaged(robot)) {
         damage |= (uint32_t)1U << ROBOT_PART_GEOMETRY;
     }
     for (uint32_t i = 0U; i < robot->axis_count; i++) {

@@ -31,4 +31,12 @@ static inline bool robot_has_pose(const robot_t *robot, uint32_t pose)
 /** `pose`, one that the robot has, is not as it was compiled. */
 bool robot_is_pose_damaged(const robot_t *robot, uint32_t pose);
 
+/**
+ * The force sensor is not as it was compiled; or there seems to be one, in a robot that has none.
+ * It is no part of robot_damage(): nothing that moves rests on it.
+ *
+ * @satisfies SWR-FORCE-576
+ */
+bool robot_is_force_damaged(const robot_t *robot);
+
 #endif

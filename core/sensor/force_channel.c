@@ -4,12 +4,13 @@
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"
 
-#define ONE_Q30 INT64_C(1073741824)
+#define HALF_Q30 UINT64_C(536870912)
 #define MEAN_Q16 (65536U / LIMIT_FORCE_ZERO_CYCLES) /* A sum of so many readings times this. */
 
 void force_channel_init(force_channel_t *self, const force_channel_config_t *config)
 {
-    *self = (force_channel_t){.zero_q16 = (int32_t)(config->zero_count * 65536U),
+    const uint32_t zero_q16 = config->zero_count * 65536U;
+    *self = (force_channel_t){.zero_q16 = (int32_t)zero_q16,
                               .doubts = force_doubt_bit(FORCE_DOUBT_NOT_ZEROED) |
                                         force_doubt_bit(FORCE_DOUBT_STALE)};
 }
@@ -18,7 +19,8 @@ void force_channel_init(force_channel_t *self, const force_channel_config_t *con
 static void begin(force_channel_t *self, uint32_t count)
 {
     self->doubts &= ~force_doubt_bit(FORCE_DOUBT_STALE);
-    self->outputs_q16[0] = (int32_t)(count * 65536U);
+    const uint32_t count_q16 = count * 65536U;
+    self->outputs_q16[0] = (int32_t)count_q16;
     self->outputs_q16[1] = self->outputs_q16[0];
     self->counts[0] = (uint16_t)count;
     self->counts[1] = (uint16_t)count;
@@ -28,8 +30,8 @@ static void begin(force_channel_t *self, uint32_t count)
 static uint32_t judge(const force_channel_t *self, const force_channel_config_t *config,
                       uint32_t count)
 {
-    const uint32_t before = self->counts[0];
-    const uint32_t change = (count > before) ? (count - before) : (before - count);
+    const int32_t change = (int32_t)count - (int32_t)self->counts[0];
+    const int32_t most = (int32_t)config->step_counts;
     uint32_t doubts = 0U;
     if ((count < config->minimum_count) || (count > config->maximum_count)) {
         doubts |= force_doubt_bit(FORCE_DOUBT_OUT_OF_RANGE);
@@ -37,7 +39,7 @@ static uint32_t judge(const force_channel_t *self, const force_channel_config_t 
             doubts |= force_doubt_bit(FORCE_DOUBT_BROKEN_WIRE);
         }
     }
-    if (change > config->step_counts) {
+    if ((change > most) || (change < -most)) {
         doubts |= force_doubt_bit(FORCE_DOUBT_STEP);
     }
     return doubts;
@@ -62,11 +64,15 @@ static uint32_t watch(force_channel_t *self, uint32_t count, bool is_moving)
 static void filter(force_channel_t *self, const force_channel_config_t *config, uint32_t count)
 {
     const uint32_t counts = count + (2U * (uint32_t)self->counts[0]) + (uint32_t)self->counts[1];
-    const int64_t sum = ((int64_t)config->filter_b_q30 * (int64_t)(counts * 65536U)) -
-                        ((int64_t)config->filter_a1_q30 * (int64_t)self->outputs_q16[0]) -
-                        ((int64_t)config->filter_a2_q30 * (int64_t)self->outputs_q16[1]);
+    const uint32_t counts_q16 = counts * 65536U;
+    const int64_t sum_q46 = ((int64_t)config->filter_b_q30 * (int64_t)counts_q16) -
+                            ((int64_t)config->filter_a1_q30 * (int64_t)self->outputs_q16[0]) -
+                            ((int64_t)config->filter_a2_q30 * (int64_t)self->outputs_q16[1]);
+    /* The lower half of a shift is that of any sign. */
+    const uint64_t shifted_q16 = ((uint64_t)sum_q46 + HALF_Q30) >> 30U;
+    const uint32_t output_q16 = (uint32_t)(shifted_q16 & 0xFFFFFFFFU);
     self->outputs_q16[1] = self->outputs_q16[0];
-    self->outputs_q16[0] = (int32_t)((sum + (ONE_Q30 / 2)) / ONE_Q30);
+    self->outputs_q16[0] = (int32_t)output_q16;
     self->counts[1] = self->counts[0];
     self->counts[0] = (uint16_t)count;
 }
@@ -107,7 +113,7 @@ static uint16_t noise_of(const force_readings_t *readings)
 force_zero_end_t force_channel_zero(force_channel_t *self, const force_channel_config_t *config,
                                     const force_readings_t *readings, int32_t *moved_mn)
 {
-    const int32_t zero_q16 = (int32_t)(readings->sum * MEAN_Q16);
+    const uint32_t zero_q16 = readings->sum * MEAN_Q16;
     const int64_t moved_q16 = (int64_t)zero_q16 - (int64_t)self->zero_q16;
     force_zero_end_t end = FORCE_ZERO_END_DONE;
     *moved_mn = (int32_t)((moved_q16 * (int64_t)config->mn_per_count_q16) / INT64_C(4294967296));
@@ -119,7 +125,7 @@ force_zero_end_t force_channel_zero(force_channel_t *self, const force_channel_c
         self->doubts |= force_doubt_bit(FORCE_DOUBT_ZERO_WANDERED);
         end = FORCE_ZERO_END_WANDERED;
     } else {
-        self->zero_q16 = zero_q16;
+        self->zero_q16 = (int32_t)zero_q16;
         self->doubts = 0U;
     }
     return end;

@@ -18,7 +18,8 @@ void force_sensor_init(force_sensor_t *self, const force_config_t *config)
 static uint32_t reading_of(const uint32_t words[CARD_ADC_WORDS], uint32_t converter)
 {
     const uint32_t word = words[(converter / 2U) % CARD_ADC_WORDS];
-    return ((converter % 2U) == 0U) ? (word >> 16U) : (word & 0xFFFFU);
+    const uint32_t shift = 16U - (16U * (converter % 2U));
+    return (word >> shift) & 0xFFFFU;
 }
 
 void force_sensor_step(force_sensor_t *self, const force_config_t *config,

@@ -184,9 +184,9 @@ static void forget_card(controller_t *self, const cycle_t *cycle, uint32_t index
 static void forget_sensors(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t slots = self->cards.sensor_slots;
-    const uint32_t channels = (cycle->robot->force.is_there == 0U) ? 0U : ROBOT_FORCE_CHANNELS;
+    const bool has_force = cycle->robot->force.is_there != 0U;
     force_sensor_init(&self->force, &cycle->robot->force);
-    for (uint32_t i = 0U; i < channels; i++) {
+    for (uint32_t i = 0U; has_force && (i < ROBOT_FORCE_CHANNELS); i++) {
         controller_note(self, cycle, EVENT_FORCE_DOUBTED, i, (int32_t)FORCE_DOUBT_NOT_ZEROED);
     }
     for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
@@ -256,7 +256,6 @@ static void check_table(controller_t *self, const cycle_t *cycle, uint32_t damag
         return;
     }
     self->sealed.table_damage = damage;
-    force_sensor_miss(&self->force, true);
     for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         axis_distrust(&self->axes[i]);
     }

@@ -394,14 +394,11 @@ static void show_mode(const controller_t *self, mode_kind_t kind, snapshot_t *sh
     shown->left_ms = share.left_ms;
 }
 
-/* Axes that the robot has not, and the forces behind them. */
+/* Axes that the robot has not. */
 static void clear_unused(const controller_t *self, snapshot_t *shown)
 {
-    uint8_t *const bytes = (uint8_t *)shown;
-    const size_t from =
-        offsetof(snapshot_t, axes) + (self->sealed.axis_count * sizeof shown->axes[0]);
-    const size_t end = offsetof(snapshot_t, forces) + sizeof shown->forces;
-    clear_aligned_words(&bytes[from], end - from);
+    clear_aligned_words((uint8_t *)&shown->axes[self->sealed.axis_count],
+                        (ROBOT_AXIS_MAX - self->sealed.axis_count) * sizeof shown->axes[0]);
 }
 
 static void show_forces(const controller_t *self, const robot_t *robot, snapshot_t *shown)
@@ -479,6 +476,8 @@ void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t gu
     }
     if (cycle->robot->force.is_there != 0U) {
         show_forces(self, cycle->robot, shown);
+    } else {
+        clear_aligned_words((uint8_t *)shown->forces, sizeof shown->forces);
     }
     show_way(self, kind, shown);
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {

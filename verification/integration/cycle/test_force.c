@@ -399,11 +399,15 @@ void test_SWR_FORCE_576_damaged_readings_of_a_zeroing_are_found(void)
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
 }
 
-void test_SWR_FORCE_576_a_damaged_table_leaves_no_force(void)
+void test_SWR_FORCE_576_a_damaged_table_of_the_sensor_leaves_no_force_and_stops_nothing(void)
 {
     begin_zeroed();
+    insert_by_jog();
     rig.robot.force.channels[HAND].mn_per_count_q16 ^= 4;
-    rig_cycles(&rig, 2U);
-    TEST_ASSERT_EQUAL_HEX32(NOT_ZEROED | force_doubt_bit(FORCE_DOUBT_STALE), shown(HAND)->doubts);
-    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ROBOT_TABLE_DAMAGED));
+    rig_cycles(&rig, CARD_SLOT_COUNT);
+    TEST_ASSERT_EQUAL_HEX32(NOT_ZEROED, shown(HAND)->doubts & NOT_ZEROED);
+    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_DOUBTED, HAND, FORCE_DOUBT_NOT_ZEROED));
+    retract_from(1000);
+    rig_cycles(&rig, RESTED_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, ask());
 }

@@ -19,7 +19,6 @@
 #define STEPS 60U
 
 static rig_t rig;
-static const robot_t *robot;
 static uint32_t random_state = 20261127U;
 static uint64_t allowed; /* Kinds that were. */
 static uint64_t barred;  /* Kinds that were not. */
@@ -36,8 +35,7 @@ static const command_kind_t kinds[] = {COMMAND_REGISTRATION,
                                        COMMAND_DISABLE_AXIS,
                                        COMMAND_LIST_BEGIN,
                                        COMMAND_PROGRAM_BEGIN,
-                                       COMMAND_ACCEPT_NO_BLACK_BOX,
-                                       COMMAND_ZERO_FORCE};
+                                       COMMAND_ACCEPT_NO_BLACK_BOX};
 
 #define KINDS (sizeof kinds / sizeof kinds[0])
 
@@ -85,8 +83,7 @@ static bool is_of_command(command_kind_t kind, status_t status)
         is_its = (status != STATUS_WRONG_WORKPHASE) && (status != STATUS_MOTION_ARMED);
     } else if (kind == COMMAND_CONFIRM_AXIS) {
         is_its = status == STATUS_NOTHING_TO_CONFIRM;
-    } else if ((kind == COMMAND_SET_HOME) || (kind == COMMAND_RESTORE) ||
-               (kind == COMMAND_ZERO_FORCE)) {
+    } else if ((kind == COMMAND_SET_HOME) || (kind == COMMAND_RESTORE)) {
         is_its = is_its || (status == STATUS_NOT_AT_REST);
     } else {
         /* Nothing else. */
@@ -97,7 +94,7 @@ static bool is_of_command(command_kind_t kind, status_t status)
 static void compare(command_kind_t kind)
 {
     const snapshot_t before = rig.outputs.snapshot;
-    const status_t said = command_availability(robot, &before, kind);
+    const status_t said = command_availability(&rig.robot, &before, kind);
     const status_t became = (status_t)rig_command(&rig, command_of(kind)).status;
     if ((said != STATUS_OK) || !is_of_command(kind, became)) {
         TEST_ASSERT_EQUAL_STRING_MESSAGE(status_name((int32_t)became), status_name((int32_t)said),
@@ -161,16 +158,28 @@ static void go_on(void)
 void test_SWR_HTTP_055_what_is_said_of_an_act_is_what_becomes_of_it(void)
 {
     for (uint32_t i = 0U; i < ROBOTS; i++) {
-        robot = ((i % 4U) == 3U) ? &robot_prostate : &robot_neuro;
-        rig_start_robot_homed(&rig, robot);
+        rig_start_homed(&rig);
         for (uint32_t j = 0U; j < STEPS; j++) {
             go_on();
-            compare((robot == &robot_neuro) ? kinds[below(KINDS)] : COMMAND_ZERO_FORCE);
+            compare(kinds[below(KINDS)]);
         }
     }
     for (uint32_t i = 0U; ARE_SCENES_WHOLE && (i < KINDS); i++) {
         const char *const name = command_kind_name((int32_t)kinds[i]);
         TEST_ASSERT_TRUE_MESSAGE(((allowed >> (uint32_t)kinds[i]) & 1U) != 0U, name);
         TEST_ASSERT_TRUE_MESSAGE(((barred >> (uint32_t)kinds[i]) & 1U) != 0U, name);
+    }
+}
+
+void test_SWR_HTTP_055_zeroing_is_said_to_be_refused_as_it_is(void)
+{
+    static const robot_t *const robots[] = {&robot_neuro, &robot_prostate};
+    for (uint32_t i = 0U; i < 2U; i++) {
+        rig_start_robot_homed(&rig, robots[i]);
+        rig_cycles(&rig, 500U);
+        rig_press(&rig);
+        compare(COMMAND_ZERO_FORCE);
+        rig_release(&rig);
+        compare(COMMAND_ZERO_FORCE);
     }
 }

@@ -67,23 +67,22 @@ void test_SWR_MEMORY_004_a_pose_belongs_to_the_geometry_if_there_is_one(void)
     TEST_ASSERT_EQUAL_HEX32((uint32_t)1U << ROBOT_PART_GEOMETRY, robot_damage(&robot));
 }
 
-void test_SWR_MEMORY_004_the_force_sensor_belongs_to_the_geometry_if_there_is_one(void)
+void test_SWR_FORCE_576_every_byte_of_the_force_sensor_is_under_its_seal(void)
 {
     uint8_t *const bytes = (uint8_t *)&robot.force;
     robot = robot_prostate;
-    TEST_ASSERT_EQUAL_HEX32(0U, robot_damage(&robot));
+    TEST_ASSERT_FALSE(robot_is_force_damaged(&robot));
     for (size_t i = 0U; i < sizeof robot.force; i++) {
         bytes[i] ^= (uint8_t)(1U << (i % 8U));
-        TEST_ASSERT_EQUAL_HEX32((uint32_t)1U << ROBOT_PART_GEOMETRY, robot_damage(&robot));
+        TEST_ASSERT_TRUE(robot_is_force_damaged(&robot));
+        TEST_ASSERT_EQUAL_HEX32(0U, robot_damage(&robot));
         bytes[i] = ((const uint8_t *)&robot_prostate.force)[i];
     }
 }
 
-void test_SWR_MEMORY_004_a_card_without_an_axis_needs_no_force_sensor(void)
+void test_SWR_FORCE_576_a_sensor_that_a_robot_has_not_is_damage(void)
 {
-    robot.sensor_slots = 1U;
-    robot.seal = seal_of(SEAL_START, (const uint8_t *)&robot, offsetof(robot_t, seal));
-    TEST_ASSERT_EQUAL_HEX32(0U, robot_damage(&robot));
+    TEST_ASSERT_FALSE(robot_is_force_damaged(&robot));
     robot.force.is_there = 1U;
-    TEST_ASSERT_EQUAL_HEX32((uint32_t)1U << ROBOT_PART_GEOMETRY, robot_damage(&robot));
+    TEST_ASSERT_TRUE(robot_is_force_damaged(&robot));
 }
