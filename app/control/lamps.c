@@ -9,12 +9,14 @@
     (BIT(PERMIT_REASON_INPUTS_UNREAD) | BIT(PERMIT_REASON_ESTOP_PULLED) |                          \
      BIT(PERMIT_REASON_ESTOP_LATCHED) | BIT(PERMIT_REASON_LOOP_STOPPED) |                          \
      BIT(PERMIT_REASON_LINK_LOST) | BIT(PERMIT_REASON_PEDAL_FAULT) |                               \
-     BIT(PERMIT_REASON_AXIS_FAULT) | BIT(PERMIT_REASON_MEMORY))
+     BIT(PERMIT_REASON_AXIS_FAULT) | BIT(PERMIT_REASON_MEMORY) |                                   \
+     BIT(PERMIT_REASON_FORCE_DOUBTFUL))
 
 static uint32_t lamps_of_axis(const snapshot_axis_t *axis)
 {
-    /* The one reason that the pedal itself takes away. */
-    const uint32_t others = axis->permit_reasons & ~BIT(PERMIT_REASON_PEDAL_RELEASED);
+    /* Those that the operator's foot and hand themselves take away. */
+    const uint32_t others =
+        axis->permit_reasons & ~(BIT(PERMIT_REASON_PEDAL_RELEASED) | BIT(PERMIT_REASON_HAND_OFF));
 
     return ((others == 0U) ? BSP_LAMP_MAY_MOVE : 0U) |
            ((axis->drive_mode != (uint32_t)CARD_DRIVE_OFF) ? BSP_LAMP_MOVING : 0U) |

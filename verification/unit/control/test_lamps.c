@@ -39,11 +39,21 @@ void test_SWR_BSP_002_what_the_pedal_would_move_is_shown_before_and_while_it_mov
                             lamps_of(&snapshot));
 }
 
+void test_SWR_BSP_002_what_a_hand_would_move_is_shown_before_it_pushes(void)
+{
+    snapshot.axes[1].permit_reasons = REASON(PEDAL_RELEASED) | REASON(HAND_OFF);
+    TEST_ASSERT_EQUAL_HEX32(BSP_LAMP_ALIVE | BSP_LAMP_MAY_MOVE, lamps_of(&snapshot));
+    snapshot.axes[1].permit_reasons = REASON(HAND_OFF);
+    TEST_ASSERT_EQUAL_HEX32(BSP_LAMP_ALIVE | BSP_LAMP_MAY_MOVE, lamps_of(&snapshot));
+    snapshot.axes[1].permit_reasons = REASON(AT_DEPTH);
+    TEST_ASSERT_EQUAL_HEX32(BSP_LAMP_ALIVE, lamps_of(&snapshot));
+}
+
 void test_SWR_BSP_002_a_fault_or_the_emergency_stop_is_shown_and_a_scan_is_none(void)
 {
     static const uint32_t faults[] = {
         REASON(ESTOP_PULLED), REASON(ESTOP_LATCHED), REASON(LOOP_STOPPED), REASON(LINK_LOST),
-        REASON(PEDAL_FAULT),  REASON(AXIS_FAULT),    REASON(MEMORY)};
+        REASON(PEDAL_FAULT),  REASON(AXIS_FAULT),    REASON(MEMORY),       REASON(FORCE_DOUBTFUL)};
     for (uint32_t i = 0U; i < (sizeof faults / sizeof faults[0]); i++) {
         snapshot.axes[0].permit_reasons = faults[i];
         TEST_ASSERT_EQUAL_HEX32(BSP_LAMP_ALIVE | BSP_LAMP_FAULT, lamps_of(&snapshot));

@@ -65,6 +65,18 @@ test("SWR-CON-020 it is armed when an axis misses the pedal alone", () => {
   });
 });
 
+test("SWR-CON-020 it is armed while the hand that is to push has let go", () => {
+  const waits = because("PEDAL_RELEASED", "HAND_OFF");
+  expect(signOf(viewOf(waits))).toMatchObject({
+    word: "ARMED",
+    says: "It is PEDAL_RELEASED.",
+  });
+  expect(signOf(viewOf(because("HAND_OFF")))).toMatchObject({
+    word: "ARMED",
+    says: "It is HAND_OFF.",
+  });
+});
+
 test.each([
   [["PEDAL_RELEASED", "NOTHING_ARMED"], "STANDS", "NOTHING_ARMED"],
   [["PEDAL_UNPROVEN", "PEDAL_RELEASED"], "STANDS", "PEDAL_UNPROVEN"],

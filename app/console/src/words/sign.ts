@@ -43,6 +43,7 @@ const kinds: Readonly<Record<PermitReason, SignKind>> = {
   LOOP_STOPPED: "fault",
   PEDAL_FAULT: "fault",
   AXIS_FAULT: "fault",
+  FORCE_DOUBTFUL: "fault",
   ESTOP_LATCHED: "stands",
   SCANNER_ACTIVE: "stands",
   AXIS_DISABLED: "stands",
@@ -52,8 +53,10 @@ const kinds: Readonly<Record<PermitReason, SignKind>> = {
   LIMIT_SWITCH: "stands",
   SOFT_LIMIT: "stands",
   COUPLED_LIMIT: "stands",
+  AT_DEPTH: "stands",
   PEDAL_UNPROVEN: "stands",
   PEDAL_RELEASED: "armed",
+  HAND_OFF: "armed",
 };
 
 const ranks = Object.keys(kinds);
@@ -62,9 +65,9 @@ function rankOf({ name }: Named): number {
   return ranks.indexOf(name);
 }
 
-/** Nothing but the pedal is missing. */
+/** Nothing but the pedal is missing, or the hand that is to push. */
 function isArmed({ permit: { reasons } }: Axis): boolean {
-  return reasons.every(({ name }) => name === "PEDAL_RELEASED");
+  return reasons.every(({ name }) => kinds[name] === "armed");
 }
 
 function mostPressing(axes: readonly Axis[]): Named<PermitReason> | undefined {
