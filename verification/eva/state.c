@@ -339,8 +339,8 @@ static void age_counters(controller_t *state)
     ANY(state->seals);
     ANY(state->account.seal);
     UP_TO(state->account.homed, (1U << state->sealed.axis_count) - 1U);
-    IS_BOOL(state->is_end_told);
-    IS_BOOL(state->is_estop_told);
+    IS_BOOL(state->is_end_reported);
+    IS_BOOL(state->is_estop_reported);
 }
 
 void age_state(controller_t *state)

@@ -77,4 +77,52 @@ class TestHttpForce < Minitest::Test
     await_hand(0)
     refute fetch_json('/api/v1/box')['is_hand_pressed']
   end
+
+  IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1].freeze
+
+  def enter(anna, *workphases)
+    workphases.each { |workphase| anna.act('workphase', { workphase: }) }
+  end
+
+  def under_pedal(anna, path)
+    assert_includes %w[200 202], anna.act(path).code, anna.last.body
+    id = anna.id
+    boresight.simctl('pedal', 'press')
+    yield if block_given?
+    wait_until("#{path} is done") do
+      anna.keep
+      JSON.parse(anna.act(path, id:).body)['state'] == 'done'
+    end
+  ensure
+    boresight.simctl('pedal', 'release')
+  end
+
+  def axis(name)
+    fetch_json('/api/v1/motors').fetch('axes').find { |one| one['name'] == name }
+  end
+
+  def next_step
+    fetch_json('/api/v1/status').fetch('next_step').fetch('name')
+  end
+
+  def test_SWR_COOP_001_a_hand_brings_the_needle_to_its_target_by_http
+    anna = holder
+    under_pedal(anna, 'needle/retract')
+    wait_until('the sensor is zeroed') { anna.act('force/zero').code == '200' }
+    wait_until('its force is believed') { fetch_json('/api/v1/status').fetch('forces').all? { |force| force['doubts'].empty? } }
+    enter(anna, 'PLANNING', 'CALIBRATION')
+    anna.act('targeting/registration', { matrix: IDENTITY })
+    enter(anna, 'PLANNING', 'TARGETING')
+    anna.act('targeting/entry', { point_mm: [5, -10, 22] })
+    assert_answer '200', 'done', anna.act('targeting/target', { point_mm: [5, -10, 52] })
+    under_pedal(anna, 'align')
+    enter(anna, 'MOVE_TO_TARGET')
+    under_pedal(anna, 'needle/cooperate') do
+      wait_until('a push is asked for') { next_step == 'PUSH' }
+      refute axis('insertion')['is_driven']
+      boresight.simctl('grip', '1000')
+      boresight.simctl('hand', 'press')
+    end
+    assert_in_delta axis('insertion')['target'], axis('insertion')['position'], 0.01
+  end
 end

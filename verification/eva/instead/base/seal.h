@@ -9,6 +9,9 @@
 
 #define SEAL_START 0x5EA1ED00U
 
+/* The compiler has judged it. */
+#define WHOLE_WORDS(bytes) ((size_t)(bytes))
+
 /*@ requires readable: length > 0 ==> \valid_read(bytes + (0 .. length - 1));
     requires initialised: length > 0 ==> \initialized(bytes + (0 .. length - 1));
     assigns \result \from seal, length, bytes[0 .. length - 1]; */
