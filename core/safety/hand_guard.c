@@ -15,10 +15,9 @@ void hand_guard_step(hand_guard_t *self, const hand_law_t *law, const hand_t *ha
     }
 }
 
-uint32_t hand_guard_reasons(const hand_guard_t *self, const hand_t *hand, bool is_inwards,
-                            int64_t left_ticks)
+uint32_t hand_guard_reasons(const hand_guard_t *self, const hand_t *hand, int64_t left_ticks)
 {
     return permit_reason(!hand->is_trusted, PERMIT_REASON_FORCE_DOUBTFUL) |
            permit_reason(self->left_us == 0U, PERMIT_REASON_HAND_OFF) |
-           permit_reason(is_inwards && (left_ticks <= 0), PERMIT_REASON_AT_DEPTH);
+           permit_reason(left_ticks <= 0, PERMIT_REASON_AT_DEPTH);
 }

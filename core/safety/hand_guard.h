@@ -29,15 +29,14 @@ void hand_guard_step(hand_guard_t *self, const hand_law_t *law, const hand_t *ha
                      uint32_t elapsed_us);
 
 /**
- * Reasons against a drive while a hand moves the needle: its force is not trusted, it has not
- * pushed by more than the dead zone for LIMIT_HAND_OFF_US, or the needle is to go farther in
- * (`is_inwards`) and has no way left (`left_ticks`, to its depth).
+ * Reasons against every drive while a hand moves the needle, which goes in alone: its force is not
+ * trusted, it has not pushed by more than the dead zone for LIMIT_HAND_OFF_US, or the needle has no
+ * way left (`left_ticks`, to its depth).
  *
  * @return bit mask of permit_reason_t
  *
  * @satisfies SWR-COOP-008
  */
-uint32_t hand_guard_reasons(const hand_guard_t *self, const hand_t *hand, bool is_inwards,
-                            int64_t left_ticks);
+uint32_t hand_guard_reasons(const hand_guard_t *self, const hand_t *hand, int64_t left_ticks);
 
 #endif

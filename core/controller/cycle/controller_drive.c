@@ -13,18 +13,9 @@
 
 #include <string.h>
 
-/* The needle is asked to go farther in. */
-static bool goes_in(const cycle_t *cycle, const card_drive_t requests[ROBOT_AXIS_MAX])
-{
-    const uint32_t needle = cycle->robot->needle_axis;
-    return (requests[needle].mode != (uint32_t)CARD_DRIVE_OFF) &&
-           motor_model_is_upwards(&cycle->robot->axes[needle], &requests[needle]);
-}
-
 /* What stands against every drive while a hand moves the needle; its guard is stepped in each
  * cycle. */
-static uint32_t hand_reasons(controller_t *self, const cycle_t *cycle, mode_kind_t kind,
-                             const card_drive_t requests[ROBOT_AXIS_MAX])
+static uint32_t hand_reasons(controller_t *self, const cycle_t *cycle, mode_kind_t kind)
 {
     const robot_t *const robot = cycle->robot;
     uint32_t reasons = 0U;
@@ -36,8 +27,7 @@ static uint32_t hand_reasons(controller_t *self, const cycle_t *cycle, mode_kind
             (int64_t)self->axes[robot->needle_axis].sealed.encoder.position_ticks;
         hand_guard_step(&self->sealed.hand_guard, &robot->hand, &hand, cycle->inputs->elapsed_us);
         if (procedure_is_armed(&self->procedure) && mode_is_by_hand(kind)) {
-            reasons = hand_guard_reasons(&self->sealed.hand_guard, &hand, goes_in(cycle, requests),
-                                         left_ticks);
+            reasons = hand_guard_reasons(&self->sealed.hand_guard, &hand, left_ticks);
         }
     }
     return reasons;
@@ -242,7 +232,7 @@ void controller_drive(controller_t *self, const cycle_t *cycle, uint32_t guards,
     card_drive_t sent[ROBOT_AXIS_MAX];
     const mode_kind_t kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
     const permit_common_facts_t facts =
-        common_facts(self, cycle, guards, kind, hand_reasons(self, cycle, kind, requests));
+        common_facts(self, cycle, guards, kind, hand_reasons(self, cycle, kind));
     view_t view = {.facts = facts,
                    .common = permit_decide_common(&facts, cycle->inputs->unread),
                    .axes = {.axes = self->axes, .sent = sent, .requests = requests},

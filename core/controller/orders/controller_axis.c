@@ -19,30 +19,34 @@ void controller_forget_reference(controller_t *self, const cycle_t *cycle, uint3
     }
 }
 
-/* Whether a command may act on its axis. */
-static status_t judge_axis(const controller_t *self, const command_t *command)
+/* The axis of a command that may act on it; the first one, and why not, of another command. */
+static uint32_t find_axis(const controller_t *self, const command_t *command, status_t *status)
 {
-    status_t status = STATUS_OK;
+    uint32_t index = command_as_axis(command)->axis;
+    *status = STATUS_OK;
     if (!controller_is_of_workphase(self, command)) {
-        status = STATUS_WRONG_WORKPHASE;
-    } else if (command_as_axis(command)->axis >= self->sealed.axis_count) {
-        status = STATUS_UNKNOWN_COMMAND;
+        *status = STATUS_WRONG_WORKPHASE;
+        index = 0U;
+    } else if (index >= self->sealed.axis_count) {
+        *status = STATUS_UNKNOWN_COMMAND;
+        index = 0U;
     } else {
-        status = STATUS_OK;
+        /* It is its own. */
     }
-    return status;
+    return index;
 }
 
 status_t controller_obey_clear_axis(controller_t *self, const cycle_t *cycle,
                                     const command_t *command, answer_t *answer)
 {
+    status_t status = STATUS_OK;
+    const uint32_t index = find_axis(self, command, &status);
     (void)answer;
-    status_t status = judge_axis(self, command);
     if ((status == STATUS_OK) && procedure_is_armed(&self->procedure)) {
         status = STATUS_NOT_AT_REST;
     }
     if (status == STATUS_OK) {
-        controller_forget_reference(self, cycle, command_as_axis(command)->axis);
+        controller_forget_reference(self, cycle, index);
     }
     return status;
 }
@@ -66,10 +70,10 @@ static status_t confirm(controller_t *self, const cycle_t *cycle, const command_
 status_t controller_obey_confirm_axis(controller_t *self, const cycle_t *cycle,
                                       const command_t *command, answer_t *answer)
 {
+    status_t status = STATUS_OK;
+    const uint32_t index = find_axis(self, command, &status);
     (void)answer;
-    const status_t judged = judge_axis(self, command);
-    return (judged == STATUS_OK) ? confirm(self, cycle, command, command_as_axis(command)->axis)
-                                 : judged;
+    return (status == STATUS_OK) ? confirm(self, cycle, command, index) : status;
 }
 
 static status_t judge_set_home(const controller_t *self, const cycle_t *cycle, uint32_t index)
@@ -111,9 +115,10 @@ static status_t set_home(controller_t *self, const cycle_t *cycle, uint32_t inde
 status_t controller_obey_set_home(controller_t *self, const cycle_t *cycle,
                                   const command_t *command, answer_t *answer)
 {
+    status_t status = STATUS_OK;
+    const uint32_t index = find_axis(self, command, &status);
     (void)answer;
-    const status_t judged = judge_axis(self, command);
-    return (judged == STATUS_OK) ? set_home(self, cycle, command_as_axis(command)->axis) : judged;
+    return (status == STATUS_OK) ? set_home(self, cycle, index) : status;
 }
 
 /* As START_UP enables all; what START_UP clears besides stays. */
@@ -138,22 +143,23 @@ static status_t enable(controller_t *self, const cycle_t *cycle, uint32_t index)
 status_t controller_obey_enable_axis(controller_t *self, const cycle_t *cycle,
                                      const command_t *command, answer_t *answer)
 {
+    status_t status = STATUS_OK;
+    const uint32_t index = find_axis(self, command, &status);
     (void)answer;
-    const status_t judged = judge_axis(self, command);
-    return (judged == STATUS_OK) ? enable(self, cycle, command_as_axis(command)->axis) : judged;
+    return (status == STATUS_OK) ? enable(self, cycle, index) : status;
 }
 
 /* One with a fault keeps that. */
 status_t controller_obey_disable_axis(controller_t *self, const cycle_t *cycle,
                                       const command_t *command, answer_t *answer)
 {
+    status_t status = STATUS_OK;
+    const uint32_t index = find_axis(self, command, &status);
     (void)answer;
-    status_t status = judge_axis(self, command);
     if ((status == STATUS_OK) && procedure_is_armed(&self->procedure)) {
         status = STATUS_NOT_AT_REST;
     }
     if (status == STATUS_OK) {
-        const uint32_t index = command_as_axis(command)->axis;
         axis_t *const axis = &self->axes[index];
         axis_disable(axis);
         controller_note(self, cycle, EVENT_AXIS_DISABLED, index,

@@ -53,7 +53,7 @@ static const snapshot_force_t *shown(force_channel_id_t channel)
 }
 
 /* Number of times that `id` was reported of `channel`, with this value. */
-static uint32_t told(event_id_t id, force_channel_id_t channel, int32_t value)
+static uint32_t reported(event_id_t id, force_channel_id_t channel, int32_t value)
 {
     uint32_t count = 0U;
     for (uint32_t i = 0U; i < rig.event_count; i++) {
@@ -127,9 +127,9 @@ void test_SWR_FORCE_572_zeroing_is_shown_and_reported(void)
     TEST_ASSERT_EQUAL_HEX32(0U, shown(HAND)->doubts);
     TEST_ASSERT_EQUAL_INT32(0, shown(NEEDLE)->force_mn);
     TEST_ASSERT_EQUAL_INT32(88, shown(HAND)->zero_mn);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_ZEROED, HAND, 88));
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_ZEROED, NEEDLE, 0));
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_BELIEVED, HAND, 0));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_ZEROED, HAND, 88));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_ZEROED, NEEDLE, 0));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_BELIEVED, HAND, 0));
 }
 
 void test_SWR_FORCE_573_what_is_armed_or_moves_refuses_it(void)
@@ -205,8 +205,8 @@ void test_SWR_FORCE_574_what_is_armed_meanwhile_ends_it(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, ask());
     rig_cycles(&rig, LIMIT_FORCE_ZERO_CYCLES / 2U);
     jog(PROSTATE_AXIS_ROTATION, 2000);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_NOT_ZEROED, HAND, FORCE_ZERO_END_MOVED));
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_NOT_ZEROED, NEEDLE, FORCE_ZERO_END_MOVED));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_NOT_ZEROED, HAND, FORCE_ZERO_END_MOVED));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_NOT_ZEROED, NEEDLE, FORCE_ZERO_END_MOVED));
     TEST_ASSERT_EQUAL_HEX32(NOT_ZEROED, shown(HAND)->doubts);
 }
 
@@ -216,8 +216,8 @@ void test_SWR_FORCE_574_a_wire_that_breaks_ends_it(void)
     rig_cycles(&rig, LIMIT_FORCE_ZERO_CYCLES / 2U);
     rig_box(&rig, "force hand 0");
     rig_cycles(&rig, LIMIT_FORCE_ZERO_CYCLES);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_NOT_ZEROED, HAND, FORCE_ZERO_END_UNREAD));
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_ZEROED, NEEDLE, 0));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_NOT_ZEROED, HAND, FORCE_ZERO_END_UNREAD));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_ZEROED, NEEDLE, 0));
     TEST_ASSERT_EQUAL_HEX32(0U, shown(NEEDLE)->doubts);
 }
 
@@ -227,8 +227,8 @@ void test_SWR_FORCE_570_a_load_at_the_zeroing_is_reported(void)
     rig_box(&rig, "force needle 1600");
     rig_cycles(&rig, 2U);
     zero();
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_NOT_ZEROED, NEEDLE, FORCE_ZERO_END_WANDERED));
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_ZERO_WANDERED));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_NOT_ZEROED, NEEDLE, FORCE_ZERO_END_WANDERED));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_ZERO_WANDERED));
     TEST_ASSERT_EQUAL_HEX32(NOT_ZEROED | force_doubt_bit(FORCE_DOUBT_ZERO_WANDERED),
                             shown(NEEDLE)->doubts);
 }
@@ -244,7 +244,7 @@ void test_SWR_FORCE_564_reports_that_do_not_come_make_the_force_stale(void)
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_HEX32(force_doubt_bit(FORCE_DOUBT_STALE), shown(HAND)->doubts);
     TEST_ASSERT_EQUAL_HEX32(force_doubt_bit(FORCE_DOUBT_STALE), shown(NEEDLE)->doubts);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_DOUBTED, HAND, FORCE_DOUBT_STALE));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_DOUBTED, HAND, FORCE_DOUBT_STALE));
 }
 
 void test_SWR_FORCE_564_a_short_silence_ends_by_itself(void)
@@ -265,7 +265,7 @@ void test_SWR_FORCE_563_a_lost_card_has_to_be_zeroed_anew(void)
     begin_zeroed();
     rig_box(&rig, "card 3 silent");
     rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES + 2U);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_DOUBTED, HAND, FORCE_DOUBT_NOT_ZEROED));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_DOUBTED, HAND, FORCE_DOUBT_NOT_ZEROED));
     rig_box(&rig, "card 3 normal");
     rig_cycles(&rig, 50U);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
@@ -279,8 +279,8 @@ void test_SWR_FORCE_569_a_load_on_hand_and_free_needle_is_doubted(void)
     rig_box(&rig, "force hand 2100");
     rig_box(&rig, "force needle 1600");
     rig_cycles(&rig, LIMIT_FORCE_PAIR_CYCLES + SETTLED_CYCLES);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_DOUBTED, HAND, FORCE_DOUBT_FREE_NEEDLE_LOADED));
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_FREE_NEEDLE_LOADED));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_DOUBTED, HAND, FORCE_DOUBT_FREE_NEEDLE_LOADED));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_FREE_NEEDLE_LOADED));
 }
 
 void test_SWR_FORCE_569_a_needle_pulled_in_is_doubted_only_while_it_goes_in(void)
@@ -292,7 +292,7 @@ void test_SWR_FORCE_569_a_needle_pulled_in_is_doubted_only_while_it_goes_in(void
     rig_box(&rig, "force hand 2100");
     rig_box(&rig, "force needle 1610");
     rig_cycles(&rig, LIMIT_FORCE_PAIR_CYCLES + SETTLED_CYCLES);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_NEEDLE_PULLED_IN));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_NEEDLE_PULLED_IN));
 }
 
 void test_SWR_FORCE_569_a_needle_that_is_held_in_is_possible(void)
@@ -385,7 +385,7 @@ void test_SWR_FORCE_576_damaged_memory_is_not_zeroed(void)
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_HEX32(NOT_ZEROED, shown(HAND)->doubts & NOT_ZEROED);
     TEST_ASSERT_EQUAL_HEX32(NOT_ZEROED, shown(NEEDLE)->doubts & NOT_ZEROED);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_NOT_ZEROED));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_NOT_ZEROED));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
 }
 
@@ -406,8 +406,32 @@ void test_SWR_FORCE_576_a_damaged_table_of_the_sensor_leaves_no_force_and_stops_
     rig.robot.force.channels[HAND].mn_per_count_q16 ^= 4;
     rig_cycles(&rig, CARD_SLOT_COUNT);
     TEST_ASSERT_EQUAL_HEX32(NOT_ZEROED, shown(HAND)->doubts & NOT_ZEROED);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FORCE_DOUBTED, HAND, FORCE_DOUBT_NOT_ZEROED));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_DOUBTED, HAND, FORCE_DOUBT_NOT_ZEROED));
     retract_from(1000);
     rig_cycles(&rig, RESTED_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, ask());
+}
+
+/* Which the axis' encoder says at once; at rest, as a person holds it. */
+void test_SWR_FORCE_574_a_needle_that_is_in_ends_it(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, ask());
+    rig_cycles(&rig, LIMIT_FORCE_ZERO_CYCLES / 2U);
+    rig.controller.axes[PROSTATE_AXIS_INSERTION].sealed.encoder.position_ticks += 20000;
+    controller_seal(&rig.controller);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_NOT_ZEROED, HAND, (int32_t)FORCE_ZERO_END_MOVED));
+}
+
+void test_SWR_FORCE_577_another_card_without_an_axis_is_no_force_sensor(void)
+{
+    static robot_t robot;
+    robot = robot_prostate;
+    robot.sensor_slots |= 1U << 8U;
+    robot.seal = seal_of(SEAL_START, (const uint8_t *)&robot, offsetof(robot_t, seal));
+    rig_start_robot(&rig, &robot);
+    calm_cells();
+    rig_cycles(&rig, SETTLED_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(1970U, shown(HAND)->reading);
+    TEST_ASSERT_EQUAL_HEX32(NOT_ZEROED, shown(HAND)->doubts);
 }

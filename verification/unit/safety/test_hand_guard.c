@@ -29,15 +29,15 @@ void tearDown(void)
 {
 }
 
-static bool has(const hand_t *hand, bool is_inwards, int64_t left_ticks, permit_reason_t reason)
+static bool has(const hand_t *hand, int64_t left_ticks, permit_reason_t reason)
 {
-    const uint32_t reasons = hand_guard_reasons(&guard, hand, is_inwards, left_ticks);
+    const uint32_t reasons = hand_guard_reasons(&guard, hand, left_ticks);
     return (reasons & permit_reason(true, reason)) != 0U;
 }
 
 static bool is_off(const hand_t *hand)
 {
-    return has(hand, true, LEFT_TICKS, PERMIT_REASON_HAND_OFF);
+    return has(hand, LEFT_TICKS, PERMIT_REASON_HAND_OFF);
 }
 
 void test_SWR_COOP_008_at_first_no_hand_pushes(void)
@@ -48,7 +48,7 @@ void test_SWR_COOP_008_at_first_no_hand_pushes(void)
 void test_SWR_COOP_008_a_push_lets_the_needle_go_for_a_short_time(void)
 {
     hand_guard_step(&guard, &law, &push, CYCLE_US);
-    TEST_ASSERT_EQUAL_HEX32(0U, hand_guard_reasons(&guard, &push, true, LEFT_TICKS));
+    TEST_ASSERT_EQUAL_HEX32(0U, hand_guard_reasons(&guard, &push, LEFT_TICKS));
     for (uint32_t us = CYCLE_US; us < LIMIT_HAND_OFF_US; us += CYCLE_US) {
         hand_guard_step(&guard, &law, &open_hand, CYCLE_US);
         TEST_ASSERT_FALSE(is_off(&open_hand));
@@ -72,14 +72,13 @@ void test_SWR_COOP_008_a_doubtful_force_is_no_push_and_a_reason_of_its_own(void)
     TEST_ASSERT_TRUE(is_off(&doubtful_push));
     hand_guard_step(&guard, &law, &push, CYCLE_US);
     TEST_ASSERT_EQUAL_HEX32(permit_reason(true, PERMIT_REASON_FORCE_DOUBTFUL),
-                            hand_guard_reasons(&guard, &doubtful_push, true, LEFT_TICKS));
+                            hand_guard_reasons(&guard, &doubtful_push, LEFT_TICKS));
 }
 
-void test_SWR_COOP_008_no_way_is_left_at_the_depth_but_out(void)
+void test_SWR_COOP_008_no_way_is_left_at_the_depth_or_beyond(void)
 {
     hand_guard_step(&guard, &law, &push, CYCLE_US);
-    TEST_ASSERT_FALSE(has(&push, true, 1, PERMIT_REASON_AT_DEPTH));
-    TEST_ASSERT_TRUE(has(&push, true, 0, PERMIT_REASON_AT_DEPTH));
-    TEST_ASSERT_TRUE(has(&push, true, -1, PERMIT_REASON_AT_DEPTH));
-    TEST_ASSERT_FALSE(has(&push, false, -1, PERMIT_REASON_AT_DEPTH));
+    TEST_ASSERT_FALSE(has(&push, 1, PERMIT_REASON_AT_DEPTH));
+    TEST_ASSERT_TRUE(has(&push, 0, PERMIT_REASON_AT_DEPTH));
+    TEST_ASSERT_TRUE(has(&push, -1, PERMIT_REASON_AT_DEPTH));
 }

@@ -69,8 +69,8 @@ void test_SWR_BOX_529_any_number_of_layers_up_to_eight_is_taken(void)
     for (uint32_t count = 0U; count <= SIM_LAYERS; count++) {
         many.tissue.layer_count = count;
         for (uint32_t i = 0U; i < SIM_LAYERS; i++) {
-            many.tissue.layers[i] =
-                (i < count) ? sim_phantom_usual.tissue.layers[i % 2U] : (sim_layer_t){0.0};
+            many.tissue.layers[i] = (i < count) ? sim_phantom_usual.tissue.layers[i % 2U]
+                                                : (sim_layer_t){.thickness_mm = 0.0};
         }
         sim_phantom_write(&many, text, sizeof text);
         expect_read();
