@@ -279,8 +279,10 @@ void test_SWR_FORCE_569_a_load_on_hand_and_free_needle_is_doubted(void)
     rig_box(&rig, "force hand 2100");
     rig_box(&rig, "force needle 1600");
     rig_cycles(&rig, LIMIT_FORCE_PAIR_CYCLES + SETTLED_CYCLES);
-    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_DOUBTED, HAND, FORCE_DOUBT_FREE_NEEDLE_LOADED));
-    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_FREE_NEEDLE_LOADED));
+    TEST_ASSERT_EQUAL_UINT32(1U,
+                             reported(EVENT_FORCE_DOUBTED, HAND, FORCE_DOUBT_FREE_NEEDLE_LOADED));
+    TEST_ASSERT_EQUAL_UINT32(1U,
+                             reported(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_FREE_NEEDLE_LOADED));
 }
 
 void test_SWR_FORCE_569_a_needle_pulled_in_is_doubted_only_while_it_goes_in(void)
@@ -292,7 +294,8 @@ void test_SWR_FORCE_569_a_needle_pulled_in_is_doubted_only_while_it_goes_in(void
     rig_box(&rig, "force hand 2100");
     rig_box(&rig, "force needle 1610");
     rig_cycles(&rig, LIMIT_FORCE_PAIR_CYCLES + SETTLED_CYCLES);
-    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_NEEDLE_PULLED_IN));
+    TEST_ASSERT_EQUAL_UINT32(1U,
+                             reported(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_NEEDLE_PULLED_IN));
 }
 
 void test_SWR_FORCE_569_a_needle_that_is_held_in_is_possible(void)
@@ -420,7 +423,8 @@ void test_SWR_FORCE_574_a_needle_that_is_in_ends_it(void)
     rig.controller.axes[PROSTATE_AXIS_INSERTION].sealed.encoder.position_ticks += 20000;
     controller_seal(&rig.controller);
     rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_NOT_ZEROED, HAND, (int32_t)FORCE_ZERO_END_MOVED));
+    TEST_ASSERT_EQUAL_UINT32(1U,
+                             reported(EVENT_FORCE_NOT_ZEROED, HAND, (int32_t)FORCE_ZERO_END_MOVED));
 }
 
 void test_SWR_FORCE_577_another_card_without_an_axis_is_no_force_sensor(void)
