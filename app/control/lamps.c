@@ -16,7 +16,8 @@ static uint32_t lamps_of_axis(const snapshot_axis_t *axis)
 {
     /* Those that the operator's foot and hand themselves take away. */
     const uint32_t others =
-        axis->permit_reasons & ~(BIT(PERMIT_REASON_PEDAL_RELEASED) | BIT(PERMIT_REASON_HAND_OFF));
+        axis->permit_reasons & ~(BIT(PERMIT_REASON_PEDAL_RELEASED) | BIT(PERMIT_REASON_HAND_OFF) |
+                                 BIT(PERMIT_REASON_HAND_UNPROVEN));
 
     return ((others == 0U) ? BSP_LAMP_MAY_MOVE : 0U) |
            ((axis->drive_mode != (uint32_t)CARD_DRIVE_OFF) ? BSP_LAMP_MOVING : 0U) |

@@ -92,14 +92,15 @@ void controller_observe_force(controller_t *self, const cycle_t *cycle, uint32_t
 {
     uint32_t before[ROBOT_FORCE_CHANNELS];
     const force_config_t *const config = &cycle->robot->force;
-    if ((config->is_there == 0U) || (config->slot != slot)) {
+    const bool is_damaged = (config->is_there != 0U) && is_table_damaged(self, cycle->robot);
+    if ((config->is_there == 0U) || (!is_damaged && (config->slot != slot))) {
         return;
     }
     for (uint32_t i = 0U; i < ROBOT_FORCE_CHANNELS; i++) {
         before[i] = self->force.sealed.channels[i].doubts;
     }
-    if (is_table_damaged(self, cycle->robot)) {
-        force_sensor_miss(&self->force, true);
+    if (is_damaged) {
+        force_sensor_distrust(&self->force);
     } else {
         step_sensor(self, cycle, &self->links[slot]);
     }

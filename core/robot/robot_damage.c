@@ -18,7 +18,8 @@ bool robot_is_force_damaged(const robot_t *robot)
     const force_config_t *const force = &robot->force;
     uint32_t seal = 0U; /* As that of no sensor. */
     if (force->is_there != 0U) {
-        seal = seal_of(SEAL_START, (const uint8_t *)force, offsetof(force_config_t, seal));
+        seal = seal_of(SEAL_START, (const uint8_t *)force,
+                       WHOLE_WORDS(offsetof(force_config_t, seal)));
     }
     return seal != force->seal;
 }

@@ -19,19 +19,27 @@ typedef struct {
     bool is_trusted;  /**< The sensor is zeroed, and nothing speaks against it. */
 } hand_t;
 
-/** At first all zero: no hand. */
+/** At first all zero: no hand, and none was seen to let go. */
 typedef struct {
-    uint32_t left_us; /**< Until the last push has been over for LIMIT_HAND_OFF_US; 0: it has. */
+    uint32_t left_us;   /**< Until the last push has been over for LIMIT_HAND_OFF_US; 0: it has. */
+    uint32_t quiet_us;  /**< No force beyond the dead zone for so long, to LIMIT_HAND_PROOF_US. */
+    uint32_t is_proven; /**< The hand was seen off before what it does now: 0 or 1. */
 } hand_guard_t;
 
-/** One cycle, `elapsed_us` after the one before. */
-void hand_guard_step(hand_guard_t *self, const hand_law_t *law, const hand_t *hand,
-                     uint32_t elapsed_us);
+/**
+ * One cycle, `elapsed_us` after the one before. `is_moving`: the pedal lets the armed order run.
+ *
+ * @return the force that may move the needle: that of the hand, and 0 until it was seen off
+ *
+ * @satisfies SWR-COOP-012
+ */
+int32_t hand_guard_step(hand_guard_t *self, const hand_law_t *law, const hand_t *hand,
+                        bool is_moving, uint32_t elapsed_us);
 
 /**
  * Reasons against every drive while a hand moves the needle, which goes in alone: its force is not
- * trusted, it has not pushed by more than the dead zone for LIMIT_HAND_OFF_US, or the needle has no
- * way left (`left_ticks`, to its depth).
+ * trusted, it was not seen off, it has not pushed by more than the dead zone for LIMIT_HAND_OFF_US,
+ * or the needle has no way left (`left_ticks`, to its depth).
  *
  * @return bit mask of permit_reason_t
  *

@@ -44,6 +44,14 @@ void force_sensor_miss(force_sensor_t *self, bool is_lost)
     }
 }
 
+void force_sensor_distrust(force_sensor_t *self)
+{
+    self->sealed.zeroing = 0U;
+    for (uint32_t i = 0U; i < ROBOT_FORCE_CHANNELS; i++) {
+        self->sealed.channels[i].doubts |= force_doubt_bit(FORCE_DOUBT_NOT_ZEROED);
+    }
+}
+
 void force_sensor_begin_zero(force_sensor_t *self)
 {
     (void)memset(self->readings, 0, sizeof self->readings);

@@ -51,6 +51,9 @@ void force_sensor_step(force_sensor_t *self, const force_config_t *config,
  */
 void force_sensor_miss(force_sensor_t *self, bool is_lost);
 
+/** Its table is damaged: nothing that it measures is believed until it is zeroed by a whole one. */
+void force_sensor_distrust(force_sensor_t *self);
+
 /** A zeroing runs. */
 static inline bool force_sensor_is_zeroing(const force_sensor_t *self)
 {

@@ -229,7 +229,7 @@ class TestSupervisor < SystemTest
   def test_SWR_SUP_007_the_usage_names_the_options_of_the_board
     text, status = Open3.capture2e(Boresight.program('boresight'), '--help')
     assert status.success?
-    assert_match(/^  --box NAME .*\n  --slow NUMBER .*\n  --fast NUMBER .*\n  --real-time /, text)
+    assert_match(/^  --box NAME .*\n  --slow NUMBER .*\n  --fast NUMBER .*\n  --tissue TEXT .*\n(?: {20,}.*\n)*  --real-time /, text)
   end
 
   def test_SWR_ROBOT_016_an_unknown_robot_is_refused_with_the_names_of_those_there_are

@@ -13,22 +13,17 @@
 
 #include <string.h>
 
-/* What stands against every drive while a hand moves the needle; its guard is stepped in each
- * cycle. */
-static uint32_t hand_reasons(controller_t *self, const cycle_t *cycle, mode_kind_t kind)
+/* What stands against every drive while a hand moves the needle. */
+static uint32_t hand_reasons(const controller_t *self, const cycle_t *cycle, mode_kind_t kind)
 {
-    const robot_t *const robot = cycle->robot;
     uint32_t reasons = 0U;
-    if (!controller_is_table_invalid(self) && (robot->force.is_there != 0U)) {
+    if (procedure_is_armed(&self->procedure) && mode_is_by_hand(kind) &&
+        !controller_is_table_invalid(self)) {
+        const uint32_t needle = cycle->robot->needle_axis;
         const hand_t hand = controller_hand(self, cycle);
-        const move_mode_t *const move = &self->mode.request.sealed.move;
-        const int64_t left_ticks =
-            (int64_t)move->target_ticks[robot->needle_axis] -
-            (int64_t)self->axes[robot->needle_axis].sealed.encoder.position_ticks;
-        hand_guard_step(&self->sealed.hand_guard, &robot->hand, &hand, cycle->inputs->elapsed_us);
-        if (procedure_is_armed(&self->procedure) && mode_is_by_hand(kind)) {
-            reasons = hand_guard_reasons(&self->sealed.hand_guard, &hand, left_ticks);
-        }
+        const int64_t left_ticks = (int64_t)self->mode.request.sealed.move.target_ticks[needle] -
+                                   (int64_t)self->axes[needle].sealed.encoder.position_ticks;
+        reasons = hand_guard_reasons(&self->sealed.hand_guard, &hand, left_ticks);
     }
     return reasons;
 }

@@ -4,6 +4,7 @@
 #include "controller/controller_facts.h"
 #include "controller/controller_force.h"
 #include "controller/controller_order.h"
+#include "robot/robot_damage.h"
 #include "safety/permit.h"
 
 static void follow_pedal(controller_t *self, const cycle_t *cycle)
@@ -16,6 +17,18 @@ static void follow_pedal(controller_t *self, const cycle_t *cycle)
     } else {
         /* Nothing has changed. */
     }
+}
+
+/* As far as it was seen off the handle before. */
+static hand_t feel_hand(controller_t *self, const cycle_t *cycle)
+{
+    hand_t hand = controller_hand(self, cycle);
+    if (cycle->robot->force.is_there != 0U) {
+        hand.force_mn =
+            hand_guard_step(&self->sealed.hand_guard, &cycle->robot->hand, &hand,
+                            procedure_is_moving(&self->procedure), cycle->inputs->elapsed_us);
+    }
+    return hand;
 }
 
 /* The cap is the permit's, known before the mode plans anything. */
@@ -35,7 +48,7 @@ static void fill_frame(controller_t *self, const cycle_t *cycle, bool is_every_a
     frame->is_dose_reached = cycle->inputs->dose_reached != 0U;
     frame->is_treatment_stopped = cycle->inputs->treatment_stopped != 0U;
     frame->links = self->links;
-    frame->hand = controller_hand(self, cycle);
+    frame->hand = feel_hand(self, cycle);
     for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         frame->speed_cap_percent[i] = percent;
     }
@@ -64,8 +77,9 @@ static void notify(controller_t *self, const cycle_t *cycle, const mode_result_t
 /* A hand that cannot be trusted moves nothing, and what it was to move ends, pedal or not. */
 static bool is_hand_doubtful(const controller_t *self, const mode_frame_t *frame)
 {
-    return procedure_is_armed(&self->procedure) && !frame->hand.is_trusted &&
-           mode_is_by_hand(mode_in(&self->mode, frame->workphase));
+    return procedure_is_armed(&self->procedure) &&
+           mode_is_by_hand(mode_in(&self->mode, frame->workphase)) &&
+           (!frame->hand.is_trusted || robot_is_force_damaged(frame->robot));
 }
 
 void controller_move(controller_t *self, const cycle_t *cycle, mode_result_t *result)

@@ -25,10 +25,10 @@ static inline uint32_t seal_of_link(uint32_t seal, const link_t *link)
 static uint32_t seal_of_force(const force_sensor_t *force)
 {
     const uint32_t seal =
-        seal_of(SEAL_START, (const uint8_t *)&force->sealed, sizeof force->sealed);
-    return force_sensor_is_zeroing(force)
-               ? seal_of(seal, (const uint8_t *)force->readings, sizeof force->readings)
-               : seal;
+        seal_of(SEAL_START, (const uint8_t *)&force->sealed, WHOLE_WORDS(sizeof force->sealed));
+    return force_sensor_is_zeroing(force) ? seal_of(seal, (const uint8_t *)force->readings,
+                                                    WHOLE_WORDS(sizeof force->readings))
+                                          : seal;
 }
 
 static uint32_t seal_of_sensors(const controller_t *self)

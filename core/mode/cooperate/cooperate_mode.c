@@ -89,8 +89,9 @@ static void go(cooperate_mode_t *self, const move_mode_t *move, const mode_frame
 {
     const uint32_t needle = frame->robot->needle_axis;
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
+        axis_t *const axis = &frame->axes[i];
         result->requests[i] = (i == needle) ? push(self, frame, needle, move->target_ticks[needle])
-                                            : axis_rest(&frame->axes[i], frame->elapsed_us);
+                                            : axis_rest(axis, frame->elapsed_us);
     }
     /* At its depth, and the set-point rests. */
     if ((left_ticks(move, frame->robot, frame->axes) <=
@@ -103,8 +104,9 @@ static void go(cooperate_mode_t *self, const move_mode_t *move, const mode_frame
 void cooperate_mode_step(cooperate_mode_t *self, const move_mode_t *move, const mode_frame_t *frame,
                          mode_result_t *result)
 {
-    if (!move_mode_is_aligned(move, frame->robot, frame->axes)) {
-        mode_give_up(frame, result, STATUS_NOT_ALIGNED);
+    const solution_t judged = cooperate_mode_judge(move, frame->robot, frame->axes);
+    if (judged.status != STATUS_OK) {
+        mode_give_up(frame, result, judged.status);
     } else {
         go(self, move, frame, result);
     }

@@ -30,8 +30,8 @@ solution_t cooperate_mode_judge(const move_mode_t *move, const robot_t *robot,
                                 const axis_t axes[ROBOT_AXIS_MAX]);
 
 /**
- * One cycle with a trusted force; done once the needle rests at its depth. Fails with
- * STATUS_NOT_ALIGNED, without a drive in that cycle.
+ * One cycle with a trusted force; done once the needle rests at its depth. Fails as
+ * cooperate_mode_judge() says, without a drive in that cycle.
  *
  * @satisfies SWR-COOP-001
  * @satisfies SWR-COOP-002

@@ -457,7 +457,7 @@ class TestInterfaceCompiler < Minitest::Test
     'an event without severity' => [', severity: low', '', 20, 'has no severity'],
     'a severity that is none' => ['severity: low', 'severity: high', 20, 'is high; expected low or critical'],
     'a subject that is none' => ['subject: axis', 'subject: shape', 20, 'is shape; expected axis, card, part, length or an enumeration'],
-    'a value that is none' => ['way: ticks', 'way: miles', 19, 'is miles; expected ticks, percent, nm, millionths, us, ms, min, hz, tenths_c, count, number'],
+    'a value that is none' => ['way: ticks', 'way: miles', 19, 'is miles; expected ticks, percent, nm, millionths, us, ms, min, hz, mn, tenths_c, count, number'],
     'a value without a name' => ['value: {way: ticks}', 'value: ticks', 19, 'has no name; expected {NAME: TYPE}'],
     'a value with two names' => ['{way: ticks}', '{way: ticks, time: ms}', 19, 'has 2 names; expected one'],
     'a unit that the sentence does not say' => ['way: ticks', 'way: tenths_c', 19, 'does not say tenths of a degree Celsius'],

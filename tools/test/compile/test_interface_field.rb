@@ -64,7 +64,7 @@ class TestInterfaceField < Minitest::Test
 
   def setup
     @folder = Dir.mktmpdir
-    copy('core/interface', 'core/controller', 'requirements', 'docs/user-manual.md')
+    copy('core/interface', 'core/robot', 'core/controller', 'requirements', 'docs/user-manual.md')
     change('core/interface/snapshot.yml', BEFORE, "#{LINE}\n#{BEFORE}")
     change('core/controller/show/controller_show.c', AFTER, "#{AFTER}\n#{FILLED}")
     call('ruby', "#{ROOT}/tools/compile/interface_compiler.rb", path('core/interface'),

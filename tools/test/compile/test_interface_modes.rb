@@ -32,6 +32,7 @@ class TestInterfaceModes < Minitest::Test
           - {code: 2, name: GO, workphases: [HERE, THERE], unhomed: false, axes: ALL, needle: NONE, says: "It goes.", own: true,
              ask: [own], judge: [axis], step: [own, leg], commands: [{code: 2, name: GO, from: [PAGE, NETWORK], says: "Go."}]}
           - {code: 3, name: REST, command: WORKPHASE, workphases: [THERE], unhomed: true, axes: ALL, needle: NONE, says: "It rests."}
+      - {name: mode_aim, says: What., values: [{code: 0, name: NONE, says: "None."}]}
   YAML
 
   def test_SWR_TOOL_011_the_table_of_modes_says_what_is_special_about_each
@@ -41,6 +42,8 @@ class TestInterfaceModes < Minitest::Test
                  .workphases = IN(WORKPHASE_HERE) | IN(WORKPHASE_THERE),
                  .axes = (uint32_t)MODE_AXES_ALL,
                  .needle = (uint32_t)MODE_NEEDLE_NONE,
+                 .aim = (uint32_t)MODE_AIM_NONE,
+                 .is_by_hand = false,
                  .may_be_unhomed = false},
       CODE
     end

@@ -20,13 +20,14 @@
 
 #define NEEDLE PROSTATE_AXIS_INSERTION
 #define OVERSHOOT_TICKS 166.0 /* 0.1 mm. */
-#define DEADBAND_TICKS 10.0 /* Of the axis, a count, and what homing is inexact by. */
+#define DEADBAND_TICKS 10.0   /* Of the axis, a count, and what homing is inexact by. */
 #define LONG_CYCLES 60000U
 #define FILTERED_CYCLES 30U /* From a hand that lets go to a force below the dead zone. */
 #define STILL_TICKS 2       /* What a motor runs on for after it was switched off. */
 #define TICKS_PER_MM 1666.67
 #define SWING_TRIALS 60U
 #define SWING_CYCLES 500U
+#define OFF_CYCLES 200U /* The hand is seen off. */
 #define JERK_SCENES 40U
 #define JERK_MN 4000 /* A larger step is doubted. */
 #define PULL_MN 5000
@@ -127,6 +128,7 @@ static void start_ready(void)
         align();
         zero_force();
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+        rig_cycles(&rig, OFF_CYCLES);
         ready = rig;
         is_ready = true;
     }
@@ -209,7 +211,8 @@ static double swing_of(uint32_t trial)
     const double stiffness = 0.2 * pow(25.0, (double)random_below(1001U) / 1000.0);
     sim_motor_t *const motor = &rig.box.axes[NEEDLE].motor;
     motor->full_speed_ticks_per_s *= 0.8 + (0.4 * (double)random_below(1001U) / 1000.0);
-    count_balance_init(&rig.controller.axes[NEEDLE].supervision.sealed.account); /* It is another motor. */
+    count_balance_init(
+        &rig.controller.axes[NEEDLE].supervision.sealed.account); /* It is another motor. */
     controller_seal(&rig.controller);
     (void)snprintf(order, sizeof order, "hand stiffness %d", (int)(stiffness * 1000.0));
     rig_box(&rig, order);
@@ -279,6 +282,37 @@ void test_SWR_COOP_006_also_while_the_order_waits_for_the_pedal(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(cooperate));
     rig_box(&rig, "force hand broken");
     rig_cycles(&rig, 10U);
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
+}
+
+/* A person pulls while the sensor is zeroed, and lets go. */
+void test_SWR_COOP_012_a_zero_that_was_taken_under_a_pull_moves_nothing(void)
+{
+    align();
+    push(-800);
+    rig_cycles(&rig, 100U);
+    zero_force();
+    let_go();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(cooperate));
+    rig_press(&rig);
+    const double there = depth_ticks();
+    rig_cycles(&rig, 5000U);
+    TEST_ASSERT_GREATER_THAN_INT32(500, rig.outputs.snapshot.forces[FORCE_CHANNEL_HAND].force_mn);
+    TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, there, depth_ticks());
+    TEST_ASSERT_TRUE(has_reason(PERMIT_REASON_HAND_UNPROVEN));
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_LET_GO, rig.outputs.snapshot.next_step);
+}
+
+void test_SWR_COOP_006_a_damaged_table_of_the_sensor_ends_it(void)
+{
+    start_armed();
+    push(1000);
+    rig_cycles(&rig, 1000U);
+    TEST_ASSERT_TRUE(is_driven());
+    rig.robot.force.slot ^= 4U;
+    rig_cycle(&rig);
+    TEST_ASSERT_FALSE(is_driven());
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
 }
 

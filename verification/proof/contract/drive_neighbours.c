@@ -19,6 +19,12 @@ mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase)
     return kind;
 }
 
+bool mode_is_by_hand(mode_kind_t kind)
+{
+    (void)kind;
+    return drive_neighbours.is_by_hand;
+}
+
 bool mode_may_be_unhomed(mode_kind_t kind)
 {
     (void)kind;

@@ -11,6 +11,7 @@
 /* All that hand_guard_reasons() makes. */
 #define OF_A_HAND                                                                                  \
     (permit_reason(true, PERMIT_REASON_FORCE_DOUBTFUL) |                                           \
+     permit_reason(true, PERMIT_REASON_HAND_UNPROVEN) |                                            \
      permit_reason(true, PERMIT_REASON_HAND_OFF) | permit_reason(true, PERMIT_REASON_AT_DEPTH))
 
 /* A fact against every axis stands. */

@@ -41,7 +41,8 @@ void test_SWR_BSP_002_what_the_pedal_would_move_is_shown_before_and_while_it_mov
 
 void test_SWR_BSP_002_what_a_hand_would_move_is_shown_before_it_pushes(void)
 {
-    snapshot.axes[1].permit_reasons = REASON(PEDAL_RELEASED) | REASON(HAND_OFF);
+    snapshot.axes[1].permit_reasons =
+        REASON(PEDAL_RELEASED) | REASON(HAND_UNPROVEN) | REASON(HAND_OFF);
     TEST_ASSERT_EQUAL_HEX32(BSP_LAMP_ALIVE | BSP_LAMP_MAY_MOVE, lamps_of(&snapshot));
     snapshot.axes[1].permit_reasons = REASON(HAND_OFF);
     TEST_ASSERT_EQUAL_HEX32(BSP_LAMP_ALIVE | BSP_LAMP_MAY_MOVE, lamps_of(&snapshot));

@@ -20,9 +20,18 @@ static const hand_t doubtful_push = {.force_mn = 5000, .is_trusted = false};
 
 static hand_guard_t guard;
 
+static int32_t feel(const hand_t *hand)
+{
+    return hand_guard_step(&guard, &law, hand, true, CYCLE_US);
+}
+
+/* A hand that was seen off, with the pedal pressed. */
 void setUp(void)
 {
     guard = (hand_guard_t){0};
+    for (uint32_t us = 0U; us < LIMIT_HAND_PROOF_US; us += CYCLE_US) {
+        (void)feel(&open_hand);
+    }
 }
 
 void tearDown(void)
@@ -47,38 +56,74 @@ void test_SWR_COOP_008_at_first_no_hand_pushes(void)
 
 void test_SWR_COOP_008_a_push_lets_the_needle_go_for_a_short_time(void)
 {
-    hand_guard_step(&guard, &law, &push, CYCLE_US);
+    (void)feel(&push);
     TEST_ASSERT_EQUAL_HEX32(0U, hand_guard_reasons(&guard, &push, LEFT_TICKS));
     for (uint32_t us = CYCLE_US; us < LIMIT_HAND_OFF_US; us += CYCLE_US) {
-        hand_guard_step(&guard, &law, &open_hand, CYCLE_US);
+        (void)feel(&open_hand);
         TEST_ASSERT_FALSE(is_off(&open_hand));
     }
-    hand_guard_step(&guard, &law, &open_hand, CYCLE_US);
+    (void)feel(&open_hand);
     TEST_ASSERT_TRUE(is_off(&open_hand));
-    hand_guard_step(&guard, &law, &open_hand, CYCLE_US);
+    (void)feel(&open_hand);
     TEST_ASSERT_TRUE(is_off(&open_hand));
 }
 
 void test_SWR_COOP_008_a_late_cycle_counts_for_all_of_its_time(void)
 {
-    hand_guard_step(&guard, &law, &push, CYCLE_US);
-    hand_guard_step(&guard, &law, &open_hand, LIMIT_HAND_OFF_US + 1U);
+    (void)feel(&push);
+    (void)hand_guard_step(&guard, &law, &open_hand, true, LIMIT_HAND_OFF_US + 1U);
     TEST_ASSERT_TRUE(is_off(&open_hand));
 }
 
 void test_SWR_COOP_008_a_doubtful_force_is_no_push_and_a_reason_of_its_own(void)
 {
-    hand_guard_step(&guard, &law, &doubtful_push, CYCLE_US);
+    (void)feel(&doubtful_push);
     TEST_ASSERT_TRUE(is_off(&doubtful_push));
-    hand_guard_step(&guard, &law, &push, CYCLE_US);
+    (void)feel(&push);
     TEST_ASSERT_EQUAL_HEX32(permit_reason(true, PERMIT_REASON_FORCE_DOUBTFUL),
                             hand_guard_reasons(&guard, &doubtful_push, LEFT_TICKS));
 }
 
 void test_SWR_COOP_008_no_way_is_left_at_the_depth_or_beyond(void)
 {
-    hand_guard_step(&guard, &law, &push, CYCLE_US);
+    (void)feel(&push);
     TEST_ASSERT_FALSE(has(&push, 1, PERMIT_REASON_AT_DEPTH));
     TEST_ASSERT_TRUE(has(&push, 0, PERMIT_REASON_AT_DEPTH));
     TEST_ASSERT_TRUE(has(&push, -1, PERMIT_REASON_AT_DEPTH));
+}
+
+void test_SWR_COOP_012_a_hand_that_never_lets_go_moves_nothing(void)
+{
+    guard = (hand_guard_t){0};
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        TEST_ASSERT_EQUAL_INT32(0, feel(&push));
+        TEST_ASSERT_TRUE(has(&push, LEFT_TICKS, PERMIT_REASON_HAND_UNPROVEN));
+        TEST_ASSERT_TRUE(is_off(&push));
+    }
+}
+
+void test_SWR_COOP_012_it_was_off_for_all_of_the_time_without_a_pull(void)
+{
+    static const hand_t pull = {.force_mn = -DEAD_ZONE_MN - 1, .is_trusted = true};
+    guard = (hand_guard_t){0};
+    for (uint32_t us = CYCLE_US; us < LIMIT_HAND_PROOF_US; us += CYCLE_US) {
+        (void)feel(&open_hand);
+    }
+    (void)feel(&pull);
+    for (uint32_t us = CYCLE_US; us < LIMIT_HAND_PROOF_US; us += CYCLE_US) {
+        (void)feel(&open_hand);
+        TEST_ASSERT_TRUE(has(&open_hand, LEFT_TICKS, PERMIT_REASON_HAND_UNPROVEN));
+    }
+    (void)feel(&open_hand);
+    TEST_ASSERT_FALSE(has(&open_hand, LEFT_TICKS, PERMIT_REASON_HAND_UNPROVEN));
+    TEST_ASSERT_EQUAL_INT32(push.force_mn, feel(&push));
+}
+
+/* It goes on pushing while the foot leaves the pedal. */
+void test_SWR_COOP_012_without_the_pedal_a_push_has_to_be_proven_anew(void)
+{
+    TEST_ASSERT_EQUAL_INT32(push.force_mn, feel(&push));
+    TEST_ASSERT_EQUAL_INT32(0, hand_guard_step(&guard, &law, &push, false, CYCLE_US));
+    TEST_ASSERT_EQUAL_INT32(0, feel(&push));
+    TEST_ASSERT_TRUE(has(&push, LEFT_TICKS, PERMIT_REASON_HAND_UNPROVEN));
 }

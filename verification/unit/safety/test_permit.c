@@ -188,7 +188,8 @@ void test_SWR_PERMIT_003_reasons_that_stand_together_are_all_named(void)
 void test_SWR_COOP_008_what_stands_against_a_hand_stands_against_every_drive(void)
 {
     static const permit_reason_t of_a_hand[] = {PERMIT_REASON_FORCE_DOUBTFUL,
-                                                PERMIT_REASON_HAND_OFF, PERMIT_REASON_AT_DEPTH};
+                                                PERMIT_REASON_HAND_UNPROVEN, PERMIT_REASON_HAND_OFF,
+                                                PERMIT_REASON_AT_DEPTH};
     for (size_t i = 0U; i < (sizeof of_a_hand / sizeof of_a_hand[0]); i++) {
         facts_t facts = free_facts();
         facts.common.hand_reasons = mask(of_a_hand[i]);

@@ -56,6 +56,7 @@ const kinds: Readonly<Record<PermitReason, SignKind>> = {
   AT_DEPTH: "stands",
   PEDAL_UNPROVEN: "stands",
   PEDAL_RELEASED: "armed",
+  HAND_UNPROVEN: "armed",
   HAND_OFF: "armed",
 };
 

@@ -123,6 +123,7 @@ static void prove_drive(uint32_t axis_count)
     drive_neighbours.frames = outputs.frames;
     place_cards(axis_count);
     assume(are_charts_sound());
+    assume(robot.needle_axis < axis_count);
 
     controller_drive(&controller, &cycle, guards, requests);
 
