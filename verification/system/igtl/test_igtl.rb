@@ -322,7 +322,8 @@ class TestIgtl < Minitest::Test
     client.run('expect STATUS CURRENT_STATUS 1')
     boresight.simctl('pedal', 'press')
     messages = client.run('expect STATUS MOVE_TO_TARGET 1')
-    assert_operator messages.count { |message| message['name'] == 'CURRENT_POSITION' }, :>, 5
+    # The box may run faster than the clock by which poses are sent.
+    assert_operator messages.count { |message| message['name'] == 'CURRENT_POSITION' }, :>, 2
     client.run('wait TRANSFORM CURRENT_POSITION')
     client.run('string HAS_REACHED_TARGET')
     assert_equal '1', client.await('STRING', 'HAS_REACHED_TARGET')['text']
