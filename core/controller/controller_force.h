@@ -19,6 +19,13 @@ static inline hand_t controller_hand(const controller_t *self, const cycle_t *cy
     return hand;
 }
 
+/**
+ * Reasons against every drive while a hand moves the needle in the mode `kind`; 0 in all others.
+ *
+ * @satisfies SWR-COOP-008
+ */
+uint32_t controller_hand_reasons(const controller_t *self, const cycle_t *cycle, mode_kind_t kind);
+
 /** After the link to the card in `slot`, one without an axis, was stepped: nothing, if that is not
  * the card of the force sensor.
  *

@@ -13,21 +13,6 @@
 
 #include <string.h>
 
-/* What stands against every drive while a hand moves the needle. */
-static uint32_t hand_reasons(const controller_t *self, const cycle_t *cycle, mode_kind_t kind)
-{
-    uint32_t reasons = 0U;
-    if (procedure_is_armed(&self->procedure) && mode_is_by_hand(kind) &&
-        !controller_is_table_invalid(self)) {
-        const uint32_t needle = cycle->robot->needle_axis;
-        const hand_t hand = controller_hand(self, cycle);
-        const int64_t left_ticks = (int64_t)self->mode.request.sealed.move.target_ticks[needle] -
-                                   (int64_t)self->axes[needle].sealed.encoder.position_ticks;
-        reasons = hand_guard_reasons(&self->sealed.hand_guard, &hand, left_ticks);
-    }
-    return reasons;
-}
-
 /* Facts that are the same for every axis. */
 static permit_common_facts_t common_facts(const controller_t *self, const cycle_t *cycle,
                                           uint32_t guards, mode_kind_t kind, uint32_t of_hand)
@@ -227,7 +212,7 @@ void controller_drive(controller_t *self, const cycle_t *cycle, uint32_t guards,
     card_drive_t sent[ROBOT_AXIS_MAX];
     const mode_kind_t kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
     const permit_common_facts_t facts =
-        common_facts(self, cycle, guards, kind, hand_reasons(self, cycle, kind));
+        common_facts(self, cycle, guards, kind, controller_hand_reasons(self, cycle, kind));
     view_t view = {.facts = facts,
                    .common = permit_decide_common(&facts, cycle->inputs->unread),
                    .axes = {.axes = self->axes, .sent = sent, .requests = requests},

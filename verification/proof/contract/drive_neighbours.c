@@ -5,6 +5,7 @@
 
 #include "prove.h"
 
+#include "controller/controller_force.h"
 #include "controller/cycle/controller_dialect.h"
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
@@ -19,10 +20,12 @@ mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase)
     return kind;
 }
 
-bool mode_is_by_hand(mode_kind_t kind)
+uint32_t controller_hand_reasons(const controller_t *self, const cycle_t *cycle, mode_kind_t kind)
 {
+    (void)self;
+    (void)cycle;
     (void)kind;
-    return drive_neighbours.is_by_hand;
+    return drive_neighbours.hand_reasons;
 }
 
 bool mode_may_be_unhomed(mode_kind_t kind)

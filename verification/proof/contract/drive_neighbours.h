@@ -20,7 +20,7 @@ typedef struct {
     const axis_record_t *records;        /**< Of the controller. */
     uint8_t (*frames)[CARD_FRAME_BYTES]; /**< Of the outputs. */
     bool may_be_unhomed;
-    bool is_by_hand;
+    uint32_t hand_reasons;
     uint32_t heeding_needle;
     uint32_t at_coupled_limit;
     bool is_needle_in_way[ROBOT_AXIS_MAX];

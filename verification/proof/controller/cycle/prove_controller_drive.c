@@ -90,6 +90,8 @@ static void prove_axis(uint32_t index, uint32_t guards, const card_drive_t *requ
     PROVE(IMPLIES(!is_off(&sent->command.drive),
                   is_machine_ready(guards) && is_axis_ready(index, request)),
           "SWR-PERMIT-200: no drive leaves unless nothing stands against it");
+    PROVE(IMPLIES(!is_off(&sent->command.drive), drive_neighbours.hand_reasons == 0U),
+          "SWR-COOP-008: no drive leaves while anything stands against a hand");
     PROVE(IMPLIES(is_permitted, is_machine_ready(guards)),
           "SWR-PERMIT-200: no permit is told unless nothing stands against it");
     PROVE(IMPLIES((sent->command.control & CARD_CONTROL_AMPLIFIER) != 0U, is_permitted),
@@ -123,7 +125,6 @@ static void prove_drive(uint32_t axis_count)
     drive_neighbours.frames = outputs.frames;
     place_cards(axis_count);
     assume(are_charts_sound());
-    assume(robot.needle_axis < axis_count);
 
     controller_drive(&controller, &cycle, guards, requests);
 
