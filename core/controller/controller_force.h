@@ -38,7 +38,7 @@ void controller_observe_force(controller_t *self, const cycle_t *cycle, uint32_t
  * Begins to zero the force sensor.
  *
  * @return STATUS_OK; or as SWR-FORCE-573 says: STATUS_NO_FORCE_SENSOR, NOT_AT_REST, NEEDLE_IN,
- * HARDWARE_NOT_READY, WRONG_WORKPHASE
+ * MEMORY_DAMAGED, HARDWARE_NOT_READY, WRONG_WORKPHASE
  *
  * @satisfies SWR-FORCE-573
  */

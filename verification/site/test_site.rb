@@ -28,7 +28,7 @@ class TestSite < Minitest::Test
   PAGE_BYTES = 310_000
   RECORDED = "#{ROOT}/build/site/recorded.wasm"
   RECORDED_PAGE = "#{ROOT}/build/site/page/replay.html"
-  RECORDED_PAGE_BYTES = 310_000
+  RECORDED_PAGE_BYTES = 300_000
   # Size of a recording, cut short in a block: the replay of all of it would last.
   RECORDED_BYTES = 100_000
   DAMAGED_AT = 50_000
