@@ -7,6 +7,7 @@
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
 #include "controller/orders/controller_aim.h"
+#include "robot/robot_damage.h"
 
 void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject,
                      int32_t value)
@@ -30,6 +31,15 @@ void axis_enable(axis_t *self, bool is_fault_present)
     axis_t after;
     (void)is_fault_present;
     *self = after;
+}
+
+card_drive_t axis_rest(axis_t *self, uint32_t elapsed_us)
+{
+    axis_t after;
+    card_drive_t rest;
+    (void)elapsed_us;
+    *self = after;
+    return rest;
 }
 
 void link_reset(link_t *self)
@@ -79,6 +89,28 @@ mode_kind_t mode_of(workphase_t workphase)
     mode_kind_t kind;
     (void)workphase;
     return kind;
+}
+
+mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase)
+{
+    mode_kind_t kind;
+    (void)self;
+    (void)workphase;
+    return kind;
+}
+
+mode_aim_t mode_aim_of(uint32_t kind)
+{
+    mode_aim_t aim;
+    (void)kind;
+    return aim;
+}
+
+bool mode_is_by_hand(mode_kind_t kind)
+{
+    bool is_by_hand;
+    (void)kind;
+    return is_by_hand;
 }
 
 uint32_t mode_axes(mode_kind_t kind, uint32_t commanded, const robot_t *robot)
@@ -144,4 +176,24 @@ solution_t controller_judge_way(controller_t *self, const cycle_t *cycle)
     (void)self;
     (void)cycle;
     return judged;
+}
+
+int32_t hand_guard_step(hand_guard_t *self, const hand_law_t *law, const hand_t *hand,
+                        bool is_moving, uint32_t elapsed_us)
+{
+    int32_t felt_mn;
+    hand_guard_t after;
+    (void)law;
+    (void)hand;
+    (void)is_moving;
+    (void)elapsed_us;
+    *self = after;
+    return felt_mn;
+}
+
+bool robot_is_force_damaged(const robot_t *robot)
+{
+    bool is_damaged;
+    (void)robot;
+    return is_damaged;
 }

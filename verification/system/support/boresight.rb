@@ -278,10 +278,11 @@ class Boresight
     @peer.command(format('CMD_%04d', @commands), workphase)
   end
 
-  # The client that commands goes away, and with it its authority.
+  # The client that commands goes away; returns once its authority has gone with it.
   def leave
     @peer&.close
     @peer = nil
+    wait_until('nobody has authority') { get('authority')['state'] == 'nobody' }
   end
 
   # Homes every axis; the pedal is pressed as long as that takes.

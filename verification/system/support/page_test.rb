@@ -44,7 +44,6 @@ module PageTest
   def setup
     super
     boresight.leave
-    wait_until('nobody has authority') { authority.fetch('state') == 'nobody' }
   end
 
   def teardown
