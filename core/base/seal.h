@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * A seal over words of memory, cheap enough for every cycle: seal = (seal rotated by 5) + word, two
- * instructions a word. Each step can be undone, so any change within one word of 32 bits, of
- * however many of its bits, changes the seal for certain. Changes of several words that have
- * nothing to do with each other are missed once in 2^32. Two words that are a multiple of 32 words
- * apart and change by the opposite amount are missed. It is no CRC: what crosses a wire has one
- * (crc.h).
+ * A seal over words of memory, cheap enough for every cycle: seal = (seal rotated by 5) + word, an
+ * instruction and a half for a word. Each step can be undone, so any change within one word of 32
+ * bits, of however many of its bits, changes the seal for certain. Changes of several words that
+ * have nothing to do with each other are missed once in 2^32. Two words that are a multiple of 32
+ * words apart and change by the opposite amount are missed. It is no CRC: what crosses a wire has
+ * one (crc.h).
  */
 #ifndef BORESIGHT_SEAL_H
 #define BORESIGHT_SEAL_H
@@ -46,11 +46,13 @@ static inline uint32_t seal_of_sixteen(uint32_t seal, const uint8_t *bytes)
     return seal_of_four(seal_of_four(half, &bytes[32]), &bytes[48]);
 }
 
-/** The seal of `length` bytes, WHOLE_WORDS(), in continuation of `seal`. Sixteen words at a
- * time, and here, where the compiler knows the length: half of the instructions. */
+/** The seal of `length` bytes, WHOLE_WORDS(), in continuation of `seal`. Their address is a
+ * multiple of 4, as those of our structures are: with that known, the compiler reads two words at
+ * once. Sixteen words at a time, and here, where the compiler knows the length: half of the
+ * instructions. */
 static inline uint32_t seal_of(uint32_t seal, const uint8_t *bytes, size_t length)
 {
-    const uint8_t *at = bytes;
+    const uint8_t *at = (const uint8_t *)__builtin_assume_aligned(bytes, 4U);
     size_t left = length;
     uint32_t sum = seal;
     for (; left >= 64U; left -= 64U) {
