@@ -13,6 +13,7 @@
 #include "interface/app/names.h"
 #include "interface/snapshot.h"
 #include "limits/requirement_limits.h"
+#include "robot/robot_neuro.h"
 #include "igtl/wire/igtl_codec.h"
 #include "igtl/wire/igtl_crc64.h"
 #include "igtl/wire/igtl_outbox.h"
@@ -26,7 +27,7 @@
 
 static igtl_tracking_t tracking;
 static igtl_outbox_t outbox;
-static igtl_language_t language;
+static igtl_asker_t asker;
 static snapshot_t snapshot;
 static igtl_moment_t moment;
 
@@ -34,7 +35,7 @@ void setUp(void)
 {
     (void)memset(&snapshot, 0, sizeof snapshot);
     (void)memset(&tracking, 0, sizeof tracking);
-    language = IGTL_LANGUAGE_CRTK;
+    asker = (igtl_asker_t){&outbox, IGTL_LANGUAGE_CRTK, &robot_neuro};
     rigid_set_identity(&snapshot.scanner_treatment);
     moment = (igtl_moment_t){.now_us = 1000000U, .snapshot = &snapshot};
     igtl_outbox_init(&outbox);
@@ -55,7 +56,7 @@ static bool ask(igtl_kind_t kind, const char *type, const char *name)
     igtl_message_t question = igtl_peer_query(kind, name);
 
     (void)snprintf(question.type, sizeof question.type, "%s", type);
-    return igtl_questions_receive(&tracking, &outbox, language, &question, &moment);
+    return igtl_questions_receive(&tracking, &asker, &question, &moment);
 }
 
 static void track(int32_t resolution_ms)
@@ -64,7 +65,7 @@ static void track(int32_t resolution_ms)
 
     (void)strcpy(start.type, "STT_TDATA");
     start.resolution_ms = resolution_ms;
-    TEST_ASSERT_TRUE(igtl_questions_receive(&tracking, &outbox, language, &start, &moment));
+    TEST_ASSERT_TRUE(igtl_questions_receive(&tracking, &asker, &start, &moment));
     EXPECT("RTS_TDATA probe 0");
 }
 
@@ -75,13 +76,14 @@ static void command(uint32_t id, const char *name)
     message.code = id;
     message.subject = name;
     message.subject_bytes = (uint32_t)strlen(name);
-    TEST_ASSERT_TRUE(igtl_questions_receive(&tracking, &outbox, language, &message, &moment));
+    TEST_ASSERT_TRUE(igtl_questions_receive(&tracking, &asker, &message, &moment));
 }
 
 void test_SWR_IGTL_041_the_types_that_are_understood_are_named(void)
 {
     TEST_ASSERT_TRUE(ask(IGTL_KIND_GET_CAPABILITY, "GET_CAPABIL", "who"));
-    EXPECT("CAPABILITY who TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA "
+    EXPECT("CAPABILITY who TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL GET_SENSOR "
+           "STT_TDATA "
            "STP_TDATA COMMAND GET_POINT TRAJ");
 }
 
@@ -90,13 +92,14 @@ void test_SWR_IGTL_041_a_port_names_only_what_it_answers(void)
     static const igtl_language_t languages[] = {IGTL_LANGUAGE_BRP_2013, IGTL_LANGUAGE_BRP_2021};
 
     for (uint32_t i = 0U; i < 2U; i++) {
-        language = languages[i];
+        asker.language = languages[i];
         TEST_ASSERT_TRUE(ask(IGTL_KIND_GET_CAPABILITY, "GET_CAPABIL", "who"));
         EXPECT("CAPABILITY who NDARRAY TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL "
-               "STT_TDATA STP_TDATA COMMAND");
+               "GET_SENSOR STT_TDATA STP_TDATA COMMAND");
         command(1U, "Capabilities");
-        EXPECT("RTS_COMMAND peer 1 Capabilities <Capabilities Types=\"NDARRAY TRANSFORM STRING "
-               "STATUS GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA STP_TDATA COMMAND\"/>");
+        EXPECT(
+            "RTS_COMMAND peer 1 Capabilities <Capabilities Types=\"NDARRAY TRANSFORM STRING "
+            "STATUS GET_TRANS GET_STATUS GET_CAPABIL GET_SENSOR STT_TDATA STP_TDATA COMMAND\"/>");
     }
 }
 
@@ -229,7 +232,8 @@ void test_SWR_IGTL_043_capabilities_are_answered(void)
 {
     command(1U, "Capabilities");
     EXPECT("RTS_COMMAND peer 1 Capabilities <Capabilities Types=\"TRANSFORM STRING STATUS "
-           "GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA STP_TDATA COMMAND GET_POINT TRAJ\"/>");
+           "GET_TRANS GET_STATUS GET_CAPABIL GET_SENSOR STT_TDATA STP_TDATA COMMAND GET_POINT "
+           "TRAJ\"/>");
 }
 
 void test_SWR_IGTL_043_every_other_command_is_not_supported(void)
