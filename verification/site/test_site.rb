@@ -25,7 +25,7 @@ class TestSite < Minitest::Test
   MODULE = "#{ROOT}/build/site/robot.wasm"
   SERVED = "#{ROOT}/build/site/served.wasm"
   PAGE = "#{ROOT}/build/site/page/index.html"
-  PAGE_BYTES = 310_000
+  PAGE_BYTES = 300_000
   RECORDED = "#{ROOT}/build/site/recorded.wasm"
   RECORDED_PAGE = "#{ROOT}/build/site/page/replay.html"
   RECORDED_PAGE_BYTES = 300_000
