@@ -365,6 +365,10 @@ class TestSite < Minitest::Test
     assert_parts 'SWR-SITE-028'
   end
 
+  def test_SWR_CON_611_a_hand_presses_in_the_page_and_no_doubtful_force_is_drawn
+    assert_parts 'SWR-CON-611'
+  end
+
   def test_SWR_SITE_022_a_pedal_that_is_released_in_motion_is_read
     assert_parts 'SWR-SITE-022'
   end

@@ -177,7 +177,7 @@ export class Trace {
     return [["time s", ...names].join(","), ...lines, ""].join("\n");
   }
 
-  /** As `boresight-replay --membranes` reads it, where force and depth were known; the hand's force stands beside. */
+  /** Depth and force of the needle where both were known, and the hand's force beside them. */
   forceCsv(axis: string): string {
     const depths = this.column(axis, "position");
     const [hand, needle] = [this.force("HAND"), this.force("NEEDLE")];

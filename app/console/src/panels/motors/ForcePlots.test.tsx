@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: hand and needle are drawn together over time and over depth while they are believed, read at a cursor, and
-// saved as the replay reads them.
+// saved.
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { Force } from "@interface";
@@ -132,7 +132,7 @@ test("SWR-CON-610 a pause holds them", () => {
   expect(reading()).toMatch(/^At the pause; hand 3\.00 N/);
 });
 
-test("SWR-CON-610 they are saved as boresight-replay --membranes reads them", () => {
+test("SWR-CON-610 they are saved where depth and force of the needle are known", () => {
   take(21, null, 1600);
   show();
   fireEvent.click(screen.getByRole("button", { name: "Save as CSV" }));
