@@ -1,32 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // Output of `make site`: the console with a robot in its own page, and with --mode recorded the page on which recordings
 // are opened. Each is one file with its module in it.
-import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig, mergeConfig } from "vite";
-import { oneFile } from "./one_file.ts";
+import { oneFile, packed } from "./one_file.ts";
 import console from "./vite.config.ts";
 
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
-// Format that src/site/expand.ts reads.
-const LZMA = ["--format=lzma", "--lzma1=preset=9e,lc=3,lp=0,pb=0"];
-const packed = (module: string) =>
-  execFileSync("xz", [
-    ...LZMA,
-    "-c",
-    at(`../../build/site/${module}`),
-  ]).toString("base64");
+const packedModule = (module: string) =>
+  packed(readFileSync(at(`../../build/site/${module}`)));
 
 const robot = {
   page: "site.html",
   plugin: () =>
-    oneFile("site.html", "index.html", { robot: packed("served.wasm") }),
+    oneFile("site.html", "index.html", { robot: packedModule("served.wasm") }),
 };
 const recorded = {
   page: "recorded.html",
   plugin: () =>
     oneFile("recorded.html", "replay.html", {
-      replay: packed("recorded.wasm"),
+      replay: packedModule("recorded.wasm"),
     }),
 };
 

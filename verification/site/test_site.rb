@@ -25,7 +25,7 @@ class TestSite < Minitest::Test
   MODULE = "#{ROOT}/build/site/robot.wasm"
   SERVED = "#{ROOT}/build/site/served.wasm"
   PAGE = "#{ROOT}/build/site/page/index.html"
-  PAGE_BYTES = 310_000
+  PAGE_BYTES = 300_000
   RECORDED = "#{ROOT}/build/site/recorded.wasm"
   RECORDED_PAGE = "#{ROOT}/build/site/page/replay.html"
   RECORDED_PAGE_BYTES = 300_000
@@ -363,6 +363,10 @@ class TestSite < Minitest::Test
 
   def test_SWR_SITE_028_a_link_is_played_when_it_is_opened_and_a_bad_one_refused_in_words
     assert_parts 'SWR-SITE-028'
+  end
+
+  def test_SWR_CON_611_a_hand_presses_in_the_page_and_no_doubtful_force_is_drawn
+    assert_parts 'SWR-CON-611'
   end
 
   def test_SWR_SITE_022_a_pedal_that_is_released_in_motion_is_read

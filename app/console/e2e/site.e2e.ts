@@ -241,6 +241,47 @@ test("SWR-SITE-012 another robot is a link away", async () => {
     .waitFor();
 });
 
+/** State of the handle at the simulated box, once it is that. */
+async function handleIs(state: string): Promise<void> {
+  await page
+    .getByRole("group", { name: "Handle", exact: true })
+    .getByText(state, { exact: true })
+    .waitFor();
+}
+
+async function readingOfHand(): Promise<number> {
+  const cells = page
+    .getByRole("row", { name: /^hand / })
+    .getByRole("cell")
+    .allInnerTexts();
+  return Number((await cells)[1]);
+}
+
+// The robot that has a force sensor is not homed, so that no force was zeroed.
+test("SWR-CON-611 a hand presses by keys with the chosen force, and nothing is drawn of what is doubtful", async () => {
+  await button("Open the simulated box").click();
+  await page
+    .getByRole("group", { name: "Hand", exact: true })
+    .getByRole("combobox")
+    .selectOption("2000");
+  await button("Hold handle").focus();
+  await page.keyboard.down("Space");
+  await handleIs("held by this page");
+  await page.keyboard.up("Space");
+  await handleIs("released");
+  await page.getByRole("link", { name: "Status", exact: true }).click();
+  const free = await readingOfHand();
+  await page.getByRole("switch", { name: "Keep handle pressed" }).click();
+  await expect.poll(readingOfHand, patience).toBeGreaterThan(free + 200);
+  await page.getByRole("link", { name: "Modes", exact: true }).click();
+  const plots = page.getByRole("region", { name: "Force and depth" });
+  await plots.getByText("hand doubtful", { exact: true }).waitFor();
+  await expect.poll(() => plots.locator(".plot").count(), patience).toBe(3);
+  const curve = plots.locator(".plot .plot-line-hand").first();
+  expect(await curve.getAttribute("d")).toBe("");
+  expect(await findingsOf(page)).toBe("");
+});
+
 test("SWR-SITE-028 a link is played, and a bad one is refused in words", async () => {
   await page.goto(`${address}#robot=neuro&seed=7&inputs=100:estop,pull`);
   await page

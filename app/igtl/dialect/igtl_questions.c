@@ -2,6 +2,7 @@
 #include "igtl/dialect/igtl_questions.h"
 
 #include "charts/arming_chart.h"
+#include "igtl/dialect/igtl_forces.h"
 #include "igtl/dialect/igtl_units.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
@@ -15,9 +16,9 @@
 #define BEFORE 1U /* Only of who commands. */
 #define BEHIND 2U /* Only of who shows points and takes proposals. */
 
-static const char *const understood[] = {"NDARRAY",   "TRANSFORM",  "STRING",      "STATUS",
-                                         "GET_TRANS", "GET_STATUS", "GET_CAPABIL", "STT_TDATA",
-                                         "STP_TDATA", "COMMAND",    "GET_POINT",   "TRAJ"};
+static const char *const understood[] = {
+    "NDARRAY",    "TRANSFORM", "STRING",    "STATUS",  "GET_TRANS", "GET_STATUS", "GET_CAPABIL",
+    "GET_SENSOR", "STT_TDATA", "STP_TDATA", "COMMAND", "GET_POINT", "TRAJ"};
 
 static const char *const *understood_by(igtl_language_t language, uint32_t *count)
 {
@@ -79,21 +80,25 @@ static bool is_named(const igtl_message_t *command, const char *name)
            (memcmp(command->subject, name, command->subject_bytes) == 0);
 }
 
-static void write_status(char text[REPLY_SIZE], const igtl_moment_t *moment)
+static void write_status(const robot_t *robot, char text[REPLY_SIZE], const igtl_moment_t *moment)
 {
     const snapshot_t *snapshot = moment->snapshot;
+    size_t used;
 
     if (snapshot == NULL) {
         (void)snprintf(text, REPLY_SIZE, "<Status Pose=\"%s\"/>", status_name(STATUS_NO_ANSWER));
         return;
     }
-    (void)snprintf(text, REPLY_SIZE,
-                   "<Status Workphase=\"%s\" Pose=\"%s\" Homed=\"%u\" Registered=\"%u\" "
-                   "Target=\"%u\" Moving=\"%u\"/>",
-                   workphase_name((int32_t)snapshot->workphase),
-                   status_name((int32_t)snapshot->pose_status), (unsigned)snapshot->is_homed,
-                   (unsigned)snapshot->is_registered, (unsigned)snapshot->has_target,
-                   (snapshot->order == (uint32_t)ARMING_STATE_MOVING) ? 1U : 0U);
+    used = (size_t)snprintf(
+        text, REPLY_SIZE,
+        "<Status Workphase=\"%s\" Pose=\"%s\" Homed=\"%u\" Registered=\"%u\" Target=\"%u\" "
+        "Moving=\"%u\"",
+        workphase_name((int32_t)snapshot->workphase), status_name((int32_t)snapshot->pose_status),
+        (unsigned)snapshot->is_homed, (unsigned)snapshot->is_registered,
+        (unsigned)snapshot->has_target,
+        (snapshot->order == (uint32_t)ARMING_STATE_MOVING) ? 1U : 0U);
+    used += igtl_forces_write(robot, snapshot, &text[used], REPLY_SIZE - used);
+    (void)snprintf(&text[used], REPLY_SIZE - used, "/>");
 }
 
 static void write_capabilities(igtl_language_t language, char text[REPLY_SIZE])
@@ -109,31 +114,35 @@ static void write_capabilities(igtl_language_t language, char text[REPLY_SIZE])
     (void)snprintf(&text[used], REPLY_SIZE - used, "\"/>");
 }
 
-static void answer_command(igtl_outbox_t *outbox, igtl_language_t language,
-                           const igtl_message_t *command, const igtl_moment_t *moment)
+static void answer_command(const igtl_asker_t *asker, const igtl_message_t *command,
+                           const igtl_moment_t *moment)
 {
     igtl_packet_t packet;
     char text[REPLY_SIZE] = "<Unsupported Known=\"Status Capabilities\"/>";
     bool is_refused = false;
 
     if (is_named(command, "Status")) {
-        write_status(text, moment);
+        write_status(asker->robot, text, moment);
     } else if (is_named(command, "Capabilities")) {
-        write_capabilities(language, text);
+        write_capabilities(asker->language, text);
     } else {
         is_refused = true;
     }
     igtl_encode_command_reply(&packet, command, is_refused, text, moment->timestamp);
-    igtl_outbox_add(outbox, &packet);
+    igtl_outbox_add(asker->outbox, &packet);
 }
 
-bool igtl_questions_receive(igtl_tracking_t *tracking, igtl_outbox_t *outbox,
-                            igtl_language_t language, const igtl_message_t *message,
-                            const igtl_moment_t *moment)
+bool igtl_questions_receive(igtl_tracking_t *tracking, const igtl_asker_t *asker,
+                            const igtl_message_t *message, const igtl_moment_t *moment)
 {
+    igtl_outbox_t *outbox = asker->outbox;
+
     switch ((int)message->kind) {
     case IGTL_KIND_GET_CAPABILITY:
-        send_capability(outbox, message->name, language, moment);
+        send_capability(outbox, message->name, asker->language, moment);
+        return true;
+    case IGTL_KIND_GET_SENSOR:
+        igtl_forces_tell(outbox, asker->robot, message->name, moment);
         return true;
     case IGTL_KIND_GET_POINT:
     case IGTL_KIND_GET_OTHER:
@@ -152,7 +161,7 @@ bool igtl_questions_receive(igtl_tracking_t *tracking, igtl_outbox_t *outbox,
         send_return(outbox, message, true, moment);
         return true;
     case IGTL_KIND_COMMAND:
-        answer_command(outbox, language, message, moment);
+        answer_command(asker, message, moment);
         return true;
     default:
         return false;

@@ -168,6 +168,20 @@ static uint32_t float_bits(double number)
     return bits;
 }
 
+double igtl_units_newtons(int32_t force_mn)
+{
+    return (double)force_mn / 1000.0;
+}
+
+uint64_t igtl_units_write_newtons(int32_t force_mn)
+{
+    const double newtons = igtl_units_newtons(force_mn);
+    uint64_t bits;
+
+    (void)memcpy(&bits, &newtons, sizeof bits);
+    return bits;
+}
+
 double igtl_units_mm(int32_t length_nm)
 {
     return (double)length_nm / (double)NM_PER_MM;

@@ -69,6 +69,12 @@ status_t igtl_units_read_whole(const igtl_message_t *message, uint32_t index, in
  */
 status_t igtl_units_read_double(const igtl_message_t *message, uint32_t index, double *value);
 
+/** mN as newtons, for a text. */
+double igtl_units_newtons(int32_t force_mn);
+
+/** mN as bits of a double in newton, the nearest one. */
+uint64_t igtl_units_write_newtons(int32_t force_mn);
+
 /** nm as mm, for a text. */
 double igtl_units_mm(int32_t length_nm);
 

@@ -165,6 +165,14 @@ static void receive_string(transform_dialect_t *self, uint32_t index, const igtl
     }
 }
 
+static void answer_question(transform_dialect_t *self, transform_peer_t *sender,
+                            const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    const igtl_asker_t asker = {sender->outbox, IGTL_LANGUAGE_CRTK, self->robot};
+
+    (void)igtl_questions_receive(&sender->tracking, &asker, message, moment);
+}
+
 void transform_dialect_receive(void *dialect, uint32_t peer, const igtl_message_t *message,
                                const igtl_moment_t *moment)
 {
@@ -191,8 +199,7 @@ void transform_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
         refuse_unknown(sender, message, moment);
         break;
     default: /* A STATUS is how peers announce themselves. */
-        (void)igtl_questions_receive(&sender->tracking, sender->outbox, IGTL_LANGUAGE_CRTK, message,
-                                     moment);
+        answer_question(self, sender, message, moment);
         break;
     }
 }

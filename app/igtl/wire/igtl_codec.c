@@ -133,6 +133,7 @@ static igtl_kind_t kind_of(const char *type)
                  {"GET_STATUS", IGTL_KIND_GET_STATUS},
                  {"GET_POINT", IGTL_KIND_GET_POINT},
                  {"GET_CAPABIL", IGTL_KIND_GET_CAPABILITY},
+                 {"GET_SENSOR", IGTL_KIND_GET_SENSOR},
                  {"STT_TDATA", IGTL_KIND_STT_TDATA},
                  {"STP_TDATA", IGTL_KIND_STP_TDATA},
                  {"COMMAND", IGTL_KIND_COMMAND},
@@ -414,7 +415,7 @@ static igtl_result_t (*const readers[])(igtl_message_t *message) = {
     [IGTL_KIND_GET_POINT] = read_nothing,     [IGTL_KIND_GET_CAPABILITY] = read_nothing,
     [IGTL_KIND_STT_TDATA] = read_stream,      [IGTL_KIND_STP_TDATA] = read_nothing,
     [IGTL_KIND_COMMAND] = read_command,       [IGTL_KIND_TRAJECTORY] = read_trajectory,
-    [IGTL_KIND_ARRAY] = read_array,
+    [IGTL_KIND_ARRAY] = read_array,           [IGTL_KIND_GET_SENSOR] = read_nothing,
 };
 
 static igtl_result_t read_content(igtl_message_t *message)

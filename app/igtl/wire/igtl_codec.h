@@ -48,7 +48,8 @@ typedef enum {
     IGTL_KIND_STP_OTHER = 13,
     IGTL_KIND_COMMAND = 14,
     IGTL_KIND_TRAJECTORY = 15,
-    IGTL_KIND_ARRAY = 16
+    IGTL_KIND_ARRAY = 16,
+    IGTL_KIND_GET_SENSOR = 17
 } igtl_kind_t;
 
 /** The fault of a message. */

@@ -20,6 +20,11 @@
 #define TRACKED_NAME_BYTES 20U
 #define TRACKED_NUMBERS 22U
 #define TRACKED_OF_SIX 2U
+#define SENSOR_BYTES 18U
+#define SENSOR_UNIT 2U
+#define SENSOR_VALUE 10U
+#define UNIT_NEWTON                                                                                \
+    UINT64_C(0x02C4000000000000) /* No prefix; the derived unit 11, to the power 1. */
 
 /* The rest of the field is NUL. */
 static void put_bytes(uint8_t *field, size_t size, const char *bytes, size_t count)
@@ -160,6 +165,19 @@ void igtl_encode_tracking(igtl_packet_t *packet, const char *name, const igtl_tr
         element[TRACKED_NAME_BYTES + 1U] = 0U;
         put_numbers(&element[TRACKED_NUMBERS], elements[i].numbers, IGTL_TRANSFORM_NUMBERS);
     }
+    seal(packet);
+}
+
+void igtl_encode_force(igtl_packet_t *packet, const char *name, uint64_t newtons,
+                       uint64_t timestamp)
+{
+    static const char type[TYPE_BYTES] = "SENSOR";
+    uint8_t *body = begin(packet, type, name, SENSOR_BYTES, timestamp);
+
+    body[0] = 1U; /* So many values. */
+    body[1] = 0U; /* Reserved. */
+    put_u64(&body[SENSOR_UNIT], UNIT_NEWTON);
+    put_u64(&body[SENSOR_VALUE], newtons);
     seal(packet);
 }
 

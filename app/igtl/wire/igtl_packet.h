@@ -72,6 +72,10 @@ typedef struct {
 void igtl_encode_tracking(igtl_packet_t *packet, const char *name, const igtl_tracked_t *elements,
                           uint32_t count, uint64_t timestamp);
 
+/** SENSOR of one force: `newtons` are the bits of a double. */
+void igtl_encode_force(igtl_packet_t *packet, const char *name, uint64_t newtons,
+                       uint64_t timestamp);
+
 /** RTS_COMMAND: the answer to the COMMAND `command`, with its id and names. Version 2 for each
  * peer: the metadata states whether it was carried out. */
 void igtl_encode_command_reply(igtl_packet_t *packet, const igtl_message_t *command,

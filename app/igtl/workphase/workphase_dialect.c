@@ -85,6 +85,14 @@ static void look_who_commands(workphase_dialect_t *self, const igtl_moment_t *mo
     }
 }
 
+static void answer_question(const workphase_dialect_t *self, workphase_peer_t *peer,
+                            const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    const igtl_asker_t asker = {peer->outbox, peer->language, self->robot};
+
+    (void)igtl_questions_receive(&peer->tracking, &asker, message, moment);
+}
+
 void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_t *message,
                                const igtl_moment_t *moment)
 {
@@ -116,8 +124,7 @@ void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
         igtl_tell_refusal(asker->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
         break;
     default: /* A STATUS is how peers announce themselves. */
-        (void)igtl_questions_receive(&asker->tracking, asker->outbox, asker->language, message,
-                                     moment);
+        answer_question(self, asker, message, moment);
         break;
     }
 }

@@ -17,6 +17,7 @@
 #include <igtlMessageHeader.h>
 #include <igtlNDArrayMessage.h>
 #include <igtlPointMessage.h>
+#include <igtlSensorMessage.h>
 #include <igtlStatusMessage.h>
 #include <igtlStringMessage.h>
 #include <igtlTrackingDataMessage.h>
@@ -567,6 +568,9 @@ class Client
         } else if (received->type == "CAPABILITY") {
             content << ",\"types\":[" << Types(Body<igtl::CapabilityMessage>(header)->GetTypes())
                     << "]";
+        } else if (received->type == "SENSOR") {
+            igtl::SensorMessage::Pointer message = Body<igtl::SensorMessage>(header);
+            content << ",\"unit\":" << Unit(message) << ",\"values\":" << Values(message);
         } else if (received->type == "POINT") {
             igtl::PointElement::Pointer point;
             igtlFloat32 position[3];
@@ -586,6 +590,24 @@ class Client
             received->numbers.push_back(matrix[i / 4][i % 4]);
         }
         return ",\"matrix\":" + List(received->numbers);
+    }
+
+    static std::string Values(igtl::SensorMessage *message)
+    {
+        std::string list;
+        for (unsigned i = 0; i < message->GetLength(); i++) {
+            list += (i == 0 ? "" : ",") + Number(message->GetValue(i));
+        }
+        return "[" + list + "]";
+    }
+
+    // Of the units of a SENSOR, newton has a name here.
+    static std::string Unit(igtl::SensorMessage *message)
+    {
+        igtl::Unit::Pointer newton = igtl::Unit::New();
+        newton->Init();
+        newton->Append(igtl::Unit::SI_DERIVED_NEWTON, 1);
+        return message->GetUnit() == newton->Pack() ? "\"N\"" : "null";
     }
 
     static std::string Types(const std::vector<std::string> &types)

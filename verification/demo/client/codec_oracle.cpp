@@ -14,6 +14,7 @@ extern "C" {
 #include <igtlMessageHeader.h>
 #include <igtlNDArrayMessage.h>
 #include <igtlPointMessage.h>
+#include <igtlSensorMessage.h>
 #include <igtlStatusMessage.h>
 #include <igtlStringMessage.h>
 #include <igtlTrackingDataMessage.h>
@@ -275,6 +276,31 @@ void CompareTracking()
     }
 }
 
+void CompareForce()
+{
+    const std::string name = Text(19);
+    const double newtons = static_cast<double>(Finite()) / 3;
+    uint64_t bits;
+    igtl_packet_t packet;
+    igtl::Unit::Pointer newton = igtl::Unit::New();
+    newton->Init();
+    newton->Append(igtl::Unit::SI_DERIVED_NEWTON, 1);
+    std::memcpy(&bits, &newtons, sizeof bits);
+    igtl_encode_force(&packet, name.c_str(), bits, 0);
+    igtl::SensorMessage::Pointer unpacked = Unpacked<igtl::SensorMessage>(packet);
+    Check(unpacked->GetLength() == 1, "a number of values");
+    Check(unpacked->GetUnit() == newton->Pack(), "a unit");
+    const double back = unpacked->GetValue(0);
+    Check(std::memcmp(&back, &newtons, sizeof back) == 0, "a force");
+    igtl::SensorMessage::Pointer message = igtl::SensorMessage::New();
+    message->SetDeviceName(name.c_str());
+    message->SetLength(1);
+    message->SetUnit(newton);
+    message->SetValue(0, newtons);
+    message->Pack();
+    CheckBytes(message, packet);
+}
+
 void CompareTrajectory()
 {
     const std::string name = Text(19);
@@ -383,6 +409,7 @@ int main()
         ComparePoint();
         CompareCapability();
         CompareTracking();
+        CompareForce();
         CompareTrajectory();
         CompareArray<igtlFloat32>(igtl::NDArrayMessage::TYPE_FLOAT32);
         CompareArray<igtlFloat64>(igtl::NDArrayMessage::TYPE_FLOAT64);

@@ -16,7 +16,7 @@ class TestIgtlPlanning < Minitest::Test
   ORDER = %w[lateral yaw pitch insertion rotation head feet].freeze
   LENGTHS = { 'cannula_to_treatment' => 5, 'treatment_to_tip' => 10, 'robot_to_entry' => 5,
               'robot_treatment_home' => 41 }.freeze
-  TYPES = %w[TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA STP_TDATA COMMAND].freeze
+  TYPES = %w[TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL GET_SENSOR STT_TDATA STP_TDATA COMMAND].freeze
   CARD_OF_YAW = '5'
 
   def self.boresight

@@ -22,11 +22,11 @@ void test_SWR_IGTL_018_each_question_and_stream_is_known(void)
     static const struct {
         const char *type;
         igtl_kind_t kind;
-    } known[] = {{"GET_POINT", IGTL_KIND_GET_POINT},    {"GET_CAPABIL", IGTL_KIND_GET_CAPABILITY},
-                 {"GET_IMAGE", IGTL_KIND_GET_OTHER},    {"GET_", IGTL_KIND_GET_OTHER},
-                 {"STP_TDATA", IGTL_KIND_STP_TDATA},    {"STT_QTDATA", IGTL_KIND_STT_OTHER},
-                 {"STP_QTDATA", IGTL_KIND_STP_OTHER},   {"STT_POLYDATA", IGTL_KIND_STT_OTHER},
-                 {"GET_TRANS", IGTL_KIND_GET_TRANSFORM}};
+    } known[] = {{"GET_POINT", IGTL_KIND_GET_POINT},     {"GET_CAPABIL", IGTL_KIND_GET_CAPABILITY},
+                 {"GET_IMAGE", IGTL_KIND_GET_OTHER},     {"GET_", IGTL_KIND_GET_OTHER},
+                 {"STP_TDATA", IGTL_KIND_STP_TDATA},     {"STT_QTDATA", IGTL_KIND_STT_OTHER},
+                 {"STP_QTDATA", IGTL_KIND_STP_OTHER},    {"STT_POLYDATA", IGTL_KIND_STT_OTHER},
+                 {"GET_TRANS", IGTL_KIND_GET_TRANSFORM}, {"GET_SENSOR", IGTL_KIND_GET_SENSOR}};
 
     for (size_t i = 0U; i < (sizeof known / sizeof known[0]); i++) {
         frame(1U, known[i].type, 0U);
@@ -41,7 +41,7 @@ void test_SWR_IGTL_018_each_question_and_stream_is_known(void)
 
 void test_SWR_IGTL_018_questions_without_content_have_none(void)
 {
-    static const char *const types[] = {"GET_POINT", "GET_CAPABIL", "STP_TDATA"};
+    static const char *const types[] = {"GET_POINT", "GET_CAPABIL", "GET_SENSOR", "STP_TDATA"};
 
     for (size_t i = 0U; i < (sizeof types / sizeof types[0]); i++) {
         frame(1U, types[i], 1U);

@@ -162,6 +162,17 @@ void test_SWR_IGTL_019_tracking_has_70_bytes_for_each_instrument(void)
     TEST_ASSERT_EQUAL_UINT32(58U + (70U * IGTL_TRACKED_MAX), packet.length);
 }
 
+/* One value, reserved byte, newton as the library packs it, 1.5 as a double. */
+void test_SWR_IGTL_610_sensor_is_one_value_in_newton(void)
+{
+    igtl_encode_force(&packet, "FORCE_HAND", UINT64_C(0x3FF8000000000000), 7U);
+    TEST_ASSERT_EQUAL_UINT32(58U + 18U, packet.length);
+    TEST_ASSERT_EQUAL_MEMORY("\0\1SENSOR\0\0\0\0\0\0FORCE_HAND\0", packet.bytes, 25U);
+    TEST_ASSERT_EQUAL_MEMORY("\1\0\x02\xC4\0\0\0\0\0\0\x3F\xF8\0\0\0\0\0\0", &packet.bytes[58],
+                             18U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode(&packet));
+}
+
 static void reply_to_command(bool is_refused)
 {
     const igtl_message_t command = {.kind = IGTL_KIND_COMMAND,

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: every question has an answer that says what is true, nothing of it commands, and
- * what was not asked for is not sent.
+ * Rule under test: every question has an answer that says what is true, nothing of it commands,
+ * what was not asked for is not sent, and a force is a number only while it is believed.
  */
 #include "base/fixed.h"
 #include "base/rigid.h"
@@ -11,8 +11,11 @@
 #include "igtl/dialect/igtl_dialect.h"
 #include "igtl/dialect/igtl_questions.h"
 #include "interface/app/names.h"
+#include "interface/force_doubt.h"
 #include "interface/snapshot.h"
 #include "limits/requirement_limits.h"
+#include "robot/robot_neuro.h"
+#include "robot/robot_prostate.h"
 #include "igtl/wire/igtl_codec.h"
 #include "igtl/wire/igtl_crc64.h"
 #include "igtl/wire/igtl_outbox.h"
@@ -23,10 +26,13 @@
 #include <string.h>
 
 #define EXPECT(expected) TEST_ASSERT_EQUAL_STRING((expected), igtl_peer_next(&outbox))
+#define EXPECT_BEGIN(expected)                                                                     \
+    TEST_ASSERT_EQUAL_STRING_LEN((expected), igtl_peer_next(&outbox), strlen(expected))
+#define ALL_DOUBTS ((UINT32_C(1) << (uint32_t)FORCE_DOUBT_COUNT) - 1U)
 
 static igtl_tracking_t tracking;
 static igtl_outbox_t outbox;
-static igtl_language_t language;
+static igtl_asker_t asker;
 static snapshot_t snapshot;
 static igtl_moment_t moment;
 
@@ -34,7 +40,7 @@ void setUp(void)
 {
     (void)memset(&snapshot, 0, sizeof snapshot);
     (void)memset(&tracking, 0, sizeof tracking);
-    language = IGTL_LANGUAGE_CRTK;
+    asker = (igtl_asker_t){&outbox, IGTL_LANGUAGE_CRTK, &robot_neuro};
     rigid_set_identity(&snapshot.scanner_treatment);
     moment = (igtl_moment_t){.now_us = 1000000U, .snapshot = &snapshot};
     igtl_outbox_init(&outbox);
@@ -55,7 +61,7 @@ static bool ask(igtl_kind_t kind, const char *type, const char *name)
     igtl_message_t question = igtl_peer_query(kind, name);
 
     (void)snprintf(question.type, sizeof question.type, "%s", type);
-    return igtl_questions_receive(&tracking, &outbox, language, &question, &moment);
+    return igtl_questions_receive(&tracking, &asker, &question, &moment);
 }
 
 static void track(int32_t resolution_ms)
@@ -64,7 +70,7 @@ static void track(int32_t resolution_ms)
 
     (void)strcpy(start.type, "STT_TDATA");
     start.resolution_ms = resolution_ms;
-    TEST_ASSERT_TRUE(igtl_questions_receive(&tracking, &outbox, language, &start, &moment));
+    TEST_ASSERT_TRUE(igtl_questions_receive(&tracking, &asker, &start, &moment));
     EXPECT("RTS_TDATA probe 0");
 }
 
@@ -75,13 +81,14 @@ static void command(uint32_t id, const char *name)
     message.code = id;
     message.subject = name;
     message.subject_bytes = (uint32_t)strlen(name);
-    TEST_ASSERT_TRUE(igtl_questions_receive(&tracking, &outbox, language, &message, &moment));
+    TEST_ASSERT_TRUE(igtl_questions_receive(&tracking, &asker, &message, &moment));
 }
 
 void test_SWR_IGTL_041_the_types_that_are_understood_are_named(void)
 {
     TEST_ASSERT_TRUE(ask(IGTL_KIND_GET_CAPABILITY, "GET_CAPABIL", "who"));
-    EXPECT("CAPABILITY who TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA "
+    EXPECT("CAPABILITY who TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL GET_SENSOR "
+           "STT_TDATA "
            "STP_TDATA COMMAND GET_POINT TRAJ");
 }
 
@@ -90,13 +97,14 @@ void test_SWR_IGTL_041_a_port_names_only_what_it_answers(void)
     static const igtl_language_t languages[] = {IGTL_LANGUAGE_BRP_2013, IGTL_LANGUAGE_BRP_2021};
 
     for (uint32_t i = 0U; i < 2U; i++) {
-        language = languages[i];
+        asker.language = languages[i];
         TEST_ASSERT_TRUE(ask(IGTL_KIND_GET_CAPABILITY, "GET_CAPABIL", "who"));
         EXPECT("CAPABILITY who NDARRAY TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL "
-               "STT_TDATA STP_TDATA COMMAND");
+               "GET_SENSOR STT_TDATA STP_TDATA COMMAND");
         command(1U, "Capabilities");
-        EXPECT("RTS_COMMAND peer 1 Capabilities <Capabilities Types=\"NDARRAY TRANSFORM STRING "
-               "STATUS GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA STP_TDATA COMMAND\"/>");
+        EXPECT(
+            "RTS_COMMAND peer 1 Capabilities <Capabilities Types=\"NDARRAY TRANSFORM STRING "
+            "STATUS GET_TRANS GET_STATUS GET_CAPABIL GET_SENSOR STT_TDATA STP_TDATA COMMAND\"/>");
     }
 }
 
@@ -229,7 +237,8 @@ void test_SWR_IGTL_043_capabilities_are_answered(void)
 {
     command(1U, "Capabilities");
     EXPECT("RTS_COMMAND peer 1 Capabilities <Capabilities Types=\"TRANSFORM STRING STATUS "
-           "GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA STP_TDATA COMMAND GET_POINT TRAJ\"/>");
+           "GET_TRANS GET_STATUS GET_CAPABIL GET_SENSOR STT_TDATA STP_TDATA COMMAND GET_POINT "
+           "TRAJ\"/>");
 }
 
 void test_SWR_IGTL_043_every_other_command_is_not_supported(void)
@@ -268,4 +277,126 @@ void test_SWR_IGTL_043_the_metadata_say_whether_it_was_answered(void)
         TEST_ASSERT_EQUAL_UINT32(1U, count_of(bytes, length, verdicts[i]));
         igtl_outbox_advance(&outbox, length);
     }
+}
+
+/* The robot with a force sensor, both forces believed. */
+static void feel(void)
+{
+    asker.robot = &robot_prostate;
+    snapshot.forces[FORCE_CHANNEL_HAND].force_mn = 1250;
+    snapshot.forces[FORCE_CHANNEL_NEEDLE].force_mn = -75;
+}
+
+static void ask_force(const char *name)
+{
+    const igtl_message_t question = igtl_peer_query(IGTL_KIND_GET_SENSOR, name);
+
+    TEST_ASSERT_TRUE(igtl_questions_receive(&tracking, &asker, &question, &moment));
+}
+
+static void doubt(uint32_t channel, force_doubt_t doubt)
+{
+    snapshot.forces[channel].doubts |= UINT32_C(1) << (uint32_t)doubt;
+}
+
+void test_SWR_IGTL_610_a_force_is_sent_in_newton_on_request(void)
+{
+    static const igtl_language_t languages[] = {IGTL_LANGUAGE_BRP_2013, IGTL_LANGUAGE_BRP_2021,
+                                                IGTL_LANGUAGE_CRTK};
+
+    feel();
+    for (uint32_t i = 0U; i < 3U; i++) {
+        asker.language = languages[i];
+        ask_force("FORCE_HAND");
+        EXPECT("SENSOR FORCE_HAND 1 x 1.250");
+        ask_force("FORCE_NEEDLE");
+        EXPECT("SENSOR FORCE_NEEDLE 1 x -0.075");
+        EXPECT("");
+    }
+}
+
+void test_SWR_IGTL_610_without_a_name_both_are_sent(void)
+{
+    feel();
+    ask_force("");
+    EXPECT("SENSOR FORCE_HAND 1 x 1.250");
+    EXPECT("SENSOR FORCE_NEEDLE 1 x -0.075");
+    EXPECT("");
+}
+
+void test_SWR_IGTL_610_nothing_is_sent_of_another_name(void)
+{
+    feel();
+    ask_force("FORCE");
+    EXPECT("STATUS FORCE 4 NOT_FOUND|NOT_FOUND: There is nothing of this name.");
+    EXPECT("");
+}
+
+void test_SWR_IGTL_611_a_doubtful_force_is_no_number(void)
+{
+    feel();
+    doubt(FORCE_CHANNEL_HAND, FORCE_DOUBT_NOT_ZEROED);
+    ask_force("");
+    EXPECT_BEGIN("STATUS FORCE_HAND 13 FORCE_DOUBTFUL|NOT_ZEROED: Its zero was not taken");
+    EXPECT("SENSOR FORCE_NEEDLE 1 x -0.075");
+    EXPECT("");
+}
+
+void test_SWR_IGTL_611_each_doubt_by_itself_keeps_a_force_back(void)
+{
+    feel();
+    for (uint32_t i = 0U; i < (uint32_t)FORCE_DOUBT_COUNT; i++) {
+        snapshot.forces[FORCE_CHANNEL_NEEDLE].doubts = UINT32_C(1) << i;
+        ask_force("FORCE_NEEDLE");
+        EXPECT_BEGIN("STATUS FORCE_NEEDLE 13 FORCE_DOUBTFUL|");
+        EXPECT("");
+    }
+}
+
+void test_SWR_IGTL_611_all_doubts_are_named_as_far_as_there_is_room(void)
+{
+    feel();
+    doubt(FORCE_CHANNEL_HAND, FORCE_DOUBT_STALE);
+    doubt(FORCE_CHANNEL_HAND, FORCE_DOUBT_STEP);
+    ask_force("FORCE_HAND");
+    EXPECT_BEGIN("STATUS FORCE_HAND 13 FORCE_DOUBTFUL|STALE, STEP: No report of it comes");
+    snapshot.forces[FORCE_CHANNEL_HAND].doubts = ALL_DOUBTS;
+    ask_force("FORCE_HAND");
+    EXPECT_BEGIN(
+        "STATUS FORCE_HAND 13 FORCE_DOUBTFUL|NOT_ZEROED, STALE, STUCK, OUT_OF_RANGE, STEP");
+    EXPECT("");
+}
+
+void test_SWR_IGTL_611_a_robot_without_a_sensor_refuses(void)
+{
+    feel();
+    asker.robot = &robot_neuro;
+    ask_force("FORCE_HAND");
+    EXPECT("STATUS FORCE_HAND 10 NO_FORCE_SENSOR|NO_FORCE_SENSOR: The robot has no force sensor.");
+    EXPECT("");
+}
+
+void test_SWR_IGTL_611_while_control_is_silent_no_force_is_known(void)
+{
+    feel();
+    moment.snapshot = NULL;
+    ask_force("FORCE_NEEDLE");
+    EXPECT_BEGIN("STATUS FORCE_NEEDLE 7 NO_ANSWER|");
+    EXPECT("");
+}
+
+void test_SWR_IGTL_612_the_status_has_the_forces_or_their_doubts(void)
+{
+    feel();
+    command(1U, "Status");
+    TEST_ASSERT_NOT_NULL(strstr(igtl_peer_next(&outbox),
+                                " Moving=\"0\" ForceHand=\"1.250\" ForceNeedle=\"-0.075\"/>"));
+    doubt(FORCE_CHANNEL_HAND, FORCE_DOUBT_BROKEN_WIRE);
+    doubt(FORCE_CHANNEL_HAND, FORCE_DOUBT_ZERO_WANDERED);
+    command(1U, "Status");
+    TEST_ASSERT_NOT_NULL(
+        strstr(igtl_peer_next(&outbox), " ForceHand=\"BROKEN_WIRE\" ForceNeedle=\"-0.075\"/>"));
+    asker.robot = &robot_neuro;
+    command(1U, "Status");
+    TEST_ASSERT_NOT_NULL(strstr(igtl_peer_next(&outbox), " Moving=\"0\"/>"));
 }

@@ -17,6 +17,7 @@
 #define IGTL_PEER_POINT_POSITION 100U
 #define IGTL_PEER_TRANSFORM_POSITION 36U
 #define IGTL_PEER_TDATA_POSITION 58U
+#define IGTL_PEER_SENSOR_VALUE 10U
 
 static char igtl_peer_line[512];
 
@@ -85,6 +86,18 @@ static inline double igtl_peer_number_at(const uint8_t *bytes)
     return (double)number;
 }
 
+static inline double igtl_peer_double_at(const uint8_t *bytes)
+{
+    uint64_t bits = 0U;
+    double number;
+
+    for (uint32_t i = 0U; i < 8U; i++) {
+        bits = (bits << 8U) | bytes[i];
+    }
+    (void)memcpy(&number, &bits, sizeof number);
+    return number;
+}
+
 static inline void igtl_peer_say_position(const char *type, const char *name, const uint8_t *bytes)
 {
     (void)snprintf(igtl_peer_line, sizeof igtl_peer_line, "%s %s %.3f %.3f %.3f", type, name,
@@ -135,6 +148,9 @@ static inline void igtl_peer_say(const uint8_t *bytes, uint32_t length)
         igtl_peer_say_position(type, name, &body[IGTL_PEER_POINT_POSITION]);
     } else if (strcmp(type, "TDATA") == 0) {
         igtl_peer_say_position(type, name, &body[IGTL_PEER_TDATA_POSITION]);
+    } else if (strcmp(type, "SENSOR") == 0) {
+        (void)snprintf(igtl_peer_line, sizeof igtl_peer_line, "SENSOR %s %u x %.3f", name,
+                       (unsigned)body[0], igtl_peer_double_at(&body[IGTL_PEER_SENSOR_VALUE]));
     } else if ((strncmp(type, "RTS_", 4U) == 0) || (strcmp(type, "CAPABILITY") == 0)) {
         igtl_peer_say_reply(type, name, body, length - IGTL_HEADER_BYTES);
     } else {
@@ -145,6 +161,7 @@ static inline void igtl_peer_say(const uint8_t *bytes, uint32_t length)
 /**
  * The next message of the outbox as "TYPE name ...", or "" when there is none: STATUS with code,
  * error name and text; STRING with its text; TRANSFORM, POINT and TDATA with their position in mm;
+ * SENSOR with the number of its values and the first;
  * what has no body with "nothing". Valid until the next call.
  */
 static inline const char *igtl_peer_next(igtl_outbox_t *outbox)

@@ -4,6 +4,7 @@ import { words } from "../words/format";
 import { useCommanding, useKept } from "../state/operation";
 import { reasonAgainst, usePoses } from "../state/outlook";
 import { ButtonOrder, isButtonMode, Poses } from "../panels/modes/Needle";
+import { ForcePlots } from "../panels/motors/ForcePlots";
 import { ModeList } from "../panels/modes/ModeList";
 import type { ModePanelProperties } from "../panels/modes/mode_panel";
 import { Program } from "../panels/modes/Program";
@@ -85,7 +86,12 @@ function Facts({ mode }: { mode: Mode | undefined }) {
 }
 
 /** One motion after the other: what it needs, its command, and how far it has come. */
-export function ModesView({ robot, operation, outlook }: ViewProperties) {
+export function ModesView({
+  robot,
+  operation,
+  outlook,
+  trace,
+}: ViewProperties) {
   const { status } = robot;
   const [chosen, setChosen] = useKept<string | null>(operation, "mode", null);
   const commanding = useCommanding(operation, status.authority);
@@ -108,6 +114,11 @@ export function ModesView({ robot, operation, outlook }: ViewProperties) {
         <Orders {...properties} />
         <Progress status={status} />
       </Panel>
+      {status.forces.length > 0 && (
+        <Panel title="Force and depth" className="panel-wide">
+          <ForcePlots needle={status.needle} trace={trace} />
+        </Panel>
+      )}
     </>
   );
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Axis, RobotState } from "@interface";
+import type { Axis, Force, RobotState } from "@interface";
 import { STALE_MS } from "../state/freshness";
 import { isKnown } from "../state/trust";
 
@@ -26,6 +26,18 @@ interface Row {
   timeS: number;
   /** By axis; null: for a while nothing came. */
   axes: ReadonlyMap<string, Values> | null;
+  forces: Newtons;
+}
+
+/** Forces in newton; none of a channel that is doubtful. */
+export type Newtons = ReadonlyMap<Force["channel"], number>;
+
+function believed(forces: readonly Force[]): Newtons {
+  return new Map(
+    forces
+      .filter(({ doubts }) => doubts.length === 0)
+      .map(({ channel, force_mn }) => [channel, force_mn / 1000]),
+  );
 }
 
 function valuesOf(axis: Axis): Values {
@@ -36,9 +48,10 @@ function valuesOf(axis: Axis): Values {
 }
 
 /**
- * The last 30 s of every axis by the time of control, in the memory of the page and outside of React.
+ * The last 30 s of every axis and force by the time of control, in the memory of the page and outside of React.
  *
  * @satisfies SWR-CON-027
+ * @satisfies SWR-CON-611
  */
 export class Trace {
   /** Another one with each change. */
@@ -69,13 +82,14 @@ export class Trace {
     } else if (wayS === 0) {
       return; // Control stands still.
     } else if (nowMs - this.takenMs > STALE_MS) {
-      this.rows.push({ timeS: last.timeS + wayS / 2, axes: null });
+      const timeS = last.timeS + wayS / 2;
+      this.rows.push({ timeS, axes: null, forces: new Map() });
     }
     this.timeUs = motors.time_us;
     this.takenMs = nowMs;
     const timeS = this.rows.length === 0 ? 0 : (last?.timeS ?? 0) + wayS;
     const axes = new Map(motors.axes.map((one) => [one.name, valuesOf(one)]));
-    this.rows.push({ timeS, axes });
+    this.rows.push({ timeS, axes, forces: believed(status.forces) });
     this.forget(timeS - this.spanS);
     this.revision += 1;
   }
@@ -119,8 +133,16 @@ export class Trace {
     });
   }
 
+  /** Null where there is a gap, and where the force was doubtful. */
+  force(channel: Force["channel"]): (number | null)[] {
+    return this.rows.map(({ forces }) => forces.get(channel) ?? null);
+  }
+
   /** Values `agoS` seconds before the last row, or nearest to that; null in a gap. */
-  at(axis: string, agoS: number): (Values & { agoS: number }) | null {
+  at(
+    axis: string,
+    agoS: number,
+  ): (Values & { agoS: number; forces: Newtons }) | null {
     const end = this.endS();
     const distance = (row: Row) => Math.abs(end - row.timeS - agoS);
     const nearest = this.rows.reduce<Row | null>(
@@ -131,7 +153,7 @@ export class Trace {
     const values = nearest?.axes?.get(axis);
     return nearest === null || values === undefined
       ? null
-      : { ...values, agoS: end - nearest.timeS };
+      : { ...values, agoS: end - nearest.timeS, forces: nearest.forces };
   }
 
   /** With a line of names and units; what was not received has no row. */
@@ -153,6 +175,19 @@ export class Trace {
       return [[timeS.toFixed(3), ...cells].join(",")];
     });
     return [["time s", ...names].join(","), ...lines, ""].join("\n");
+  }
+
+  /** Depth and force of the needle where both were known, and the hand's force beside them. */
+  forceCsv(axis: string): string {
+    const depths = this.column(axis, "position");
+    const [hand, needle] = [this.force("HAND"), this.force("NEEDLE")];
+    const lines = this.rows.flatMap(({ timeS }, index) => {
+      const [depth, force] = [depths[index], needle[index]];
+      return typeof depth === "number" && typeof force === "number"
+        ? [[(timeS * 1000).toFixed(0), depth, force, hand[index] ?? ""].join()]
+        : [];
+    });
+    return ["time_ms,depth_mm,force_n,hand_n", ...lines, ""].join("\n");
   }
 
   private endS(): number {

@@ -17,7 +17,7 @@ import type { Freshness } from "../../state/freshness";
 import { mayCommand, obstacleOf, type Operation } from "../../state/operation";
 import { HoldButton } from "../../parts/HoldButton";
 import { BoxFaults } from "./BoxFaults";
-import { BoxForce } from "./BoxForce";
+import { BoxForce, Grip } from "./BoxForce";
 import { hasForceSensor } from "./force";
 import "./Box.css";
 
@@ -121,7 +121,12 @@ function Handles(properties: WorkProperties) {
     <>
       <Held {...properties} handle="pedal" />
       <Held {...properties} handle="button" />
-      {hasForceSensor(properties.box) && <Held {...properties} handle="hand" />}
+      {hasForceSensor(properties.box) && (
+        <>
+          <Held {...properties} handle="hand" />
+          <Grip {...properties} />
+        </>
+      )}
     </>
   );
 }

@@ -96,9 +96,24 @@ function Tissue({ hands, box, isDisabled }: ForceProperties) {
   );
 }
 
+/** The force of the hand that holds the handle. */
+export function Grip({ hands, box, isDisabled }: ForceProperties) {
+  const present = grips.includes(box.grip_mn) ? [] : [box.grip_mn];
+  return (
+    <Choice
+      name="Hand"
+      value={String(box.grip_mn)}
+      texts={
+        new Map([...present, ...grips].map((mn) => [String(mn), gripText(mn)]))
+      }
+      isDisabled={isDisabled}
+      onChoose={(mn) => void hands.order({ grip_mn: Number(mn) })}
+    />
+  );
+}
+
 /**
- * The force of the hand that holds the handle, the tissue in front of the needle, and faults of the load cells; where there
- * is a force sensor.
+ * The tissue in front of the needle, and faults of the load cells; where there is a force sensor.
  *
  * @satisfies SWR-BOX-534
  */
@@ -107,20 +122,8 @@ export function BoxForce(properties: ForceProperties) {
   if (!hasForceSensor(box)) {
     return null;
   }
-  const present = grips.includes(box.grip_mn) ? [] : [box.grip_mn];
   return (
     <>
-      <Choice
-        name="Hand"
-        value={String(box.grip_mn)}
-        texts={
-          new Map(
-            [...present, ...grips].map((mn) => [String(mn), gripText(mn)]),
-          )
-        }
-        isDisabled={isDisabled}
-        onChoose={(mn) => void hands.order({ grip_mn: Number(mn) })}
-      />
       <Tissue {...properties} />
       {cells.map((cell) => (
         <Choice

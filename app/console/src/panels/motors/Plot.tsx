@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useRef, useState, type PointerEvent } from "react";
-import type { Axis } from "@interface";
-import { units } from "../../words/format";
-import { TRACE_S, type Quantity, type Trace } from "../../words/trace";
 import "./Plot.css";
 
 const HEIGHT = 150;
@@ -18,49 +15,21 @@ const ROOM_ACROSS = 60;
 const ROOM_UP = 24;
 /** Less than this is not drawn larger: it would be noise. */
 const LEAST_RANGE = 1;
-const MOST_OUTPUT = 100;
 
-type Range = readonly [low: number, high: number];
+export type Range = readonly [low: number, high: number];
 
-interface PlotCurve {
-  quantity: Quantity;
+/** Null: not known. */
+export type Column = readonly (number | null)[];
+
+export interface PlotCurve {
+  /** Its look: the end of its class. */
+  look: string;
   label: string;
   dash?: string;
+  values: Column;
 }
 
-export interface PlotKind {
-  title: string;
-  unitOf: (unit: Axis["unit"]) => string;
-  curves: readonly PlotCurve[];
-  range?: Range;
-}
-
-export const plotKinds: readonly PlotKind[] = [
-  {
-    title: "Goal, set-point and position",
-    unitOf: (unit) => units[unit],
-    curves: [
-      { quantity: "position", label: "position" },
-      { quantity: "setpoint", label: "set-point", dash: "8 5" },
-      { quantity: "goal", label: "goal", dash: "2 4" },
-    ],
-  },
-  {
-    title: "Speed",
-    unitOf: (unit) => `${units[unit]}/s`,
-    curves: [{ quantity: "speed", label: "speed" }],
-  },
-  {
-    title: "Output",
-    unitOf: () => "%",
-    curves: [{ quantity: "output", label: "output" }],
-    range: [-MOST_OUTPUT, MOST_OUTPUT],
-  },
-];
-
-type Column = readonly (number | null)[];
-
-function rangeOf(columns: readonly Column[]): Range {
+export function rangeOf(columns: readonly Column[]): Range {
   const values = columns.flat().filter((value) => value !== null);
   const low = values.reduce((a, b) => Math.min(a, b), values[0] ?? 0);
   const high = values.reduce((a, b) => Math.max(a, b), low);
@@ -96,14 +65,16 @@ function scaleOf([low, high]: Range, [from, to]: Range) {
 }
 
 /** A null interrupts it; a value that is known for a moment is a point. */
-function pathOf(xs: readonly number[], ys: Column): string {
+function pathOf(xs: Column, ys: Column): string {
+  const isKnown = (index: number) =>
+    (xs[index] ?? null) !== null && (ys[index] ?? null) !== null;
   return ys
     .map((y, index) => {
-      if (y === null) {
+      if (!isKnown(index)) {
         return "";
       }
       const place = `${xs[index]},${y}`;
-      return (ys[index - 1] ?? null) === null ? `M${place}h0` : `L${place}`;
+      return isKnown(index - 1) ? `L${place}` : `M${place}h0`;
     })
     .join("");
 }
@@ -126,39 +97,45 @@ function useWidth() {
 }
 
 export interface PlotProperties {
-  kind: PlotKind;
-  axis: Axis;
-  trace: Trace;
-  /** The cursor is so many seconds before the end; null: there is none. */
-  agoS: number | null;
-  onCursor: (agoS: number | null) => void;
+  curves: readonly PlotCurve[];
+  /** Places across of their values. */
+  places: Column;
+  across: Range;
+  /** Unit of the places. */
+  unit: string;
+  range?: Range | undefined;
+  /** A place across; null: there is none. */
+  cursor: number | null;
+  onCursor?: (place: number | null) => void;
 }
 
 /**
- * The last 30 s of an axis. The numbers of it stand elsewhere.
+ * Curves over one axis. The numbers of it stand elsewhere.
  *
  * @satisfies SWR-CON-027
+ * @satisfies SWR-CON-611
  */
-export function Plot({ kind, axis, trace, agoS, onCursor }: PlotProperties) {
+function Plot(properties: PlotProperties) {
+  const { curves, places, across, unit, cursor, onCursor } = properties;
   const { width, place } = useWidth();
   const [right, bottom] = [width - RIGHT, HEIGHT - BOTTOM];
-  const columns = kind.curves.map(({ quantity }) =>
-    trace.column(axis.name, quantity),
-  );
-  const range = kind.range ?? rangeOf(columns);
-  const x = scaleOf([-TRACE_S, 0], [LEFT, right]);
+  const range = properties.range ?? rangeOf(curves.map(({ values }) => values));
+  const x = scaleOf(across, [LEFT, right]);
   const y = scaleOf(range, [bottom, TOP]);
-  const across = ticksOf([-TRACE_S, 0], (right - LEFT) / ROOM_ACROSS);
+  const ticks = ticksOf(across, (right - LEFT) / ROOM_ACROSS);
   const up = ticksOf(range, (bottom - TOP) / ROOM_UP);
   const grid = [
-    ...across.map((tick) => `M${x(Number(tick))},${TOP}V${bottom}`),
+    ...ticks.map((tick) => `M${x(Number(tick))},${TOP}V${bottom}`),
     ...up.map((tick) => `M${LEFT},${y(Number(tick))}H${right}`),
   ].join("");
-  const times = trace.times().map(x);
+  const placed = (column: Column, scale: (value: number) => number) =>
+    column.map((value) => (value === null ? null : scale(value)));
+  const xs = placed(places, x);
   const point = ({ clientX, currentTarget }: PointerEvent<SVGSVGElement>) => {
     const way = clientX - currentTarget.getBoundingClientRect().left - LEFT;
     const share = way / (right - LEFT);
-    onCursor(share >= 0 && share <= 1 ? (1 - share) * TRACE_S : null);
+    const [low, high] = across;
+    onCursor?.(share >= 0 && share <= 1 ? low + share * (high - low) : null);
   };
   return (
     <svg
@@ -167,12 +144,12 @@ export function Plot({ kind, axis, trace, agoS, onCursor }: PlotProperties) {
       viewBox={`0 0 ${width} ${HEIGHT}`}
       aria-hidden="true"
       onPointerMove={point}
-      onPointerLeave={() => onCursor(null)}
+      onPointerLeave={() => onCursor?.(null)}
     >
       <path className="plot-grid" d={grid} />
-      {across.map((tick) => (
+      {ticks.map((tick) => (
         <text key={tick} x={x(Number(tick))} y={HEIGHT - 6} textAnchor="middle">
-          {tick} s
+          {tick} {unit}
         </text>
       ))}
       {up.map((tick) => (
@@ -180,20 +157,56 @@ export function Plot({ kind, axis, trace, agoS, onCursor }: PlotProperties) {
           {tick}
         </text>
       ))}
-      {kind.curves.map(({ quantity, dash }, index) => (
+      {curves.map(({ look, dash, values }) => (
         <path
-          key={quantity}
-          className={`plot-line plot-line-${quantity}`}
+          key={look}
+          className={`plot-line plot-line-${look}`}
           strokeDasharray={dash}
-          d={pathOf(
-            times,
-            columns[index]!.map((value) => (value === null ? null : y(value))),
-          )}
+          d={pathOf(xs, placed(values, y))}
         />
       ))}
-      {agoS !== null && (
-        <path className="plot-cursor" d={`M${x(-agoS)},${TOP}V${bottom}`} />
+      {cursor !== null && (
+        <path className="plot-cursor" d={`M${x(cursor)},${TOP}V${bottom}`} />
       )}
     </svg>
+  );
+}
+
+/** Which curve is which. */
+function Legend({ curves }: { curves: readonly PlotCurve[] }) {
+  return (
+    <ul className="plot-legend">
+      {curves.map(({ look, label, dash }) => (
+        <li key={look}>
+          <svg viewBox="0 0 30 10" aria-hidden="true">
+            <line
+              className={`plot-line plot-line-${look}`}
+              x2="30"
+              y1="5"
+              y2="5"
+              strokeDasharray={dash}
+            />
+          </svg>
+          {label}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+/** A plot with its title above. */
+export function Figure({
+  title,
+  ...properties
+}: PlotProperties & { title: string }) {
+  const { curves } = properties;
+  return (
+    <figure>
+      <figcaption>
+        {title}
+        {curves.length > 1 && <Legend curves={curves} />}
+      </figcaption>
+      <Plot {...properties} />
+    </figure>
   );
 }

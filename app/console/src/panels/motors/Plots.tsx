@@ -2,34 +2,57 @@
 import { useId, useState } from "react";
 import type { Axis } from "@interface";
 import { saveText } from "../../words/download";
-import { formatNumber, formatSpeed, formatValue } from "../../words/format";
-import { TRACE_S, type Trace } from "../../words/trace";
-import { Plot, plotKinds, type PlotKind, type PlotProperties } from "./Plot";
-import "./Plots.css";
+import {
+  formatNumber,
+  formatSpeed,
+  formatValue,
+  units,
+} from "../../words/format";
+import type { Quantity, Trace } from "../../words/trace";
+import { Figure, type Range } from "./Plot";
+import { overTime, PlotTools, useShown, whenOf, type Shown } from "./PlotTools";
 
-const CURSOR_STEP_S = 0.05;
+const MOST_OUTPUT = 100;
+
+interface PlotKind {
+  title: string;
+  unitOf: (unit: Axis["unit"]) => string;
+  curves: readonly { look: Quantity; label: string; dash?: string }[];
+  range?: Range;
+}
+
+const plotKinds: readonly PlotKind[] = [
+  {
+    title: "Goal, set-point and position",
+    unitOf: (unit) => units[unit],
+    curves: [
+      { look: "position", label: "position" },
+      { look: "setpoint", label: "set-point", dash: "8 5" },
+      { look: "goal", label: "goal", dash: "2 4" },
+    ],
+  },
+  {
+    title: "Speed",
+    unitOf: (unit) => `${units[unit]}/s`,
+    curves: [{ look: "speed", label: "speed" }],
+  },
+  {
+    title: "Output",
+    unitOf: () => "%",
+    curves: [{ look: "output", label: "output" }],
+    range: [-MOST_OUTPUT, MOST_OUTPUT],
+  },
+];
 
 /** The values of the plot at the cursor, or at its end, in numbers. */
-function Reading({
-  axis,
-  trace,
-  agoS,
-  end,
-}: {
-  axis: Axis;
-  trace: Trace;
-  agoS: number;
-  /** Name of the end of the plot. */
-  end: string;
-}) {
-  const values = trace.at(axis.name, agoS);
+function Reading({ axis, plots }: { axis: Axis; plots: Shown }) {
+  const values = plots.shown.at(axis.name, plots.agoS ?? 0);
   if (values === null) {
     return <p className="plot-reading">No data.</p>;
   }
-  const when = agoS === 0 ? end : `${values.agoS.toFixed(2)} s before`;
   return (
     <p className="plot-reading">
-      <span>{when}</span>
+      <span>{whenOf(plots, values.agoS)}</span>
       <span>set-point {formatValue(values.setpoint, axis.unit)}</span>
       <span>position {formatValue(values.position, axis.unit)}</span>
       <span>goal {formatValue(values.goal, axis.unit)}</span>
@@ -39,54 +62,29 @@ function Reading({
   );
 }
 
-function Legend({ kind }: { kind: PlotKind }) {
-  return (
-    <ul className="plot-legend">
-      {kind.curves.map(({ quantity, label, dash }) => (
-        <li key={quantity}>
-          <svg viewBox="0 0 30 10" aria-hidden="true">
-            <line
-              className={`plot-line plot-line-${quantity}`}
-              x2="30"
-              y1="5"
-              y2="5"
-              strokeDasharray={dash}
-            />
-          </svg>
-          {label}
-        </li>
-      ))}
-    </ul>
-  );
-}
-
-function AxisPlots({
-  axis,
-  trace,
-  agoS,
-  onCursor,
-  end,
-}: Omit<PlotProperties, "kind"> & { end: string }) {
+function AxisPlots({ axis, plots }: { axis: Axis; plots: Shown }) {
   const id = useId();
+  const { shown, agoS, setCursor } = plots;
   return (
     <section className="plots-axis" aria-labelledby={id}>
       <h3 id={id}>{axis.name}</h3>
-      <Reading axis={axis} trace={trace} agoS={agoS ?? 0} end={end} />
+      <Reading axis={axis} plots={plots} />
       <div className="plots-kinds">
-        {plotKinds.map((kind) => (
-          <figure key={kind.title}>
-            <figcaption>
-              {kind.title}, {kind.unitOf(axis.unit)}
-              {kind.curves.length > 1 && <Legend kind={kind} />}
-            </figcaption>
-            <Plot
-              kind={kind}
-              axis={axis}
-              trace={trace}
-              agoS={agoS}
-              onCursor={onCursor}
-            />
-          </figure>
+        {plotKinds.map(({ title, unitOf, curves, range }) => (
+          <Figure
+            key={title}
+            title={`${title}, ${unitOf(axis.unit)}`}
+            curves={curves.map((curve) => ({
+              ...curve,
+              values: shown.column(axis.name, curve.look),
+            }))}
+            places={shown.times()}
+            across={overTime}
+            unit="s"
+            range={range}
+            cursor={agoS === null ? null : -agoS}
+            onCursor={setCursor}
+          />
         ))}
       </div>
     </section>
@@ -145,47 +143,18 @@ export function Plots({
   trace: Trace;
 }) {
   const { chosen, toggle } = useChosen(axes);
-  const [paused, setPaused] = useState<Trace | null>(null);
-  const [cursor, setCursor] = useState<number | null>(null);
-  const shown = paused ?? trace;
-  const save = () => saveText("plot.csv", "text/csv", shown.csv(chosen));
+  const plots = useShown(trace);
   return (
     <>
-      <div className="orders">
+      <PlotTools
+        plots={plots}
+        isEmpty={chosen.length === 0}
+        onSave={() => saveText("plot.csv", "text/csv", plots.shown.csv(chosen))}
+      >
         <AxisChoices axes={axes} chosen={chosen} toggle={toggle} />
-        <button
-          type="button"
-          onClick={() => setPaused(paused === null ? trace.copy() : null)}
-        >
-          {paused === null ? "Pause" : "Go on"}
-        </button>
-        <button type="button" disabled={chosen.length === 0} onClick={save}>
-          Save as CSV
-        </button>
-        <label className="plots-cursor">
-          Cursor, s before the end
-          <input
-            type="range"
-            min={-TRACE_S}
-            max={0}
-            step={CURSOR_STEP_S}
-            value={-(cursor ?? 0)}
-            aria-valuetext={`${(cursor ?? 0).toFixed(2)} s before the end`}
-            onChange={(event) =>
-              setCursor(Math.abs(Number(event.target.value)))
-            }
-          />
-        </label>
-      </div>
+      </PlotTools>
       {chosen.map((axis) => (
-        <AxisPlots
-          key={axis.name}
-          axis={axis}
-          trace={shown}
-          agoS={cursor}
-          end={paused === null ? "Now" : "At the pause"}
-          onCursor={setCursor}
-        />
+        <AxisPlots key={axis.name} axis={axis} plots={plots} />
       ))}
     </>
   );
