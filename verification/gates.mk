@@ -91,7 +91,7 @@ pictures: bootstrap-pictures ## The pictures of the documents, by the tests that
 	@$(MAKE) --no-print-directory -j2 programs
 	@ruby tools/pictures.rb --make $(NAME)
 
-unit: $(GENERATED) ## Unit and integration tests under sanitizers, with coverage: build/asan/coverage/lcov.info
+unit: bootstrap-test $(GENERATED) ## Unit and integration tests under sanitizers, with coverage: build/asan/coverage/lcov.info
 	@$(MAKE) --no-print-directory -j2 CONFIG=asan build/asan/libtest.a build/asan/libcore.a
 	status=0; ruby tools/c_tests.rb asan || status=$$?; ruby tools/uncovered.rb || status=$$?; exit $$status
 
@@ -101,10 +101,10 @@ coverage: bootstrap-test generated ## The same coverage of gcc's code, counted b
 	ruby tools/c_tests.rb gcov
 	@ruby tools/coverage.rb
 
-misra: $(GENERATED) ## MISRA findings of the core
+misra: bootstrap-test $(GENERATED) ## MISRA findings of the core
 	ruby tools/misra.rb
 
-proof: $(GENERATED) ## Sentences proved for every input, and seeded faults refuted; NAME=word chooses
+proof: bootstrap-test $(GENERATED) ## Sentences proved for every input, and seeded faults refuted; NAME=word chooses
 	ruby tools/proof/proof.rb $(NAME)
 
 proof-night: bootstrap-test $(GENERATED) ## The same with the proofs that take too long for every day
@@ -131,7 +131,7 @@ $(OUT)/libtest.a: $(call object,$(TESTED))
 $(OUT)/libaround.a: $(call object,$(filter-out $(CORE_SOURCES),$(TESTED)))
 	@rm -f $@; ar rcs $@ $^
 
-scenes: ## The long scenes of the C tests, whole, on the product's code
+scenes: bootstrap-test ## The long scenes of the C tests, whole, on the product's code
 	@$(MAKE) --no-print-directory -j2 build/gcc/libtest.a
 	ruby tools/c_tests.rb gcc
 
@@ -139,7 +139,7 @@ ARM_TESTED := $(filter-out app/% $(OTHER_BOARDS:%=bsp/%/%),$(TESTED)) app/contro
 $(OUT)/libtest-core.a: $(call object,$(ARM_TESTED))
 	@rm -f $@; ar rcs $@ $^
 
-arm: ## The core's tests as Cortex-A9 code
+arm: bootstrap-test ## The core's tests as Cortex-A9 code
 	@$(MAKE) --no-print-directory -j2 CONFIG=arm build/arm/libtest-core.a
 	@cp build/arm/libtest-core.a build/arm/libtest.a
 	ruby tools/c_tests.rb arm

@@ -32,9 +32,12 @@ module Proof
     # properties: nil without an answer, which `trouble` explains.
     Answer = Struct.new(:properties, :trouble, :seconds, keyword_init: true)
 
-    # includes: folders, the first one is looked into first.
-    def initialize(sources, function, includes:, unwind:)
-      @command = [*PROGRAM, *OPTIONS, '--function', function, '--unwind', unwind.to_s,
+    # Sentences alone.
+    SENTENCES = %w[--no-standard-checks].freeze
+
+    # includes: folders, the first one is looked into first; checks: beside the sentences, what may not happen in any C program.
+    def initialize(sources, function, includes:, unwind:, checks: true)
+      @command = [*PROGRAM, *OPTIONS, *(SENTENCES unless checks), '--function', function, '--unwind', unwind.to_s,
                   *includes.flat_map { |folder| ['-I', folder] }, *sources]
     end
 

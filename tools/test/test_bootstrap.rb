@@ -64,6 +64,15 @@ class TestBootstrap < Minitest::Test
     assert_empty long.grep_v(/run_long/)
   end
 
+  # By what make would run.
+  def test_SWR_TOOL_610_parts_of_make_test_install_before_anything_else_runs
+    %w[unit scenes arm misra proof].each do |command|
+      text, status = Open3.capture2e({ 'MAKEFLAGS' => nil, 'MAKELEVEL' => nil }, 'make', '-n', command, chdir: ROOT)
+      assert status.success?, text
+      assert_equal 'test', text[%r{^[^#\n]*tools/(bootstrap \w+|\w+\.rb)}, 1].to_s[/\Abootstrap (\w+)/, 1], "#{command}: #{text.lines.first}"
+    end
+  end
+
   def test_SWR_TOOL_025_whatever_else_is_wrong_ends_with_a_sentence
     text, is_done, asked = bootstrap(broken: true)
     refute is_done

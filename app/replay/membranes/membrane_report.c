@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #define UM_PER_MM 1000.0
 #define MN_PER_N 1000.0
@@ -57,13 +58,36 @@ bool membrane_report_take_noise(membrane_report_t *self, const char *text)
     return self->has_noise;
 }
 
-static char *read_open(FILE *file, long size)
+/* Of a regular file that is not too large; -1 after a sentence. */
+static int64_t size_of(FILE *file, const char *path)
 {
-    char *const text = malloc((size_t)size + 1U);
+    struct stat found;
+
+    if (fstat(fileno(file), &found) != 0) {
+        (void)fprintf(stderr, "%s: %s.\n", path, strerror(errno));
+        return -1;
+    }
+    if (!S_ISREG(found.st_mode)) {
+        (void)fprintf(stderr, "%s is no regular file.\n", path);
+        return -1;
+    }
+    if ((int64_t)found.st_size > MOST_FILE_BYTES) {
+        (void)fprintf(stderr, "%s is larger than %" PRId64 " bytes.\n", path, MOST_FILE_BYTES);
+        return -1;
+    }
+    return (int64_t)found.st_size;
+}
+
+static char *read_open(FILE *file, const char *path)
+{
+    const int64_t size = size_of(file, path);
+    char *const text = (size >= 0) ? malloc((size_t)size + 1U) : NULL;
 
     if (text != NULL) {
         const size_t count = fread(text, 1U, (size_t)size, file);
         text[count] = '\0';
+    } else if (size >= 0) {
+        (void)fprintf(stderr, "%s: there is no memory for it.\n", path);
     }
     return text;
 }
@@ -72,21 +96,13 @@ static char *read_open(FILE *file, long size)
 static char *read_all(const char *path)
 {
     FILE *const file = fopen(path, "rb");
-    char *text = NULL;
 
-    if ((file == NULL) || (fseek(file, 0L, SEEK_END) != 0)) {
+    if (file == NULL) {
         (void)fprintf(stderr, "%s: %s.\n", path, strerror(errno));
-    } else {
-        const long size = ftell(file);
-        rewind(file);
-        text = ((size >= 0) && ((int64_t)size <= MOST_FILE_BYTES)) ? read_open(file, size) : NULL;
-        if (text == NULL) {
-            (void)fprintf(stderr, "%s is no file, or a too large one.\n", path);
-        }
+        return NULL;
     }
-    if (file != NULL) {
-        (void)fclose(file);
-    }
+    char *const text = read_open(file, path);
+    (void)fclose(file);
     return text;
 }
 

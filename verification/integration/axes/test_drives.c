@@ -70,13 +70,13 @@ void test_SWR_DRIVE_010_a_piezo_motor_on_an_analog_card_goes_there_and_back(void
 
 void test_SWR_DRIVE_010_a_high_frequency_axis_goes_there_and_back(void)
 {
-    expect_jogs_by(CARD_DRIVE_HIGH_FREQUENCY, &robot_prostate, PROSTATE_AXIS_ROTATION,
+    expect_jogs_by(CARD_DRIVE_HIGH_FREQUENCY, rig_short_prostate(), PROSTATE_AXIS_ROTATION,
                    (const int32_t[]){900, -900});
 }
 
 void test_SWR_DRIVE_008_a_hot_motor_is_disabled_and_keeps_its_position(void)
 {
-    rig_start_robot_homed(&rig, &robot_prostate);
+    rig_start_robot_homed(&rig, rig_short_prostate());
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, jog_rotation(900).kind);
     rig_press(&rig);
@@ -101,7 +101,7 @@ void test_SWR_DRIVE_008_a_hot_motor_is_disabled_and_keeps_its_position(void)
 
 void test_SWR_DRIVE_008_a_motor_as_warm_as_it_may_be_is_driven_on(void)
 {
-    rig_start_robot_homed(&rig, &robot_prostate);
+    rig_start_robot_homed(&rig, rig_short_prostate());
     TEST_ASSERT_EQUAL_INT32(LIMIT_SHINSEI_HOTTEST_DC,
                             robot_prostate.axes[PROSTATE_AXIS_ROTATION].hottest_dc);
     rig.box.axes[PROSTATE_AXIS_ROTATION].card.motor_temperature_c = 55.0;
@@ -132,7 +132,7 @@ static uint32_t smallest_word_to(int32_t ticks)
 
 void test_SWR_DRIVE_015_words_of_a_warm_motor_follow_its_resonance(void)
 {
-    rig_start_robot_homed(&rig, &robot_prostate);
+    rig_start_robot_homed(&rig, rig_short_prostate());
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     const uint32_t cold = smallest_word_to(4000);
     TEST_ASSERT_GREATER_OR_EQUAL_UINT32(robot_prostate.axes[PROSTATE_AXIS_ROTATION].maximum_duty,

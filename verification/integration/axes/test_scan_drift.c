@@ -18,7 +18,7 @@ static rig_t rig;
 void setUp(void)
 {
     if (ARE_SCENES_WHOLE) {
-        rig_start_robot_homed(&rig, &robot_prostate);
+        rig_start_robot_homed(&rig, rig_short_prostate());
     } else {
         rig_start_robot_needle_homed(&rig, &robot_prostate);
     }

@@ -36,7 +36,7 @@ static void calm_cells(void)
 
 void setUp(void)
 {
-    rig_start_robot_homed(&rig, &robot_prostate);
+    rig_start_robot_homed(&rig, rig_short_prostate());
     calm_cells();
     rig_cycles(&rig, RESTED_CYCLES);
     rig_forget(&rig);
@@ -374,7 +374,7 @@ void test_SWR_FORCE_575_a_force_that_breaks_in_a_motion_does_not_end_it(void)
 
 void test_SWR_FORCE_575_homing_needs_no_force(void)
 {
-    rig_start_robot(&rig, &robot_prostate);
+    rig_start_robot(&rig, rig_short_prostate());
     rig_box(&rig, "card 3 silent");
     break_wires();
     rig_home(&rig);

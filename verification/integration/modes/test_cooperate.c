@@ -108,7 +108,7 @@ static void align(void)
     pose.translation = (point_t){5000000, -10000000, 52000000};
     command_t entry = {.kind = (uint32_t)COMMAND_ENTRY, .as.pose = {.pose = pose}};
     entry.as.pose.pose.translation.z_nm -= 30000000;
-    rig_start_robot_targeted(&rig, &robot_prostate, &pose);
+    rig_start_robot_targeted(&rig, rig_short_prostate(), &pose);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, entry).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
     TEST_ASSERT_EQUAL_UINT32(

@@ -44,7 +44,7 @@ void test_SWR_PROG_011_another_robot_that_turns_its_needle_runs_a_program(void)
     rigid_t pose;
     rigid_set_identity(&pose);
     pose.translation = (point_t){5000000, -10000000, 52000000};
-    rig_start_robot_targeted(&rig, &robot_prostate, &pose);
+    rig_start_robot_targeted(&rig, rig_short_prostate(), &pose);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, entry(&pose)).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
     run((command_t){.kind = (uint32_t)COMMAND_ALIGN});

@@ -28,7 +28,7 @@ static rig_t rig;
 
 void setUp(void)
 {
-    rig_start_robot_homed(&rig, &robot_prostate);
+    rig_start_robot_homed(&rig, rig_short_prostate());
 }
 
 void tearDown(void)
@@ -243,7 +243,7 @@ static void expect_doubt(void)
 
 static uint32_t homed_grade(void)
 {
-    rig_start_robot_homed(&rig, &robot_prostate);
+    rig_start_robot_homed(&rig, rig_short_prostate());
     return grade();
 }
 

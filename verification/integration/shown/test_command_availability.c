@@ -173,7 +173,7 @@ void test_SWR_HTTP_055_what_is_said_of_an_act_is_what_becomes_of_it(void)
 
 void test_SWR_HTTP_055_zeroing_is_said_to_be_refused_as_it_is(void)
 {
-    static const robot_t *const robots[] = {&robot_neuro, &robot_prostate};
+    const robot_t *const robots[] = {&robot_neuro, rig_short_prostate()};
     for (uint32_t i = 0U; i < 2U; i++) {
         rig_start_robot_homed(&rig, robots[i]);
         rig_cycles(&rig, 500U);

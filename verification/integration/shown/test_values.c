@@ -220,7 +220,7 @@ static int32_t angle_of(uint32_t axis)
 
 void test_SWR_EVENT_033_an_angle_is_reported_in_millionths_of_a_degree(void)
 {
-    rig_start_robot_homed(&rig, &robot_prostate);
+    rig_start_robot_homed(&rig, rig_short_prostate());
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     const int32_t front = angle_of(PROSTATE_AXIS_FRONT_LEFT);
     TEST_ASSERT_INT32_WITHIN(1, 10000000, abs(front));

@@ -9,6 +9,7 @@
 #include "interface/app/answer_list.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
+#include "robot/robot_prostate.h"
 #include "unity.h"
 
 #include <stddef.h>
@@ -339,6 +340,56 @@ void rig_put_near_switches(robot_t *robot)
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         robot->start_ticks[i] = place_near_switch(robot, i);
     }
+}
+
+/* Where its switch is, a little beyond the pose that is nearest to it. */
+static int32_t rail_end(const robot_t *robot, uint32_t index)
+{
+    const axis_config_t *const axis = &robot->axes[index];
+    const bool is_upper = axis->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
+    const int32_t way = axis->full_speed_ticks_per_s / NEAR_SHARE;
+    int32_t end = robot->poses[0].ticks[index];
+    for (uint32_t i = 1U; i < (uint32_t)POSE_NAME_COUNT; i++) {
+        const int32_t place = robot->poses[i].ticks[index];
+        end = ((place > end) == is_upper) ? place : end;
+    }
+    return end + (is_upper ? way : -way);
+}
+
+static void shorten_rail(robot_t *robot, uint32_t index)
+{
+    axis_config_t *const axis = &robot->axes[index];
+    const int32_t shift = rail_end(robot, index) - axis->home_ticks;
+    axis->home_ticks += shift;
+    if (axis->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER) {
+        axis->maximum_ticks += shift;
+        axis->target_maximum_ticks += shift;
+    } else {
+        axis->minimum_ticks += shift;
+        axis->target_minimum_ticks += shift;
+    }
+    axis->seal = seal_of(SEAL_START, (const uint8_t *)axis, offsetof(axis_config_t, seal));
+    robot->start_ticks[index] = robot->poses[POSE_HOME].ticks[index];
+}
+
+void rig_shorten_rails(robot_t *robot)
+{
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        if (follower_is_in_block(robot, i) &&
+            (robot->axes[i].limit_switch != (uint8_t)LIMIT_SWITCH_NONE)) {
+            shorten_rail(robot, i);
+        }
+    }
+}
+
+const robot_t *rig_short_prostate(void)
+{
+    static robot_t robot;
+    if (robot.axis_count == 0U) {
+        robot = robot_prostate;
+        rig_shorten_rails(&robot);
+    }
+    return &robot;
 }
 
 void rig_start_robot_homed(rig_t *self, const robot_t *robot)

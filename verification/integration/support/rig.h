@@ -78,6 +78,14 @@ void rig_set_magnitude_robot(robot_t *robot, const robot_t *from);
  * short; those of a block, which has lengths to keep, stay where they are. */
 void rig_put_near_switches(robot_t *robot);
 
+/** The axes of a block cannot come nearer to all of their switches: homing takes them over their
+ * whole travel. Their switches stand a little beyond where any pose has them, and they start at
+ * home, so that the travel is short. All else is as the robot has it. */
+void rig_shorten_rails(robot_t *robot);
+
+/** The ProstateRobot with short rails: it homes in an eighth of the cycles. */
+const robot_t *rig_short_prostate(void);
+
 /** One cycle: what the one before made leaves, 1 ms of physics, inputs, controller. */
 void rig_cycle(rig_t *self);
 void rig_cycles(rig_t *self, uint32_t count);
