@@ -11,11 +11,12 @@ static bool is_calm(const controller_t *self, const cycle_t *cycle)
     return controller_is_at_rest(self) && needle_is_out(cycle->robot, self->axes);
 }
 
+/* By its set-point: a slow drive is a row of bursts, off in between. */
 static bool is_driven_in(const controller_t *self, const cycle_t *cycle)
 {
     const uint32_t needle = cycle->robot->needle_axis;
-    return (self->axes[needle].sealed.setpoint_speed_ticks_per_s_q8 > 0) &&
-           (controller_link(self, needle)->sealed.sent.mode != (uint32_t)CARD_DRIVE_OFF);
+    return procedure_is_moving(&self->procedure) &&
+           (self->axes[needle].sealed.setpoint_speed_ticks_per_s_q8 > 0);
 }
 
 static void watch_pair(controller_t *self, const cycle_t *cycle)
@@ -86,6 +87,10 @@ static void step_sensor(controller_t *self, const cycle_t *cycle, const link_t *
         note_zeroed(self, cycle, &zeroed);
     }
     watch_pair(self, cycle);
+    /* Only where it can be taken anew: no insertion ends for its age. */
+    if (force_sensor_is_old(&self->force) && is_calm(self, cycle)) {
+        force_sensor_grow_old(&self->force);
+    }
 }
 
 void controller_observe_force(controller_t *self, const cycle_t *cycle, uint32_t slot)
@@ -139,13 +144,18 @@ status_t controller_obey_force(controller_t *self, const cycle_t *cycle, const c
 uint32_t controller_hand_reasons(const controller_t *self, const cycle_t *cycle, mode_kind_t kind)
 {
     uint32_t reasons = 0U;
-    if (procedure_is_armed(&self->procedure) && mode_is_by_hand(kind)) {
+    if (mode_is_by_hand(kind) && !procedure_is_armed(&self->procedure)) {
+        reasons =
+            permit_reason(!controller_hand(self, cycle).is_trusted, PERMIT_REASON_FORCE_DOUBTFUL);
+    } else if (mode_is_by_hand(kind)) {
         const uint32_t needle =
             cycle->robot->needle_axis % ROBOT_AXIS_MAX; /* Of a damaged table. */
         const hand_t hand = controller_hand(self, cycle);
         const int64_t left_ticks = (int64_t)self->mode.request.sealed.move.target_ticks[needle] -
                                    (int64_t)self->axes[needle].sealed.encoder.position_ticks;
         reasons = hand_guard_reasons(&self->sealed.hand_guard, &hand, left_ticks);
+    } else {
+        /* No hand moves the needle. */
     }
     return reasons;
 }

@@ -12,7 +12,7 @@
 static inline hand_t controller_hand(const controller_t *self, const cycle_t *cycle)
 {
     const force_channel_t *const channel = &self->force.sealed.channels[FORCE_CHANNEL_HAND];
-    const hand_t hand = {.force_mn = self->force.force_mn[FORCE_CHANNEL_HAND],
+    const hand_t hand = {.force_mn = self->force.sealed.force_mn[FORCE_CHANNEL_HAND],
                          .is_trusted = (cycle->robot->force.is_there != 0U) &&
                                        force_channel_is_believed(channel) &&
                                        (channel->noise_q8 > LIMIT_FORCE_STILL_NOISE)};
@@ -20,9 +20,11 @@ static inline hand_t controller_hand(const controller_t *self, const cycle_t *cy
 }
 
 /**
- * Reasons against every drive while a hand moves the needle in the mode `kind`; 0 in all others.
+ * Reasons against every drive while a hand moves the needle in the mode `kind`, and that its force
+ * is doubtful also after that has ended such an order; 0 in all other modes.
  *
  * @satisfies SWR-COOP-008
+ * @satisfies SWR-COOP-015
  */
 uint32_t controller_hand_reasons(const controller_t *self, const cycle_t *cycle, mode_kind_t kind);
 
@@ -31,6 +33,7 @@ uint32_t controller_hand_reasons(const controller_t *self, const cycle_t *cycle,
  *
  * @satisfies SWR-FORCE-575
  * @satisfies SWR-FORCE-577
+ * @satisfies SWR-FORCE-610
  */
 void controller_observe_force(controller_t *self, const cycle_t *cycle, uint32_t slot);
 

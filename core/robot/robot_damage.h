@@ -33,8 +33,8 @@ bool robot_is_pose_damaged(const robot_t *robot, uint32_t pose);
 
 /**
  * The force sensor is not as it was compiled; or there seems to be one, in a robot that has none.
- * It is no part of robot_damage(): only a mode in which a hand moves the needle rests on it, and
- * asks.
+ * It is no part of robot_damage(): only a mode in which a hand moves the needle rests on it, asks,
+ * and ends by it.
  *
  * @satisfies SWR-FORCE-576
  */

@@ -110,6 +110,19 @@ static uint16_t noise_of(const force_readings_t *readings)
     return (noise_q8 < UINT16_MAX) ? (uint16_t)noise_q8 : UINT16_MAX;
 }
 
+/* From where a zero counts as wandered. Held against the one before it, small steps would add up.
+ */
+static bool is_far(const force_channel_t *self, const force_channel_config_t *config,
+                   int32_t zero_q16)
+{
+    const bool is_first = self->first_q16 == 0;
+    const int64_t from_q16 =
+        is_first ? ((int64_t)config->zero_count * 65536) : (int64_t)self->first_q16;
+    const uint32_t most_mn = is_first ? LIMIT_FORCE_WANDER_MN : LIMIT_FORCE_DRIFT_MN;
+    const int64_t away = fixed_magnitude((int64_t)zero_q16 - from_q16);
+    return (away * (int64_t)slope_q16(config)) > ((int64_t)most_mn * INT64_C(4294967296));
+}
+
 force_zero_end_t force_channel_zero(force_channel_t *self, const force_channel_config_t *config,
                                     const force_readings_t *readings, int32_t *moved_mn)
 {
@@ -121,11 +134,12 @@ force_zero_end_t force_channel_zero(force_channel_t *self, const force_channel_c
     self->still_cycles = 0U;
     if (force_channel_noise_mn(self, config) > LIMIT_FORCE_NOISE_MOST_MN) {
         end = FORCE_ZERO_END_NOISY;
-    } else if (fixed_magnitude((int64_t)*moved_mn) > (int64_t)LIMIT_FORCE_WANDER_MN) {
+    } else if (is_far(self, config, (int32_t)zero_q16)) {
         self->doubts |= force_doubt_bit(FORCE_DOUBT_ZERO_WANDERED);
         end = FORCE_ZERO_END_WANDERED;
     } else {
         self->zero_q16 = (int32_t)zero_q16;
+        self->first_q16 = (self->first_q16 == 0) ? self->zero_q16 : self->first_q16;
         self->doubts = 0U;
     }
     return end;

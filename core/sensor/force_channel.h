@@ -25,6 +25,7 @@ typedef struct {
     int32_t outputs_q16[2]; /**< Last two outputs of the filter, counts; the last one first. */
     uint16_t counts[2];     /**< Last two readings, the same. */
     int32_t zero_q16;       /**< Reading without a force, counts. */
+    int32_t first_q16;      /**< The same, as it was taken first; 0 before that. */
     uint16_t noise_q8;      /**< Standard deviation of readings at the last zeroing; saturates. */
     uint16_t still_cycles;  /**< Cycles of a motion since the reading has changed; saturates. */
     uint32_t doubts;        /**< Bits of force_doubt_t. */
@@ -60,6 +61,7 @@ void force_channel_init(force_channel_t *self, const force_channel_config_t *con
  *
  * @return bits of force_doubt_t that this reading alone gives cause for
  *
+ * @satisfies SWR-COOP-016
  * @satisfies SWR-FORCE-562
  * @satisfies SWR-FORCE-565
  * @satisfies SWR-FORCE-566
@@ -105,8 +107,9 @@ static inline bool force_channel_is_believed(const force_channel_t *self)
 }
 
 /**
- * Judges LIMIT_FORCE_ZERO_CYCLES readings: their mean becomes the zero, if it is near enough to the
- * one before and they are calm enough, and the doubts end; else the channel is not zeroed.
+ * Judges LIMIT_FORCE_ZERO_CYCLES readings: their mean becomes the zero, if it is near enough to
+ * that of the robot file, later to the first one that was taken, and they are calm enough, and the
+ * doubts end; else the channel is not zeroed.
  *
  * @param moved_mn  force that the mean means by the zero before
  * @return FORCE_ZERO_END_DONE, NOISY or WANDERED
@@ -115,6 +118,7 @@ static inline bool force_channel_is_believed(const force_channel_t *self)
  * @satisfies SWR-FORCE-571
  * @satisfies SWR-FORCE-572
  * @satisfies SWR-FORCE-574
+ * @satisfies SWR-FORCE-611
  */
 force_zero_end_t force_channel_zero(force_channel_t *self, const force_channel_config_t *config,
                                     const force_readings_t *readings, int32_t *moved_mn);

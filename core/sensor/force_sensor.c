@@ -31,8 +31,9 @@ void force_sensor_step(force_sensor_t *self, const force_config_t *config,
         self->untrue[i] =
             force_channel_step(&self->sealed.channels[i], channel, reading, is_moving) &
             FORCE_CHANNEL_UNTRUE;
-        self->force_mn[i] = force_channel_mn(&self->sealed.channels[i], channel);
+        self->sealed.force_mn[i] = force_channel_mn(&self->sealed.channels[i], channel);
     }
+    self->sealed.zero_cycles += force_sensor_is_old(self) ? 0U : 1U;
 }
 
 void force_sensor_miss(force_sensor_t *self, bool is_lost)
@@ -52,8 +53,16 @@ void force_sensor_distrust(force_sensor_t *self)
     }
 }
 
+void force_sensor_grow_old(force_sensor_t *self)
+{
+    for (uint32_t i = 0U; i < ROBOT_FORCE_CHANNELS; i++) {
+        self->sealed.channels[i].doubts |= force_doubt_bit(FORCE_DOUBT_ZERO_OLD);
+    }
+}
+
 void force_sensor_begin_zero(force_sensor_t *self)
 {
+    self->sealed.zero_cycles = 0U;
     (void)memset(self->readings, 0, sizeof self->readings);
     self->sealed.left_readings = (uint16_t)LIMIT_FORCE_ZERO_CYCLES;
     self->sealed.zeroing = (uint8_t)((1U << ROBOT_FORCE_CHANNELS) - 1U);
@@ -81,7 +90,7 @@ static bool zero_channel(force_sensor_t *self, const force_config_t *config, uin
     } else if (self->sealed.left_readings == 0U) {
         zeroed->ends[index] = force_channel_zero(channel, &config->channels[index],
                                                  &self->readings[index], &zeroed->moved_mn[index]);
-        self->force_mn[index] = force_channel_mn(channel, &config->channels[index]);
+        self->sealed.force_mn[index] = force_channel_mn(channel, &config->channels[index]);
     } else {
         has_ended = false;
     }
@@ -119,16 +128,16 @@ static bool is_beyond(int32_t force_mn)
 
 bool force_sensor_is_loaded(const force_sensor_t *self)
 {
-    return is_beyond(self->force_mn[FORCE_CHANNEL_HAND]) &&
-           is_beyond(self->force_mn[FORCE_CHANNEL_NEEDLE]) &&
+    return is_beyond(self->sealed.force_mn[FORCE_CHANNEL_HAND]) &&
+           is_beyond(self->sealed.force_mn[FORCE_CHANNEL_NEEDLE]) &&
            force_channel_is_believed(&self->sealed.channels[FORCE_CHANNEL_HAND]) &&
            force_channel_is_believed(&self->sealed.channels[FORCE_CHANNEL_NEEDLE]);
 }
 
 void force_sensor_judge_pair(force_sensor_t *self, bool is_needle_free, bool is_driven_in)
 {
-    const bool is_pulled_in = is_driven_in && (self->force_mn[FORCE_CHANNEL_HAND] > 0) &&
-                              (self->force_mn[FORCE_CHANNEL_NEEDLE] < 0);
+    const bool is_pulled_in = is_driven_in && (self->sealed.force_mn[FORCE_CHANNEL_HAND] > 0) &&
+                              (self->sealed.force_mn[FORCE_CHANNEL_NEEDLE] < 0);
     if (!is_needle_free && !is_pulled_in) {
         self->sealed.pair_cycles = 0U;
         return;

@@ -9,6 +9,7 @@
 #define BORESIGHT_FORCE_SENSOR_H
 
 #include "card/card.h"
+#include "limits/requirement_limits.h"
 #include "sensor/force_channel.h"
 
 #include <stdbool.h>
@@ -20,13 +21,14 @@ typedef struct {
     uint16_t left_readings; /**< Until the zeroing is judged. */
     uint8_t zeroing;        /**< Bit n: channel n is being zeroed. */
     uint8_t pair_cycles;    /**< An impossible pair has lasted so long; saturates. */
+    uint32_t zero_cycles;   /**< Reports since the zeroing began, to LIMIT_FORCE_ZERO_AGE_CYCLES. */
+    int32_t force_mn[ROBOT_FORCE_CHANNELS]; /**< In this cycle. */
 } force_sensor_sealed_t;
 
 typedef struct {
     force_sensor_sealed_t sealed;
     force_readings_t readings[ROBOT_FORCE_CHANNELS]; /**< Under seal while one is zeroed. */
     uint32_t untrue[ROBOT_FORCE_CHANNELS];           /**< FORCE_CHANNEL_UNTRUE of this cycle. */
-    int32_t force_mn[ROBOT_FORCE_CHANNELS];          /**< In this cycle. */
 } force_sensor_t;
 
 /** Ends of zeroings in a cycle. */
@@ -53,6 +55,19 @@ void force_sensor_miss(force_sensor_t *self, bool is_lost);
 
 /** Its table is damaged: nothing that it measures is believed until it is zeroed by a whole one. */
 void force_sensor_distrust(force_sensor_t *self);
+
+/** The zero is as old as one may be. */
+static inline bool force_sensor_is_old(const force_sensor_t *self)
+{
+    return self->sealed.zero_cycles >= LIMIT_FORCE_ZERO_AGE_CYCLES;
+}
+
+/**
+ * The zero is doubted for its age.
+ *
+ * @satisfies SWR-FORCE-610
+ */
+void force_sensor_grow_old(force_sensor_t *self);
 
 /** A zeroing runs. */
 static inline bool force_sensor_is_zeroing(const force_sensor_t *self)

@@ -18,6 +18,6 @@ build/gcc/bin/supervise: $(call object,$(SUPERVISE_SOURCES)) $(OUT)/libcore.a
 
 $(OUT)/verification/supervise/%.o $(OUT)/verification/integration/%.o $(OUT)/verification/unit/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY)
 
-supervise: bootstrap-test ## The controller in COUNT scenes from SEED on, PLAY=random, jogs, corners, interrupted, spread, magnitude, taps, rivals, modes, programs, sweeps, flips, operator or late, of ROBOT=neuro
+supervise: bootstrap-test ## The controller in COUNT scenes from SEED on, PLAY=random, jogs, corners, interrupted, spread, magnitude, taps, rivals, modes, programs, sweeps, flips, operator, late or hands, of ROBOT=neuro
 	@$(MAKE) --no-print-directory -j2 build/gcc/bin/supervise
 	@build/gcc/bin/supervise --robot $(or $(ROBOT),$(DEFAULT_ROBOT)) $(COUNT) $(SEED) $(PLAY)

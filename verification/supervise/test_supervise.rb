@@ -5,7 +5,8 @@
 # any time, a world, a fault now and then; an enemy at the pedal and the fault keyboard; jogs; moves into the corners of
 # the workspace, under a pedal that is released again and again, or of motors that are not as the robot's table says,
 # with run and stop or magnitudes for cards without pwm; pages and connections that all want to command; one order of any
-# mode after the other; treatment programs with their gate; sweeps; an operator who follows the next step alone; cycles that come late,
+# mode after the other; treatment programs with their gate; sweeps; any hand at the needle, and load cells that break;
+# an operator who follows the next step alone; cycles that come late,
 # exchanges apart from them, a box that stands and wires that damage frames) does the controller of any robot break one of the
 # sentences of the oracle, who knows where the simulated axes truly stand.
 # `make supervise COUNT=n SEED=n PLAY=name ROBOT=name` plays more.
@@ -19,13 +20,14 @@ class TestSupervise < Minitest::Test
   # And how much of the plays each gets.
   ROBOTS = { 'neuro' => 1.0, 'bench2' => 0.25, 'prostate' => 0.05 }.freeze
   # How many scenes, or moves; and flips of bits for each.
-  PLAYS = { random: 80, corners: 24, interrupted: 24, spread: 30, magnitude: 30, jogs: 30, taps: 50,
-            rivals: 50, modes: 14, programs: 6, sweeps: 60, operator: 40, late: 40 }.freeze
+  PLAYS = { random: 74, corners: 24, interrupted: 24, spread: 30, magnitude: 30, jogs: 30, taps: 47,
+            rivals: 50, modes: 14, programs: 6, sweeps: 60, operator: 40, late: 40, hands: 80 }.freeze
   # Those of scenes, whether or not a move comes about.
-  SCENES = %i[random jogs taps rivals modes programs sweeps operator late].freeze
-  # Card that an axis of the robot must have for a play; and the reason why not otherwise.
+  SCENES = %i[random jogs taps rivals modes programs sweeps operator late hands].freeze
+  # Card that an axis of the robot must have for a play, or the hand of its file; and the reason why not otherwise.
   NEEDS = { magnitude: ['non_pwm', 'no axis of it takes run and stop'],
-            sweeps: ['high_frequency', 'no axis of it takes waves'] }.freeze
+            sweeps: ['high_frequency', 'no axis of it takes waves'],
+            hands: ['hand', 'no hand moves its needle'] }.freeze
   FLIPS = 100
   # Commands that arm a motion, one row of orders.c each.
   MODES = %w[WORKPHASE RETRACT RUN_TRAJECTORY VELOCITY JOG_BY ALIGN INSERT POSE].freeze
@@ -59,6 +61,9 @@ class TestSupervise < Minitest::Test
     SWR_PROG_008_no_program_drives_while_the_gate_says_stop: /While the gate says stop/,
     SWR_PROG_006_a_step_ends_at_its_place_after_its_dwell_or_by_its_dose: /A step ends at its place/,
     SWR_PROG_011_a_program_is_done_once_its_steps_are: /treatment program is done once/,
+    SWR_COOP_004_an_insertion_by_hand_drives_the_needle_alone_and_inwards: /An insertion by hand drives the needle alone/,
+    SWR_COOP_003_no_hand_takes_the_true_needle_past_its_target: /No hand takes the true needle past/,
+    SWR_COOP_013_without_a_hand_that_pushes_no_insertion_by_hand_goes_on: /Without a hand that truly pushes/,
     SWR_AXIS_019_no_fault_is_found_where_there_is_none: /nothing is broken, no fault/,
     SWR_CTRL_014_no_axis_is_called_faulty_for_time_or_wires: /of which nothing is broken is not called faulty/,
     SWR_MOTION_007_no_axis_goes_beyond_its_end: /beyond its end/,
@@ -80,7 +85,7 @@ class TestSupervise < Minitest::Test
   end
 
   def self.plays_without_card(robot)
-    NEEDS.reject { |_, (card, _)| card?(robot, card) }
+    NEEDS.reject { |_, (need, _)| need == 'hand' ? facts(robot).key?('hand') : card?(robot, need) }
   end
 
   def self.plays_of_sentences(robot)
@@ -133,11 +138,12 @@ class TestSupervise < Minitest::Test
       assert_includes shown, 'START_UP'
     end
 
-    define_method("test_SWR_MODE_001_programs_and_sweeps_end_as_asked_#{robot}") do
-      plays = self.class.plays_of_sentences(robot) & %i[programs sweeps]
+    define_method("test_SWR_MODE_001_programs_sweeps_and_insertions_by_hand_end_as_asked_#{robot}") do
+      plays = self.class.plays_of_sentences(robot) & %i[programs sweeps hands]
       plays.each do |play|
         orders = lines(robot, play).grep(/orders that were done/).first
-        assert_match(/[1-9]\d* of \d+ #{play == :sweeps ? 'SWEEP' : 'RUN_PROGRAM'}/, orders)
+        order = { sweeps: 'SWEEP', programs: 'RUN_PROGRAM', hands: 'COOPERATE' }.fetch(play)
+        assert_match(/[1-9]\d* of \d+ #{order}/, orders)
       end
     end
 

@@ -180,7 +180,8 @@ static void forget_card(controller_t *self, const cycle_t *cycle, uint32_t index
     controller_notify_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }
 
-/* The cards without an axis, and what they measure: nothing rests on them. */
+/* The cards without an axis, and what they measure. An insertion by hand ends by the doubt in the
+ * same cycle; nothing else that moves rests on them. */
 static void forget_sensors(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t slots = self->cards.sensor_slots;

@@ -9,9 +9,12 @@
  * A command that arms a mode (mode_of_command()): whatever is armed gives way to it. `answer` is
  * not final if it is accepted, and has axis and limit if a limit refuses it.
  *
- * @return STATUS_OK; as controller_aim() and mode_judge(); STATUS_WRONG_WORKPHASE,
- * STATUS_FAULT_PRESENT, STATUS_NOT_HOMED in this order, and then nothing has changed
+ * @return STATUS_OK; as controller_aim() and mode_judge(); STATUS_FORCE_DOUBTFUL;
+ * STATUS_WRONG_WORKPHASE, STATUS_FAULT_PRESENT, STATUS_NOT_HOMED in this order, and then nothing
+ * has changed, but that the refusal of a mode in which a hand moves the needle discards in
+ * MOVE_TO_TARGET what is armed
  *
+ * @satisfies SWR-COOP-014
  * @satisfies SWR-AXIS-035
  * @satisfies SWR-ALIGN-001
  * @satisfies SWR-FLOW-006

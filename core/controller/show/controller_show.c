@@ -84,6 +84,14 @@ static next_step_t step_by_pose(const controller_t *self, const robot_t *robot, 
     return step;
 }
 
+/* The reason stays for the operator after it has ended an insertion by hand. */
+static bool is_hand_doubtful(const controller_t *self, const robot_t *robot)
+{
+    const uint32_t needle = robot->needle_axis % ROBOT_AXIS_MAX; /* Of a damaged table. */
+    return (self->records[needle].sealed.reason_hold.shown &
+            permit_reason(true, PERMIT_REASON_FORCE_DOUBTFUL)) != 0U;
+}
+
 static next_step_t step_to_target(const controller_t *self, const robot_t *robot,
                                   workphase_t present)
 {
@@ -96,6 +104,8 @@ static next_step_t step_to_target(const controller_t *self, const robot_t *robot
         step = step_in(&self->procedure, WORKPHASE_TARGETING, NEXT_STEP_TARGET);
     } else if (present != WORKPHASE_MOVE_TO_TARGET) {
         step = step_in(&self->procedure, WORKPHASE_TARGETING, NEXT_STEP_MOVE);
+    } else if (is_hand_doubtful(self, robot)) {
+        step = NEXT_STEP_ZERO_FORCE;
     } else {
         /* Commanded once more. */
     }
@@ -408,7 +418,7 @@ static void show_forces(const controller_t *self, const robot_t *robot, snapshot
         const force_channel_config_t *const config = &robot->force.channels[i];
         const force_channel_t *const channel = &self->force.sealed.channels[i];
         snapshot_force_t *const force = &shown->forces[i];
-        force->force_mn = self->force.force_mn[i];
+        force->force_mn = self->force.sealed.force_mn[i];
         force->reading = channel->counts[0];
         force->zero_mn = force_channel_zero_mn(channel, config);
         force->noise_mn = force_channel_noise_mn(channel, config);

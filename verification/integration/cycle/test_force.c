@@ -233,6 +233,48 @@ void test_SWR_FORCE_570_a_load_at_the_zeroing_is_reported(void)
                             shown(NEEDLE)->doubts);
 }
 
+/* The needle is out: it can be zeroed anew. */
+void test_SWR_FORCE_610_an_old_zero_is_doubted_once_the_needle_is_out_at_rest(void)
+{
+    begin_zeroed();
+    enter_manual();
+    jog(PROSTATE_AXIS_INSERTION, 20000);
+    (void)rig_finish(&rig, 20000U);
+    rig.controller.force.sealed.zero_cycles = LIMIT_FORCE_ZERO_AGE_CYCLES;
+    controller_seal(&rig.controller);
+    rig_cycles(&rig, SETTLED_CYCLES);
+    TEST_ASSERT_EQUAL_HEX32(0U, shown(HAND)->doubts);
+    rig_release(&rig);
+    const command_t retract = {.kind = (uint32_t)COMMAND_RETRACT};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, retract).status);
+    rig_press(&rig);
+    (void)rig_finish(&rig, 40000U);
+    rig_release(&rig);
+    rig_cycles(&rig, SETTLED_CYCLES);
+    TEST_ASSERT_EQUAL_HEX32(force_doubt_bit(FORCE_DOUBT_ZERO_OLD), shown(HAND)->doubts);
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_DOUBTED, HAND, FORCE_DOUBT_ZERO_OLD));
+    zero();
+    TEST_ASSERT_EQUAL_HEX32(0U, shown(HAND)->doubts);
+}
+
+/* So slow that it is a row of bursts. */
+void test_SWR_FORCE_569_a_needle_pulled_in_is_doubted_however_slow_it_is_driven(void)
+{
+    command_t slow = {.kind = (uint32_t)COMMAND_VELOCITY,
+                      .as.velocity = {.axes = 1UL << PROSTATE_AXIS_INSERTION, .time_ms = 4000U}};
+    slow.as.velocity.speeds_ticks_per_s[PROSTATE_AXIS_INSERTION] = 500;
+    begin_zeroed();
+    enter_manual();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, slow).status);
+    rig_press(&rig);
+    rig_cycles(&rig, 500U);
+    rig_box(&rig, "force hand 2100");
+    rig_box(&rig, "force needle 1610");
+    rig_cycles(&rig, LIMIT_FORCE_PAIR_CYCLES + SETTLED_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(1U,
+                             reported(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_NEEDLE_PULLED_IN));
+}
+
 void test_SWR_FORCE_564_reports_that_do_not_come_make_the_force_stale(void)
 {
     begin_zeroed();

@@ -30,6 +30,8 @@
 #define OFF_CYCLES 200U /* The hand is seen off. */
 #define JERK_SCENES 40U
 #define JERK_MN 4000 /* A larger step is doubted. */
+#define PUSH_CYCLES 5000U
+#define STOP_CYCLES 100U
 #define PULL_MN 5000
 #define HARD_MN 7500 /* The sensor says no more than 8.2 N. */
 
@@ -142,11 +144,33 @@ static void start_armed(void)
     rig_press(&rig);
 }
 
+static bool is_over(void)
+{
+    return rig.outputs.snapshot.order == (uint32_t)ARMING_STATE_NONE;
+}
+
+/* It lets go between pushes that are not too long, until the order has ended. */
+static answer_t push_on(int32_t force_mn)
+{
+    rig_forget(&rig);
+    for (uint32_t i = 0U; (i < LONG_CYCLES) && !is_over(); i++) {
+        if ((i % PUSH_CYCLES) == 0U) {
+            push(force_mn);
+        } else if ((i % PUSH_CYCLES) == (PUSH_CYCLES - OFF_CYCLES)) {
+            let_go();
+        } else {
+            /* As it is. */
+        }
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_NOT_EQUAL_UINT32(0U, rig.answer_count);
+    return rig.answers[rig.answer_count - 1U];
+}
+
 void test_SWR_COOP_001_a_hand_brings_the_needle_to_its_depth(void)
 {
     start_armed();
-    push(800);
-    const answer_t answer = rig_finish(&rig, LONG_CYCLES);
+    const answer_t answer = push_on(800);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, answer.kind);
     TEST_ASSERT_EQUAL_UINT32(COMMAND_COOPERATE, answer.command);
     TEST_ASSERT_DOUBLE_WITHIN(DEADBAND_TICKS, (double)target_ticks(), depth_ticks());
@@ -167,6 +191,14 @@ void test_SWR_COOP_003_no_hand_takes_the_true_needle_past_its_depth(void)
                 force_mn = fixed_saturate(fixed_within(
                     force_mn + JERK_MN - (int64_t)random_below(2U * JERK_MN), -PULL_MN, HARD_MN));
                 push(force_mn);
+            } else if ((i % PUSH_CYCLES) == 0U) {
+                push(force_mn / 2);
+                rig_cycles(&rig, 2U);
+                force_mn = 0;
+                let_go();
+                rig_cycles(&rig, OFF_CYCLES);
+            } else {
+                /* As it is. */
             }
             rig_cycle(&rig);
             TEST_ASSERT_TRUE(depth_ticks() <= ((double)target_ticks() + OVERSHOOT_TICKS));
@@ -250,8 +282,95 @@ void test_SWR_COOP_005_the_true_needle_stands_soon_after_the_hand_has_let_go(voi
         TEST_ASSERT_FALSE(is_driven());
         TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, there, depth_ticks());
     }
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, push_on(800).kind);
+}
+
+/* Nobody lets go, or the zero has wandered: a push ends all the same. */
+void test_SWR_COOP_013_a_push_without_an_end_moves_the_true_needle_a_bounded_way(void)
+{
+    start_armed();
+    const double there = depth_ticks();
     push(800);
+    rig_cycles(&rig, (LIMIT_HAND_PUSH_US / LIMIT_CYCLE_US) + STOP_CYCLES);
+    TEST_ASSERT_TRUE((depth_ticks() - there) > (10.0 * TICKS_PER_MM));
+    TEST_ASSERT_TRUE((depth_ticks() - there) < (16.0 * TICKS_PER_MM));
+    const double stopped = depth_ticks();
+    rig_cycles(&rig, 5000U);
+    TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, stopped, depth_ticks());
+    TEST_ASSERT_TRUE(has_reason(PERMIT_REASON_HAND_UNPROVEN));
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_LET_GO, rig.outputs.snapshot.next_step);
+}
+
+/* As SWR-FORCE-565 finds it, at rest or at the highest speed, by a hand that jerks or has gone. */
+void test_SWR_COOP_016_a_stuck_sensor_moves_the_true_needle_a_short_way(void)
+{
+    static const uint32_t before_cycles[] = {10U, 100U, 1000U};
+    for (uint32_t i = 0U; i < (sizeof before_cycles / sizeof before_cycles[0]); i++) {
+        start_armed();
+        rig_cycles(&rig, OFF_CYCLES);
+        push(JERK_MN);
+        rig_cycles(&rig, before_cycles[i]);
+        rig_box(&rig, "force hand stuck");
+        let_go();
+        const double there = depth_ticks();
+        for (uint32_t cycle = 0U; (cycle < 2000U) && !is_over(); cycle++) {
+            rig_cycle(&rig);
+        }
+        TEST_ASSERT_TRUE(is_over());
+        TEST_ASSERT_EQUAL_UINT32(STATUS_FORCE_DOUBTFUL, rig.answers[rig.answer_count - 1U].status);
+        rig_cycles(&rig, STOP_CYCLES);
+        TEST_ASSERT_TRUE((depth_ticks() - there) <= (LIMIT_HAND_STUCK_UM * TICKS_PER_MM / 1000.0));
+        TEST_ASSERT_TRUE((depth_ticks() - there) > (0.2 * TICKS_PER_MM));
+    }
+}
+
+/* It stands where a move that was armed by entering the workphase would be run by the pedal. */
+void test_SWR_COOP_014_a_refused_insertion_by_hand_leaves_no_move_armed(void)
+{
+    align();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    TEST_ASSERT_FALSE(is_over());
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FORCE_DOUBTFUL, status_of(cooperate));
+    TEST_ASSERT_TRUE(is_over());
+    const double there = depth_ticks();
+    rig_press(&rig);
+    rig_cycles(&rig, 2000U);
+    TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, there, depth_ticks());
+}
+
+void test_SWR_COOP_014_other_refused_commands_leave_it_armed(void)
+{
+    align();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    TEST_ASSERT_NOT_EQUAL_UINT32(
+        STATUS_OK, status_of((command_t){.kind = (uint32_t)COMMAND_JOG, .as.jog = {.axis = 0U}}));
+    TEST_ASSERT_FALSE(is_over());
+}
+
+/* Each of the steps that it names is accepted, and the last one ends the reason. */
+void test_SWR_COOP_015_after_a_doubt_the_reason_stays_and_the_next_steps_work(void)
+{
+    start_armed();
+    push(1000);
+    rig_cycles(&rig, 1000U);
+    rig_box(&rig, "force hand broken");
+    rig_cycles(&rig, 10U);
+    TEST_ASSERT_TRUE(has_reason(PERMIT_REASON_FORCE_DOUBTFUL));
+    rig_box(&rig, "force hand normal");
+    let_go();
+    rig_release(&rig);
+    rig_cycles(&rig, 200U);
+    TEST_ASSERT_TRUE(has_reason(PERMIT_REASON_FORCE_DOUBTFUL));
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_ZERO_FORCE, rig.outputs.snapshot.next_step);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of((command_t){.kind = (uint32_t)COMMAND_RETRACT}));
+    TEST_ASSERT_FALSE(has_reason(PERMIT_REASON_FORCE_DOUBTFUL));
+    rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
+    rig_release(&rig);
+    rig_cycles(&rig, 200U);
+    zero_force();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(cooperate));
 }
 
 void test_SWR_COOP_006_a_doubtful_force_drives_nothing_and_ends_the_order(void)

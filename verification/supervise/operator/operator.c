@@ -287,6 +287,13 @@ static void follow(operator_t *self, rig_t *rig, uint32_t step)
     case NEXT_STEP_PRESS_PEDAL:
         rig_box(rig, "pedal press");
         break;
+    case NEXT_STEP_PUSH:
+        rig_box(rig, "grip 800");
+        rig_box(rig, "hand press");
+        break;
+    case NEXT_STEP_LET_GO:
+        rig_box(rig, "hand release");
+        break;
     case NEXT_STEP_GRANT:
         rig_box(rig, "pedal release");
         hold_button(self, rig);

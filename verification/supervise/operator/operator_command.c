@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervise/operator/operator_command.h"
 
+#include "safety/needle.h"
+
 #include "procedure/command_kinds.h"
 
 authority_party_t operator_commander(const rig_t *rig)
@@ -36,6 +38,13 @@ bool operator_command_of(const rig_t *rig, uint32_t step, command_t *command)
     }
     if (step == (uint32_t)NEXT_STEP_RETRACT) {
         command->kind = (uint32_t)COMMAND_RETRACT;
+        return true;
+    }
+    if (step == (uint32_t)NEXT_STEP_ZERO_FORCE) {
+        const bool is_page = party.source == (uint32_t)COMMAND_SOURCE_HTTP;
+        const bool is_out = needle_is_out(rig->box.robot, rig->controller.axes);
+        const command_kind_t in_kind = is_page ? COMMAND_ZERO_FORCE : COMMAND_RETRACT;
+        command->kind = (uint32_t)(is_out ? in_kind : COMMAND_RETRACT);
         return true;
     }
     if (step == (uint32_t)NEXT_STEP_DRAPING) {

@@ -24,7 +24,9 @@ play_t operator_history(uint32_t seed, const robot_t *robot)
     static const play_t plays[] = {PLAY_RANDOM,   PLAY_TAPS,  PLAY_JOGS,   PLAY_TAPS,
                                    PLAY_PROGRAMS, PLAY_MODES, PLAY_RIVALS, PLAY_SWEEPS};
     const play_t play = plays[seed % (sizeof plays / sizeof plays[0])];
-    return (play_refusal(robot, play) == NULL) ? play : PLAY_RANDOM;
+    const bool is_by_hand = (play == PLAY_JOGS) && (play_refusal(robot, PLAY_HANDS) == NULL);
+    const play_t possible = (play_refusal(robot, play) == NULL) ? play : PLAY_RANDOM;
+    return is_by_hand ? PLAY_HANDS : possible;
 }
 
 uint32_t operator_history_cycles(uint32_t seed)

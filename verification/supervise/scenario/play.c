@@ -34,6 +34,8 @@ const char *play_refusal(const robot_t *robot, play_t play)
         refusal = "no axis of it takes run and stop";
     } else if ((play == PLAY_SWEEPS) && !has_card(robot, CARD_TYPE_HIGH_FREQUENCY)) {
         refusal = "no axis of it takes waves";
+    } else if ((play == PLAY_HANDS) && (robot->hand.gain_q8 == 0U)) {
+        refusal = "no hand moves its needle";
     } else {
         /* It can. */
     }
@@ -61,5 +63,5 @@ bool play_is_of_orders(play_t play)
 bool play_is_of_scenes(play_t play)
 {
     return (play == PLAY_RANDOM) || (play == PLAY_JOGS) || (play == PLAY_TAPS) ||
-           (play == PLAY_RIVALS) || play_is_of_orders(play);
+           (play == PLAY_RIVALS) || (play == PLAY_HANDS) || play_is_of_orders(play);
 }

@@ -25,14 +25,15 @@ typedef enum {
     PLAY_FLIPS = 11,      /**< Bits of the memory change; the scenes are of PLAY_RANDOM. */
     PLAY_OPERATOR = 12,   /**< An operator comes into a scene of any of these and follows the next
                              step alone. */
-    PLAY_LATE = 13        /**< As PLAY_MODES, from power-on in every third scene: time and wires are
+    PLAY_LATE = 13,       /**< As PLAY_MODES, from power-on in every third scene: time and wires are
                              the enemy; in every other scene something of an axis breaks as well. */
+    PLAY_HANDS = 14       /**< Insertions by any hand; in every other scene load cells break. */
 } play_t;
 
 /** Names of all plays, between bars. */
 #define PLAY_NAMES                                                                                 \
     "random|corners|interrupted|spread|jogs|taps|magnitude|rivals|modes|programs|sweeps|flips|"    \
-    "operator|late"
+    "operator|late|hands"
 
 /** The play `name` of PLAY_NAMES, or -1. */
 int play_find(const char *name);

@@ -4,6 +4,7 @@
 #include "charts/arming_chart.h"
 #include "limits/requirement_limits.h"
 #include "supervise/scenario/acts.h"
+#include "supervise/scenario/hand_deeds.h"
 #include "supervise/scenario/prng.h"
 #include "supervise/scenario/scenario_deeds.h"
 #include "supervise/scenario/scenario_sends.h"
@@ -109,6 +110,9 @@ void scenario_begin(scenario_t *self, rig_t *rig, const robot_t *robot, play_t p
         adversary_begin(&self->adversary, rig, robot, seed);
     } else if (play == PLAY_LATE) {
         begin_late(self, rig, seed);
+    } else if (play == PLAY_HANDS) {
+        hands_begin(&self->hands, seed);
+        hands_start(rig, robot, seed);
     } else {
         start_targeted(self, rig);
     }
@@ -154,7 +158,8 @@ static bool ends_with(const char *line, const char *word)
     return (length >= strlen(word)) && begins_with(&line[length - strlen(word)], word);
 }
 
-/* Of hand, tissue and load cells; no motion follows a force. */
+/* Of hand, tissue and load cells: for PLAY_HANDS, as no other play has a motion that follows a
+ * force. */
 static bool is_force(const char *line)
 {
     return begins_with(line, "hand ") || begins_with(line, "grip ") ||
@@ -344,6 +349,8 @@ static void play_operator(scenario_t *self, rig_t *rig)
         30U + scenario_random_below(self, play_is_of_orders(self->play) ? 200U : 600U);
     if (self->play == PLAY_TAPS) {
         scenario_do_wish(self, rig);
+    } else if (self->play == PLAY_HANDS) {
+        hand_deeds_do_order(self, rig);
     } else if ((self->play == PLAY_JOGS) && (scenario_random_below(self, 5U) != 0U)) {
         scenario_do_jog(self, rig);
     } else if (play_is_of_orders(self->play) &&
@@ -368,5 +375,8 @@ void scenario_play(scenario_t *self, rig_t *rig)
     let_foe_play(self, rig);
     if (self->play == PLAY_LATE) {
         lateness_play(&self->lateness, rig);
+    }
+    if (self->play == PLAY_HANDS) {
+        hands_play(&self->hands, rig);
     }
 }

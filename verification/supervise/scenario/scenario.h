@@ -5,6 +5,7 @@
 
 #include "integration/support/rig.h"
 #include "supervise/scenario/adversary.h"
+#include "supervise/scenario/hands.h"
 #include "supervise/scenario/lateness.h"
 #include "supervise/scenario/orders.h"
 #include "supervise/scenario/play.h"
@@ -33,6 +34,7 @@ typedef struct {
     adversary_t adversary;    /**< Enemy of PLAY_TAPS. */
     competing_peers_t rivals; /**< Peers of PLAY_RIVALS. */
     lateness_t lateness;      /**< Enemy of PLAY_LATE. */
+    hands_t hands;            /**< Hand of PLAY_HANDS. */
     const robot_t *robot;
     robot_t magnitude_robot; /**< Robot of PLAY_MAGNITUDE. */
 } scenario_t;

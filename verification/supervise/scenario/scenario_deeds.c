@@ -4,6 +4,7 @@
 #include "charts/arming_chart.h"
 #include "limits/requirement_limits.h"
 #include "supervise/scenario/acts.h"
+#include "supervise/scenario/hand_deeds.h"
 #include "supervise/scenario/scenario_sends.h"
 
 #define OTHER_PARTS 6U     /* One of so many orders is not of the theme of the play. */
@@ -188,6 +189,11 @@ void scenario_do_next_step(scenario_t *self, rig_t *rig)
         scenario_send_phase(self, rig, WORKPHASE_STOP);
         break;
     case NEXT_STEP_WAIT:
+        break;
+    case NEXT_STEP_PUSH:
+    case NEXT_STEP_LET_GO:
+    case NEXT_STEP_ZERO_FORCE:
+        hand_deeds_do_step(self, rig);
         break;
     case NEXT_STEP_AUTHORITY:
     case NEXT_STEP_GRANT:

@@ -73,7 +73,7 @@ static void send_corner(scenario_t *self, rig_t *rig)
     if (targets_entry(self->robot, &joints, &target.as.pose.pose,
                       &entry.as.pose.pose.translation)) {
         scenario_send(self, rig, entry);
-    } else if (play_is_of_orders(self->play)) {
+    } else if ((self->play == PLAY_HANDS) || play_is_of_orders(self->play)) {
         const point_t before = {0, 0, -BEFORE_NM};
         entry.as.pose.pose.translation = rigid_apply(&target.as.pose.pose, &before);
         scenario_send(self, rig, entry);
@@ -85,7 +85,8 @@ static void send_corner(scenario_t *self, rig_t *rig)
 
 void scenario_send_target(scenario_t *self, rig_t *rig)
 {
-    if ((self->play == PLAY_CORNERS) || play_is_of_orders(self->play)) {
+    if ((self->play == PLAY_CORNERS) || (self->play == PLAY_HANDS) ||
+        play_is_of_orders(self->play)) {
         send_corner(self, rig);
     } else {
         scenario_send(self, rig,

@@ -62,6 +62,9 @@ const char *motion_oracle_sentence(sentence_t sentence)
         "While the gate says stop, no treatment program drives",
         "A step ends at its place, after its dwell or by the dose it waits for",
         "A treatment program is done once each of its steps is",
+        "An insertion by hand drives the needle alone, and inwards",
+        "No hand takes the true needle past its target by 0.1 mm",
+        "Without a hand that truly pushes no insertion by hand goes on",
         "One commands: between two it is lost, and the axes rest",
         "Authority is lost by its holder, silence, or button without pedal",
         "A page that commands has renewed it",
@@ -218,7 +221,9 @@ static uint32_t homing_ends(const motion_oracle_t *self)
 
 static void judge_end(motion_oracle_t *self, const rig_t *rig)
 {
-    const bool is_moving = rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING;
+    /* A hand takes its time. */
+    const bool is_moving = (rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING) &&
+                           (self->order_watch.kind != (uint32_t)COMMAND_COOPERATE);
     const bool is_sweep = self->order_watch.kind == (uint32_t)COMMAND_SWEEP;
     const bool is_homing = rig->outputs.snapshot.mode == (uint32_t)MODE_HOMING;
     const uint32_t most = is_homing ? homing_ends(self) : ENDS_CYCLES;
@@ -632,6 +637,8 @@ static void judge_orders(motion_oracle_t *self, const rig_t *rig,
                 program_watch_look(&self->program_watch, order, rig, truth, is_disturbed));
     complain_of(self, rig, SENTENCE_ORDER, ORDER_RULES,
                 order_watch_look(&self->order_watch, rig, truth, is_disturbed));
+    complain_of(self, rig, SENTENCE_HAND, HAND_RULES,
+                hand_watch_look(&self->hand_watch, order, rig, truth));
 }
 
 void motion_oracle_look(motion_oracle_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],

@@ -10,6 +10,7 @@
 
 #include "integration/support/rig.h"
 #include "limits/requirement_limits.h"
+#include "supervise/watch/hand_watch.h"
 #include "supervise/watch/order_watch.h"
 #include "supervise/watch/program_watch.h"
 #include "supervise/watch/authority_oracle.h"
@@ -48,8 +49,10 @@ typedef enum {
     SENTENCE_SWEEP = SENTENCE_ORDER + (int)ORDER_RULES,
     /** From here on: those of program_rule_t. */
     SENTENCE_PROGRAM = SENTENCE_SWEEP + (int)SWEEP_RULES,
+    /** From here on: those of hand_rule_t. */
+    SENTENCE_HAND = SENTENCE_PROGRAM + (int)PROGRAM_RULES,
     /** From here on: those of authority_oracle_rule_t. */
-    SENTENCE_REIGN = SENTENCE_PROGRAM + (int)PROGRAM_RULES
+    SENTENCE_REIGN = SENTENCE_HAND + (int)HAND_RULES
 } sentence_t;
 
 #define SENTENCE_COUNT ((uint32_t)SENTENCE_REIGN + REIGN_RULES)
@@ -106,6 +109,7 @@ typedef struct {
     order_watch_t order_watch;
     sweep_watch_t sweep_watch;
     program_watch_t program_watch;
+    hand_watch_t hand_watch;
     authority_oracle_t authority_oracle;
     uint32_t armed[COMMAND_KIND_COUNT]; /**< Orders in all episodes before this one. */
     uint32_t done[COMMAND_KIND_COUNT];  /**< How many of them ended as asked. */

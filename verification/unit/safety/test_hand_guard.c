@@ -127,3 +127,34 @@ void test_SWR_COOP_012_without_the_pedal_a_push_has_to_be_proven_anew(void)
     TEST_ASSERT_EQUAL_INT32(0, feel(&push));
     TEST_ASSERT_TRUE(has(&push, LEFT_TICKS, PERMIT_REASON_HAND_UNPROVEN));
 }
+
+/* A drift is no sudden thing: without an end to each push it would move the needle for good. */
+void test_SWR_COOP_013_a_push_ends_after_its_time_until_the_hand_was_seen_off(void)
+{
+    for (uint32_t us = CYCLE_US; us < LIMIT_HAND_PUSH_US; us += CYCLE_US) {
+        TEST_ASSERT_EQUAL_INT32(push.force_mn, feel(&push));
+        TEST_ASSERT_FALSE(has(&push, LEFT_TICKS, PERMIT_REASON_HAND_UNPROVEN));
+    }
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        TEST_ASSERT_EQUAL_INT32(0, feel(&push));
+        TEST_ASSERT_TRUE(has(&push, LEFT_TICKS, PERMIT_REASON_HAND_UNPROVEN));
+    }
+    for (uint32_t us = 0U; us < LIMIT_HAND_PROOF_US; us += CYCLE_US) {
+        (void)feel(&open_hand);
+    }
+    TEST_ASSERT_EQUAL_INT32(push.force_mn, feel(&push));
+}
+
+void test_SWR_COOP_013_pushes_in_short_turns_count_as_one(void)
+{
+    uint32_t us = 0U;
+    for (; us < (LIMIT_HAND_PUSH_US + (2U * CYCLE_US)); us += CYCLE_US) {
+        (void)feel(((us % LIMIT_HAND_PROOF_US) == 0U) ? &push : &open_hand);
+    }
+    TEST_ASSERT_EQUAL_INT32(0, feel(&push));
+}
+
+void test_SWR_COOP_013_a_late_cycle_counts_for_all_of_its_time(void)
+{
+    TEST_ASSERT_EQUAL_INT32(0, hand_guard_step(&guard, &law, &push, true, LIMIT_HAND_PUSH_US));
+}

@@ -238,18 +238,23 @@ void test_SWR_FORCE_570_a_zero_far_from_the_one_before_is_not_taken(void)
     TEST_ASSERT_EQUAL_HEX32(force_doubt_bit(FORCE_DOUBT_NOT_ZEROED) |
                                 force_doubt_bit(FORCE_DOUBT_ZERO_WANDERED),
                             channel.doubts);
-    TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_DONE, zero(REST + far - 1U, 0U, &moved_mn));
+    TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_DONE, zero(REST + far - 2U, 0U, &moved_mn));
 }
 
-void test_SWR_FORCE_570_the_zero_of_one_zeroing_is_the_one_before_of_the_next(void)
+void test_SWR_FORCE_611_small_steps_of_the_zero_do_not_add_up(void)
 {
     int32_t moved_mn = 0;
+    const uint32_t most = (uint32_t)(LIMIT_FORCE_DRIFT_MN / MN_PER_COUNT);
     (void)step(REST);
-    for (uint32_t i = 1U; i <= 3U; i++) {
-        TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_DONE, zero(REST + (100U * i), 0U, &moved_mn));
-        TEST_ASSERT_EQUAL_INT32(885, moved_mn);
-    }
-    TEST_ASSERT_INT32_WITHIN(1, 2655, force_channel_zero_mn(&channel, &config));
+    TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_DONE, zero(REST + 50U, 0U, &moved_mn));
+    TEST_ASSERT_EQUAL_INT32(442, moved_mn);
+    TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_DONE, zero(REST + 50U + most, 0U, &moved_mn));
+    TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_WANDERED, zero(REST + 51U + most, 0U, &moved_mn));
+    TEST_ASSERT_EQUAL_INT32(8, moved_mn);
+    TEST_ASSERT_EQUAL_HEX32(force_doubt_bit(FORCE_DOUBT_ZERO_WANDERED), channel.doubts);
+    TEST_ASSERT_EQUAL_INT32((int32_t)((REST + 50U + most) * 65536U), channel.zero_q16);
+    TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_DONE, zero(REST + 50U - most, 0U, &moved_mn));
+    TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_WANDERED, zero(REST + 49U - most, 0U, &moved_mn));
 }
 
 void test_SWR_FORCE_571_a_zeroing_ends_all_doubts_and_nothing_else_does(void)

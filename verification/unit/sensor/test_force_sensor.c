@@ -72,8 +72,8 @@ void test_SWR_FORCE_572_both_channels_are_zeroed_by_as_many_readings(void)
     TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_DONE, zeroed.ends[NEEDLE]);
     TEST_ASSERT_FALSE(force_sensor_is_zeroing(&sensor));
     TEST_ASSERT_EQUAL_HEX32(0U, doubts(HAND) | doubts(NEEDLE));
-    TEST_ASSERT_EQUAL_INT32(0, sensor.force_mn[HAND]);
-    TEST_ASSERT_EQUAL_INT32(0, sensor.force_mn[NEEDLE]);
+    TEST_ASSERT_EQUAL_INT32(0, sensor.sealed.force_mn[HAND]);
+    TEST_ASSERT_EQUAL_INT32(0, sensor.sealed.force_mn[NEEDLE]);
 }
 
 void test_SWR_FORCE_572_a_cycle_without_a_report_is_not_counted(void)
@@ -219,4 +219,22 @@ void test_SWR_FORCE_561_the_converter_is_that_of_the_robot_file(void)
         force_sensor_step(&sensor, &other, words, false);
         TEST_ASSERT_EQUAL_UINT32(1000U + converter, sensor.sealed.channels[HAND].counts[0]);
     }
+}
+
+void test_SWR_FORCE_610_a_zero_ages_with_its_reports_and_a_zeroing_makes_it_new(void)
+{
+    zero_almost();
+    (void)zero();
+    sensor.sealed.zero_cycles = LIMIT_FORCE_ZERO_AGE_CYCLES - 1U;
+    TEST_ASSERT_FALSE(force_sensor_is_old(&sensor));
+    load(HAND_AT_REST, NEEDLE_AT_REST);
+    TEST_ASSERT_TRUE(force_sensor_is_old(&sensor));
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_FORCE_ZERO_AGE_CYCLES, sensor.sealed.zero_cycles);
+    force_sensor_grow_old(&sensor);
+    TEST_ASSERT_EQUAL_HEX32(force_doubt_bit(FORCE_DOUBT_ZERO_OLD), doubts(HAND));
+    TEST_ASSERT_EQUAL_HEX32(force_doubt_bit(FORCE_DOUBT_ZERO_OLD), doubts(NEEDLE));
+    zero_almost();
+    (void)zero();
+    TEST_ASSERT_FALSE(force_sensor_is_old(&sensor));
+    TEST_ASSERT_EQUAL_HEX32(0U, doubts(HAND) | doubts(NEEDLE));
 }

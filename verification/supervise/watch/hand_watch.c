@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "supervise/watch/hand_watch.h"
+
+#include "supervise/watch/truth.h"
+
+#define DEEPER_MM 0.1
+#define PUSH_N 0.15 /* Half of a dead zone: less is no push, whatever the noise. */
+#define TOUCH_N 0.02
+#define IDLE_CYCLES 120U /* Latency and filter of the sensor, and the time for hands off. */
+#define OFF_CYCLES 100U  /* A slower drive than this is none. */
+#define GHOST_CYCLES ((LIMIT_HAND_PUSH_US / LIMIT_CYCLE_US) + 300U)
+
+static uint32_t rule(hand_rule_t which, bool is_broken)
+{
+    return is_broken ? ((uint32_t)1U << (uint32_t)which) : 0U;
+}
+
+static bool is_sent(const rig_t *rig, uint32_t axis)
+{
+    return rig_sent(rig, axis).drive.mode != (uint32_t)CARD_DRIVE_OFF;
+}
+
+/* What the sensor cannot be believed for, whether or not the core has noticed. */
+static void doubt_sensor(hand_watch_t *self, const rig_t *rig)
+{
+    const bool is_zeroing = force_sensor_is_zeroing(&rig->controller.force);
+    const double force_n = rig->box.force.hand.force_n;
+    for (uint32_t i = 0U; i < (uint32_t)SIM_CELLS; i++) {
+        self->is_untrue =
+            self->is_untrue || (rig->box.force.cells[i].fault != SIM_LOAD_CELL_NORMAL);
+    }
+    self->is_untrue =
+        self->is_untrue || (is_zeroing && ((force_n > TOUCH_N) || (force_n < -TOUCH_N)));
+}
+
+static bool is_beside(const rig_t *rig)
+{
+    const uint32_t needle = rig->box.robot->needle_axis;
+    const card_drive_t drive = rig_sent(rig, needle).drive;
+    bool is_any =
+        is_sent(rig, needle) && !motor_model_is_upwards(&rig->box.robot->axes[needle], &drive);
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        is_any = is_any || ((i != needle) && is_sent(rig, i));
+    }
+    return is_any;
+}
+
+/* A drive without a hand goes on once its time is over, or at all by a sensor that is true. */
+static bool is_ghost(hand_watch_t *self, const rig_t *rig, bool is_armed)
+{
+    const bool is_pushed = rig->box.force.hand.force_n > PUSH_N;
+    const bool is_driven = is_sent(rig, rig->box.robot->needle_axis);
+    self->idle_cycles = is_pushed ? 0U : (self->idle_cycles + 1U);
+    self->off_cycles = is_driven ? 0U : (self->off_cycles + 1U);
+    if (!is_armed || (self->idle_cycles <= IDLE_CYCLES) || (self->off_cycles > OFF_CYCLES)) {
+        self->ghost_cycles = 0U;
+    } else {
+        self->ghost_cycles += is_driven ? 1U : 0U;
+    }
+    return self->ghost_cycles > (self->is_untrue ? GHOST_CYCLES : 0U);
+}
+
+uint32_t hand_watch_look(hand_watch_t *self, const order_watch_t *order, const rig_t *rig,
+                         const double truth[ROBOT_AXIS_MAX])
+{
+    const uint32_t needle = rig->box.robot->needle_axis;
+    const bool is_armed = order->kind == (uint32_t)COMMAND_COOPERATE;
+    doubt_sensor(self, rig);
+    if (order->armed[COMMAND_COOPERATE] != self->armed) {
+        self->armed = order->armed[COMMAND_COOPERATE];
+        self->is_insertion = true;
+        self->target_ticks = rig->controller.plan.target_ticks[needle];
+    } else {
+        self->is_insertion = self->is_insertion && (is_armed || (order->kind == COMMAND_NONE));
+    }
+    const double deeper =
+        truth_measure(&rig->box.robot->axes[needle], truth[needle] - (double)self->target_ticks);
+    const bool is_driven_on = is_ghost(self, rig, is_armed);
+    return rule(HAND_ALONE, is_armed && is_beside(rig)) |
+           rule(HAND_DEPTH, self->is_insertion && (deeper > DEEPER_MM)) |
+           rule(HAND_PUSH, is_driven_on);
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Permitted acts of an insertion by hand, for a reader of commands, frames, the true hand and the
+ * true needle, and no mode nor sensor. Holds some rules against every cycle.
+ */
+#ifndef BORESIGHT_HAND_WATCH_H
+#define BORESIGHT_HAND_WATCH_H
+
+#include "integration/support/rig.h"
+#include "supervise/watch/order_watch.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** Each a bit of hand_watch_look(). */
+typedef enum {
+    HAND_ALONE = 0, /**< It drives the needle alone, and in. */
+    HAND_DEPTH = 1, /**< The true needle is never deeper than the target by more than 0.1 mm. */
+    HAND_PUSH = 2   /**< It drives while a hand truly pushes; by an untrue sensor not for long. */
+} hand_rule_t;
+
+#define HAND_RULES 3U
+
+/** At first all zero. */
+typedef struct {
+    bool is_untrue;        /**< A load cell is or was broken, or was zeroed under a force. */
+    bool is_insertion;     /**< The last order that was accepted is one. */
+    uint32_t armed;        /**< Insertions that were accepted. */
+    int32_t target_ticks;  /**< Depth of its target. */
+    uint32_t idle_cycles;  /**< No hand has truly pushed for so long. */
+    uint32_t ghost_cycles; /**< The needle has been driven for so long meanwhile. */
+    uint32_t off_cycles;   /**< It has not been driven for so long. */
+} hand_watch_t;
+
+/** Looks at the cycle that `rig` has just run, and `order` has. @return the rules that it broke */
+uint32_t hand_watch_look(hand_watch_t *self, const order_watch_t *order, const rig_t *rig,
+                         const double truth[ROBOT_AXIS_MAX]);
+
+#endif
