@@ -50,15 +50,18 @@ static void check(controller_t *self, const cycle_t *cycle, bool is_by_hand)
 
 static bool are_same(const point_t *one, const point_t *other)
 {
-    return (one->x_nm == other->x_nm) && (one->y_nm == other->y_nm) && (one->z_nm == other->z_nm);
+    const uint32_t x = (uint32_t)one->x_nm ^ (uint32_t)other->x_nm;
+    const uint32_t y = (uint32_t)one->y_nm ^ (uint32_t)other->y_nm;
+    const uint32_t z = (uint32_t)one->z_nm ^ (uint32_t)other->z_nm;
+    return (x | y | z) == 0U;
 }
 
-/* Expected membranes belong to the target and the entry point that they were sent for. */
+/* Expected membranes belong to the target that they were sent for; another entry point is none of
+ * that target. */
 static void forget_others(controller_t *self, const cycle_t *cycle)
 {
     const membrane_plan_t *const plan = &self->membranes.plan;
     const bool is_same = (plan_judge_entry(&self->plan) == STATUS_OK) &&
-                         are_same(&plan->entry, &self->plan.entry) &&
                          are_same(&plan->target, &self->plan.scanner_target.translation);
     if (!is_same) {
         controller_clear_membranes(self);
@@ -82,12 +85,19 @@ static uint32_t needle_of(const cycle_t *cycle)
     return cycle->robot->needle_axis % ROBOT_AXIS_MAX; /* Of a damaged table. */
 }
 
-static int32_t depth_um(const controller_t *self, const cycle_t *cycle)
+/* Way of the needle to its depth at the target; negative beyond it. */
+static int64_t left_ticks(const controller_t *self, const cycle_t *cycle)
 {
     const uint32_t needle = needle_of(cycle);
-    const int64_t left_ticks = (int64_t)self->plan.target_ticks[needle] -
-                               (int64_t)self->axes[needle].sealed.encoder.position_ticks;
-    const int64_t left_nm = (left_ticks * cycle->robot->axes[needle].unit_per_tick_q16) / COUNT_Q16;
+    return (int64_t)self->plan.target_ticks[needle] -
+           (int64_t)self->axes[needle].sealed.encoder.position_ticks;
+}
+
+static int32_t depth_um(const controller_t *self, const cycle_t *cycle)
+{
+    const int64_t left_nm =
+        (left_ticks(self, cycle) * cycle->robot->axes[needle_of(cycle)].unit_per_tick_q16) /
+        COUNT_Q16;
     return fixed_saturate((int64_t)self->membranes.run.target_um -
                           fixed_divide_by(left_nm, NM_PER_UM));
 }
@@ -135,14 +145,17 @@ static void note_missed(controller_t *self, const cycle_t *cycle, uint32_t place
                self->membranes.plan.list.membranes[place].depth_um);
 }
 
-/* All of them lie before the target. */
+/* All of them lie before the target. An insertion that has ended too deep has reached it as well.
+ */
 static void end(controller_t *self, const cycle_t *cycle)
 {
     membrane_watch_t *const watch = &self->membranes;
-    if (self->sealed.has_arrived != 0U) {
-        for (uint32_t place = membrane_list_end(&watch->plan.list); place != MEMBRANE_NONE;
-             place = membrane_list_end(&watch->plan.list)) {
-            note_missed(self, cycle, place);
+    if (left_ticks(self, cycle) <= (int64_t)cycle->robot->axes[needle_of(cycle)].deadband_ticks) {
+        for (uint32_t i = 0U; i < LIMIT_MEMBRANES_MOST; i++) {
+            const uint32_t place = membrane_list_end(&watch->plan.list);
+            if (place != MEMBRANE_NONE) {
+                note_missed(self, cycle, place);
+            }
         }
         seal_plan(watch);
     }
@@ -267,7 +280,6 @@ status_t controller_obey_membranes(controller_t *self, const cycle_t *cycle,
         status = membrane_list_set(&watch->plan.list, sent->depths_um, sent->count);
     }
     if (status == STATUS_OK) {
-        watch->plan.entry = self->plan.entry;
         watch->plan.target = self->plan.scanner_target.translation;
         seal_plan(watch);
         controller_note(self, cycle, EVENT_MEMBRANES_TAKEN, 0U, (int32_t)sent->count);

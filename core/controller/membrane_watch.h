@@ -17,8 +17,9 @@
 /** Data of the plan; those of another target or entry point are forgotten. No padding. */
 typedef struct {
     membrane_list_t list;
-    point_t entry; /**< For which they were sent, scanner coordinates; of no meaning without any. */
-    point_t target;
+    point_t
+        target; /**< For which they were sent, scanner coordinates; of no meaning without any. */
+    uint32_t reserved; /**< 0. */
 } membrane_plan_t;
 
 /** An insertion by hand. No padding. */

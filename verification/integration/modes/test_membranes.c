@@ -222,6 +222,11 @@ void test_SWR_PUNCT_613_it_is_blind_at_rest_and_says_so(void)
     rig_cycles(&rig, 1000U);
     TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_LOOKING, shown()->sight);
     by_hand_push(&rig, 0);
+    while (rig.outputs.snapshot.axes[BY_HAND_NEEDLE].setpoint_speed_ticks_per_s_q8 != 0) {
+        rig_cycle(&rig);
+    }
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_PAUSED, shown()->sight);
     rig_cycles(&rig, 500U);
     TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_PAUSED, shown()->sight);
 }
@@ -311,6 +316,15 @@ void test_SWR_PUNCT_615_a_list_that_does_not_fit_is_refused_and_changes_nothing(
     TEST_ASSERT_EQUAL_UINT32(1U, shown()->count);
     TEST_ASSERT_EQUAL_INT32(FIRST_UM, shown()->membranes[0].depth_um);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(LIMIT_MEMBRANES_MOST, many_um));
+}
+
+/* Its entry point is farther away than any list may be deep. */
+void test_SWR_PUNCT_615_a_membrane_too_deep_for_a_list_is_refused(void)
+{
+    by_hand_align(&rig, TARGET_Z_NM - 310000000, TARGET_Z_NM);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OUT_OF_RANGE,
+                             expect(1U, &(int32_t){(int32_t)LIMIT_MEMBRANE_DEEPEST_UM + 1}));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(1U, &(int32_t){(int32_t)LIMIT_MEMBRANE_DEEPEST_UM}));
 }
 
 void test_SWR_PUNCT_615_no_list_while_a_motion_is_armed_or_elsewhere(void)
