@@ -13,9 +13,9 @@
 #define COUNT_Q16 65536
 #define NOISE_Q24 INT64_C(16777216) /* Noise has 8 fraction bits, mN for a count 16. */
 
-static void seal_plan(membrane_watch_t *watch)
+static void seal_list(membrane_watch_t *watch)
 {
-    watch->plan_seal =
+    watch->list_seal =
         seal_of(SEAL_START, (const uint8_t *)&watch->plan, WHOLE_WORDS(sizeof watch->plan));
 }
 
@@ -27,14 +27,14 @@ static uint32_t seal_of_run(const membrane_watch_t *watch)
 void controller_clear_membranes(controller_t *self)
 {
     (void)memset(&self->membranes, 0, sizeof self->membranes);
-    seal_plan(&self->membranes);
+    seal_list(&self->membranes);
 }
 
 static bool is_damaged(const membrane_watch_t *watch, bool is_running)
 {
     const uint32_t seal =
         seal_of(SEAL_START, (const uint8_t *)&watch->plan, WHOLE_WORDS(sizeof watch->plan));
-    return (seal != watch->plan_seal) || (is_running && (seal_of_run(watch) != watch->run_seal));
+    return (seal != watch->list_seal) || (is_running && (seal_of_run(watch) != watch->run_seal));
 }
 
 /* At rest the list has its turn as the slots have. */
@@ -107,7 +107,8 @@ static uint32_t noise_un(const force_channel_t *channel, const force_channel_con
 {
     const int64_t mn_q24 =
         (int64_t)channel->noise_q8 * fixed_magnitude((int64_t)config->mn_per_count_q16);
-    return (uint32_t)((mn_q24 * (int64_t)LIMIT_MEMBRANE_WHITE_PERMILLE) / NOISE_Q24);
+    const int64_t un = (mn_q24 * (int64_t)LIMIT_MEMBRANE_WHITE_PERMILLE) / NOISE_Q24;
+    return (uint32_t)un;
 }
 
 /* The last reading, before the filter of the channel. */
@@ -129,7 +130,7 @@ static void begin(controller_t *self, const cycle_t *cycle)
     watch->least_fall_mn = membrane_detector_floor_un(&watch->run.detector) / (uint32_t)NM_PER_UM;
     if (needle_is_out(cycle->robot, self->axes)) {
         membrane_list_renew(&watch->plan.list);
-        seal_plan(watch);
+        seal_list(watch);
     }
 }
 
@@ -157,7 +158,7 @@ static void end(controller_t *self, const cycle_t *cycle)
                 note_missed(self, cycle, place);
             }
         }
-        seal_plan(watch);
+        seal_list(watch);
     }
     watch->run.is_running = 0U;
     watch->sight = (uint32_t)MEMBRANE_SIGHT_OFF;
@@ -203,7 +204,7 @@ static void feel(controller_t *self, const cycle_t *cycle)
         membrane_detector_step(&watch->run.detector, &watch->plan.list, &view);
     if (event.kind != (uint32_t)MEMBRANE_EVENT_NONE) {
         note_event(self, cycle, &event);
-        seal_plan(watch);
+        seal_list(watch);
     }
     watch->sight = (uint32_t)sight_of(&watch->run, is_believed);
     if (!is_believed && (before != watch->sight)) {
@@ -281,7 +282,7 @@ status_t controller_obey_membranes(controller_t *self, const cycle_t *cycle,
     }
     if (status == STATUS_OK) {
         watch->plan.target = self->plan.scanner_target.translation;
-        seal_plan(watch);
+        seal_list(watch);
         controller_note(self, cycle, EVENT_MEMBRANES_TAKEN, 0U, (int32_t)sent->count);
         for (uint32_t i = 0U; i < sent->count; i++) {
             note_depth(self, cycle, EVENT_MEMBRANE_EXPECTED, i + 1U, sent->depths_um[i]);

@@ -33,7 +33,7 @@ typedef struct {
 typedef struct {
     membrane_plan_t plan;
     membrane_run_t run;
-    uint32_t plan_seal; /**< Of `plan`, looked at in each cycle of a run, and in turn otherwise. */
+    uint32_t list_seal; /**< Of `plan`, looked at in each cycle of a run, and in turn otherwise. */
     uint32_t run_seal;  /**< Of `run`, while it runs. */
     uint32_t sight;     /**< membrane_sight_t; shown only, as the next two. */
     int32_t depth_um;
