@@ -14,6 +14,7 @@
 #include "card/link.h"
 #include "controller/homing_account.h"
 #include "controller/kept.h"
+#include "controller/membrane_watch.h"
 #include "interface/answer.h"
 #include "interface/command.h"
 #include "interface/event.h"
@@ -187,6 +188,7 @@ typedef struct {
     target_way_t way;         /**< As it is shown; has a seal of its own. */
     program_list_t program;   /**< The treatment program that is held; has checksums of its own. */
     homing_account_t account; /**< Has a seal of its own. */
+    membrane_watch_t membranes; /**< Of a robot with a force sensor; has seals of its own. */
     uint32_t last_event;    /**< event_id_t of the one noted last; it counts only, with the next. */
     uint32_t refused_cycle; /**< When the numbers of something refused were noted; the same. */
     /** Rows of mode.sealed.list; each has a checksum. The last member, as they are too many to be

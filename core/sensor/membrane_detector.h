@@ -62,17 +62,19 @@ typedef struct {
     int32_t depth_um;       /**< Where it began. */
     int32_t peak_depth_um;  /**< Depth of its largest force. */
     int32_t peak_mn_q12;    /**< That force, filtered. */
+    int32_t reserved;       /**< 0. */
     int64_t speed_nm_per_s; /**< Mean of the LIMIT_MEMBRANE_SPEED_MS before it. */
 } membrane_part_t;
 
+/** No padding. */
 typedef struct {
     membrane_filter_t filter;
+    int32_t floor_mn_q12;                  /**< Least fall. */
     membrane_part_t parts[MEMBRANE_PARTS]; /**< The window, a ring. */
     uint32_t at;                           /**< Part that is being filled. */
     uint32_t in_part;                      /**< Milliseconds of it. */
     uint32_t begun;          /**< Parts that have a beginning, saturates at MEMBRANE_PARTS. */
     uint32_t looked;         /**< Parts that have a peak, the one that is being filled included. */
-    int32_t floor_mn_q12;    /**< Least fall. */
     int64_t speed_nm_per_s;  /**< Mean of LIMIT_MEMBRANE_SPEED_MS. */
     int64_t recent_nm_per_s; /**< v. */
     int64_t before_nm_per_s; /**< V. */
@@ -109,5 +111,11 @@ membrane_event_t membrane_detector_step(membrane_detector_t *self, membrane_list
 
 /** Least fall that it can find, uN. */
 uint32_t membrane_detector_floor_un(const membrane_detector_t *self);
+
+/** After a step: a puncture in this millisecond would have been found. */
+static inline bool membrane_detector_is_looking(const membrane_detector_t *self)
+{
+    return self->looked != 0U;
+}
 
 #endif

@@ -20,12 +20,21 @@ status_t membrane_list_set(membrane_list_t *self, const int32_t depths_um[], uin
     if ((count > LIMIT_MEMBRANES_MOST) || !are_in_order(depths_um, count)) {
         return STATUS_OUT_OF_RANGE;
     }
-    self->count = count;
-    self->unexpected = 0U;
     for (uint32_t i = 0U; i < count; i++) {
-        self->membranes[i] = (membrane_t){.depth_um = depths_um[i]};
+        self->membranes[i].depth_um = depths_um[i];
     }
+    self->count = count;
+    membrane_list_renew(self);
     return STATUS_OK;
+}
+
+void membrane_list_renew(membrane_list_t *self)
+{
+    self->unexpected = 0U;
+    for (uint32_t i = 0U; i < self->count; i++) {
+        self->membranes[i].found_um = 0;
+        self->membranes[i].state = (uint32_t)MEMBRANE_AHEAD;
+    }
 }
 
 static bool is_ahead(const membrane_t *membrane)
@@ -54,9 +63,9 @@ uint32_t membrane_list_take(membrane_list_t *self, int32_t depth_um)
     return nearest;
 }
 
-uint32_t membrane_list_pass(membrane_list_t *self, int32_t depth_um)
+/* The first one that is ahead and less deep than `behind_um`. */
+static uint32_t miss(membrane_list_t *self, int64_t behind_um)
 {
-    const int64_t behind_um = (int64_t)depth_um - (int64_t)LIMIT_MEMBRANE_WINDOW_UM;
     for (uint32_t i = 0U; i < self->count; i++) {
         membrane_t *const membrane = &self->membranes[i];
         if (is_ahead(membrane) && ((int64_t)membrane->depth_um < behind_um)) {
@@ -65,6 +74,16 @@ uint32_t membrane_list_pass(membrane_list_t *self, int32_t depth_um)
         }
     }
     return MEMBRANE_NONE;
+}
+
+uint32_t membrane_list_pass(membrane_list_t *self, int32_t depth_um)
+{
+    return miss(self, (int64_t)depth_um - (int64_t)LIMIT_MEMBRANE_WINDOW_UM);
+}
+
+uint32_t membrane_list_end(membrane_list_t *self)
+{
+    return miss(self, INT64_MAX);
 }
 
 uint32_t membrane_list_left(const membrane_list_t *self)

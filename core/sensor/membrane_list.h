@@ -8,6 +8,7 @@
 #ifndef BORESIGHT_MEMBRANE_LIST_H
 #define BORESIGHT_MEMBRANE_LIST_H
 
+#include "interface/membrane_state.h"
 #include "interface/status.h"
 #include "limits/requirement_limits.h"
 
@@ -16,8 +17,6 @@
 
 /** No membrane of the list. */
 #define MEMBRANE_NONE UINT32_MAX
-
-typedef enum { MEMBRANE_AHEAD = 0, MEMBRANE_FOUND = 1, MEMBRANE_MISSED = 2 } membrane_state_t;
 
 typedef struct {
     int32_t depth_um; /**< 0..LIMIT_MEMBRANE_DEEPEST_UM. */
@@ -65,5 +64,17 @@ uint32_t membrane_list_pass(membrane_list_t *self, int32_t depth_um);
 
 /** Number of membranes that are ahead: "punctures left" of thesis listing 1. */
 uint32_t membrane_list_left(const membrane_list_t *self);
+
+/** The needle goes in anew: all of them are ahead, and none was unexpected. */
+void membrane_list_renew(membrane_list_t *self);
+
+/**
+ * The needle is as deep as it shall go: the first membrane that is ahead is missed.
+ *
+ * @return its place in the list, or MEMBRANE_NONE
+ *
+ * @satisfies SWR-PUNCT-612
+ */
+uint32_t membrane_list_end(membrane_list_t *self);
 
 #endif

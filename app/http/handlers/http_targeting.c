@@ -17,6 +17,7 @@
 
 #define NUMBERS 16U
 #define POINTER_SIZE 32U
+#define UM_PER_MM 1000.0
 #define NM_PER_MM 1000000.0
 
 /* The aim; NULL: not given. */
@@ -99,6 +100,19 @@ int http_targeting_set_probe(http_server_t *server, const http_call_t *call)
             (void)snprintf(pointer, sizeof pointer, "/lengths/%u/%s", (unsigned)i, member);
             return http_act_refuse_member(call, pointer);
         }
+    }
+    return http_act_command(server, call, &command);
+}
+
+/** @satisfies SWR-PUNCT-618 */
+int http_targeting_expect(http_server_t *server, const http_call_t *call)
+{
+    const request_membranes_t *body = &call->body.membranes;
+    command_t command = {.id = body->id,
+                         .kind = (uint32_t)COMMAND_MEMBRANES,
+                         .as.membranes = {.count = body->depths_mm_count}};
+    for (uint32_t i = 0U; i < body->depths_mm_count; i++) {
+        command.as.membranes.depths_um[i] = (int32_t)lround(body->depths_mm[i] * UM_PER_MM);
     }
     return http_act_command(server, call, &command);
 }

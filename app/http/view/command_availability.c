@@ -58,6 +58,22 @@ static status_t program_outlook(const snapshot_t *snapshot)
     return is_armed(snapshot) ? STATUS_MOTION_ARMED : status;
 }
 
+/* Whether depths fit is judged when they come. */
+static status_t membranes_outlook(const robot_t *robot, const snapshot_t *snapshot)
+{
+    status_t status = (snapshot->is_entry_of_target != 0U) ? STATUS_OK : STATUS_NO_ENTRY_POINT;
+    if (robot->force.is_there == 0U) {
+        status = STATUS_NO_FORCE_SENSOR;
+    } else if (is_armed(snapshot)) {
+        status = STATUS_MOTION_ARMED;
+    } else if (snapshot->has_target == 0U) {
+        status = STATUS_NO_TARGET;
+    } else {
+        /* The entry point decides. */
+    }
+    return status;
+}
+
 /* In a workphase where it is obeyed. */
 static status_t outlook_here(const robot_t *robot, const snapshot_t *snapshot, command_kind_t kind)
 {
@@ -89,6 +105,9 @@ static status_t outlook_here(const robot_t *robot, const snapshot_t *snapshot, c
         break;
     case (uint32_t)COMMAND_PROGRAM_BEGIN:
         status = program_outlook(snapshot);
+        break;
+    case (uint32_t)COMMAND_MEMBRANES:
+        status = membranes_outlook(robot, snapshot);
         break;
     default: /* The workphase alone. */
         break;

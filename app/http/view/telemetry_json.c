@@ -17,6 +17,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#define UM_PER_MM 1000.0
 #define US_PER_S 1000000.0
 #define CYCLES_PER_MS (1000U / LIMIT_CYCLE_US)
 
@@ -353,6 +354,40 @@ static cJSON *new_proposals(const telemetry_view_t *view)
     return json_proposals(snapshot, &also);
 }
 
+static cJSON *new_membrane(const snapshot_membrane_t *membrane)
+{
+    const double found_mm = (double)membrane->found_um / UM_PER_MM;
+    const bool is_found = membrane->state == (uint32_t)MEMBRANE_FOUND;
+    const json_membrane_t told = {.depth_mm = (double)membrane->depth_um / UM_PER_MM,
+                                  .found_mm = is_found ? &found_mm : NULL,
+                                  .state = membrane_state_name((int32_t)membrane->state)};
+    return json_membrane(&told);
+}
+
+/* NULL of a robot without a force sensor. */
+static cJSON *new_membranes(const telemetry_view_t *view)
+{
+    const snapshot_membranes_t *const shown = &view->snapshot.membranes;
+    const bool is_running = shown->sight != (uint32_t)MEMBRANE_SIGHT_OFF;
+    const double depth_mm = (double)shown->depth_um / UM_PER_MM;
+    const double least_fall_mn = (double)shown->least_fall_mn;
+    if (view->robot->force.is_there == 0U) {
+        return NULL;
+    }
+    cJSON *expected = cJSON_CreateArray();
+    for (uint32_t i = 0U; (i < shown->count) && (i < LIMIT_MEMBRANES_MOST); i++) {
+        (void)cJSON_AddItemToArray(expected, new_membrane(&shown->membranes[i]));
+    }
+    const json_membranes_t told = {.expected = expected,
+                                   .left = shown->left,
+                                   .unexpected = shown->unexpected,
+                                   .sight = membrane_sight_name((int32_t)shown->sight),
+                                   .says = membrane_sight_text((int32_t)shown->sight),
+                                   .depth_mm = is_running ? &depth_mm : NULL,
+                                   .least_fall_mn = is_running ? &least_fall_mn : NULL};
+    return json_membranes(&told);
+}
+
 cJSON *telemetry_json_targeting(const telemetry_view_t *view)
 {
     const snapshot_t *snapshot = &view->snapshot;
@@ -368,6 +403,7 @@ cJSON *telemetry_json_targeting(const telemetry_view_t *view)
         .target_by = new_origin(snapshot, snapshot->has_target, &view->origins.target),
         .entry_by = new_origin(snapshot, snapshot->has_entry, &view->origins.entry),
         .probe = new_probe(view),
+        .membranes = new_membranes(view),
         .proposals = new_proposals(view)};
     return json_targeting(snapshot, &also);
 }

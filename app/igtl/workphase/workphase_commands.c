@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#define UM_PER_MM 1000.0
 #define NM_PER_MM 1.0e6
 #define MOST_MM 2000.0
 #define MS_PER_S 1000.0
@@ -174,6 +175,26 @@ status_t workphase_read_probe(const robot_t *robot, char *text, command_t *comma
         }
     }
     return (command->as.probe.count == robot->probe_length_count) ? STATUS_OK : STATUS_PROBE_LENGTH;
+}
+
+/* Depths in mm. */
+status_t workphase_read_membranes(const robot_t *robot, char *text, command_t *command)
+{
+    command_membranes_t *const sent = &command->as.membranes;
+
+    (void)robot;
+    for (const char *word = workphase_text_next(&text); word != NULL;
+         word = workphase_text_next(&text)) {
+        double depth_mm;
+
+        if ((sent->count == LIMIT_MEMBRANES_MOST) ||
+            !workphase_text_number(word, MOST_MM, &depth_mm)) {
+            return STATUS_OUT_OF_RANGE;
+        }
+        sent->depths_um[sent->count] = (int32_t)lround(depth_mm * UM_PER_MM);
+        sent->count++;
+    }
+    return STATUS_OK;
 }
 
 static bool is_named(const workphase_command_t *word, const igtl_message_t *message)

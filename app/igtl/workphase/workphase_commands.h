@@ -44,6 +44,7 @@ extern const size_t workphase_command_count;
 /** The readers, by the payload of their commands. */
 status_t workphase_read_jog(const robot_t *robot, char *text, command_t *command);
 status_t workphase_read_jog_by(const robot_t *robot, char *text, command_t *command);
+status_t workphase_read_membranes(const robot_t *robot, char *text, command_t *command);
 status_t workphase_read_pose_name(const robot_t *robot, char *text, command_t *command);
 status_t workphase_read_probe(const robot_t *robot, char *text, command_t *command);
 status_t workphase_read_sweep(const robot_t *robot, char *text, command_t *command);
@@ -63,7 +64,8 @@ const workphase_command_t *workphase_commands_find(const igtl_message_t *message
  * POSE has the name of a pose. JOG has an axis, its position and its unit, mm or deg, JOG_BY the
  * way from where it stands. VELOCITY has axes, each with a speed and mm/s or deg/s, then the time
  * and s. SWEEP has an axis, and FREE if the operator has confirmed that it is. PROBE has each
- * length of the robot's probe once, by its name and then mm within +-2000, in any order.
+ * length of the robot's probe once, by its name and then mm within +-2000, in any order. MEMBRANES
+ * has depths below the entry point in mm, or nothing.
  *
  * @return as its reader; STATUS_WRONG_UNIT for a number without the unit of its axis;
  * STATUS_OUT_OF_RANGE also beyond IGTL_TEXT_MAX characters
@@ -72,6 +74,7 @@ const workphase_command_t *workphase_commands_find(const igtl_message_t *message
  * @satisfies SWR-IGTL-074
  * @satisfies SWR-POSE-006
  * @satisfies SWR-PROBE-006
+ * @satisfies SWR-PUNCT-619
  * @satisfies SWR-SWEEP-013
  * @satisfies SWR-VEL-014
  */

@@ -6,6 +6,7 @@
 #include "controller/cycle/controller_drive.h"
 #include "controller/controller_events.h"
 #include "controller/controller_facts.h"
+#include "controller/controller_membranes.h"
 #include "controller/memory/controller_memory.h"
 #include "controller/cycle/controller_move.h"
 #include "controller/orders/controller_obey.h"
@@ -39,6 +40,7 @@ void controller_init(controller_t *self, const robot_t *robot)
     force_sensor_init(&self->force, &robot->force);
     robot_cards_find(&self->cards, robot, self->sealed.axis_count);
     robot_cards_bound(&self->cards); /* The table is not checked yet. */
+    controller_clear_membranes(self);
     self->refused_cycle = (UINT32_MAX - LIMIT_REFUSED_VALUES_MS) + 1U;
     controller_seal(self);
 }

@@ -3,6 +3,7 @@
 
 #include "controller/controller_facts.h"
 #include "controller/controller_force.h"
+#include "controller/controller_membranes.h"
 #include "controller/controller_order.h"
 #include "robot/robot_damage.h"
 #include "safety/permit.h"
@@ -27,6 +28,7 @@ static hand_t feel_hand(controller_t *self, const cycle_t *cycle)
         hand.force_mn =
             hand_guard_step(&self->sealed.hand_guard, &cycle->robot->hand, &hand,
                             procedure_is_moving(&self->procedure), cycle->inputs->elapsed_us);
+        controller_feel_membranes(self, cycle);
     }
     return hand;
 }

@@ -6,6 +6,7 @@
 #include "controller/orders/controller_authority.h"
 #include "controller/orders/controller_axis.h"
 #include "controller/controller_force.h"
+#include "controller/controller_membranes.h"
 #include "controller/orders/controller_motion.h"
 #include "controller/orders/controller_plan.h"
 #include "controller/orders/controller_program.h"

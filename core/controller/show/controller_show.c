@@ -427,6 +427,25 @@ static void show_forces(const controller_t *self, const robot_t *robot, snapshot
     }
 }
 
+static void show_membranes(const membrane_watch_t *watch, snapshot_membranes_t *shown)
+{
+    const membrane_list_t *const list = &watch->plan.list;
+    shown->left = 0U;
+    for (uint32_t i = 0U; i < LIMIT_MEMBRANES_MOST; i++) {
+        const membrane_t *const membrane = &list->membranes[i];
+        const bool is_used = i < list->count;
+        shown->membranes[i].depth_um = is_used ? membrane->depth_um : 0;
+        shown->membranes[i].found_um = is_used ? membrane->found_um : 0;
+        shown->membranes[i].state = is_used ? membrane->state : 0U;
+        shown->left += (is_used && (membrane->state == (uint32_t)MEMBRANE_AHEAD)) ? 1U : 0U;
+    }
+    shown->count = list->count;
+    shown->unexpected = list->unexpected;
+    shown->sight = watch->sight;
+    shown->depth_um = watch->depth_um;
+    shown->least_fall_mn = watch->least_fall_mn;
+}
+
 void controller_look_ahead(controller_t *self, const cycle_t *cycle, uint32_t guards)
 {
     if ((self->plan.has_target != 0U) && guards_have(guards, GUARD_HOMED) &&
@@ -487,8 +506,10 @@ void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t gu
     }
     if (cycle->robot->force.is_there != 0U) {
         show_forces(self, cycle->robot, shown);
+        show_membranes(&self->membranes, &shown->membranes);
     } else {
         clear_aligned_words((uint8_t *)shown->forces, sizeof shown->forces);
+        clear_aligned_words((uint8_t *)&shown->membranes, sizeof shown->membranes);
     }
     show_way(self, kind, shown);
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {

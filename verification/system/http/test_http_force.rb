@@ -105,24 +105,83 @@ class TestHttpForce < Minitest::Test
     fetch_json('/api/v1/status').fetch('next_step').fetch('name')
   end
 
-  def test_SWR_COOP_001_a_hand_brings_the_needle_to_its_target_by_http
-    anna = holder
+  # Aligned with a target, of which the entry point is straight above it; the sensor is zeroed.
+  def prepare(anna, entry_z, target_z)
     under_pedal(anna, 'needle/retract')
     wait_until('the sensor is zeroed') { anna.act('force/zero').code == '200' }
     wait_until('its force is believed') { fetch_json('/api/v1/status').fetch('forces').all? { |force| force['doubts'].empty? } }
     enter(anna, 'PLANNING', 'CALIBRATION')
     anna.act('targeting/registration', { matrix: IDENTITY })
     enter(anna, 'PLANNING', 'TARGETING')
-    anna.act('targeting/entry', { point_mm: [5, -10, 22] })
-    assert_answer '200', 'done', anna.act('targeting/target', { point_mm: [5, -10, 52] })
+    anna.act('targeting/entry', { point_mm: [5, -10, entry_z] })
+    assert_answer '200', 'done', anna.act('targeting/target', { point_mm: [5, -10, target_z] })
     under_pedal(anna, 'align')
+  end
+
+  def push
+    wait_until('a push is asked for') { next_step == 'PUSH' }
+    refute axis('insertion')['is_driven']
+    boresight.simctl('grip', '1000')
+    boresight.simctl('hand', 'press')
+  end
+
+  def test_SWR_COOP_001_a_hand_brings_the_needle_to_its_target_by_http
+    anna = holder
+    prepare(anna, 22, 52)
     enter(anna, 'MOVE_TO_TARGET')
-    under_pedal(anna, 'needle/cooperate') do
-      wait_until('a push is asked for') { next_step == 'PUSH' }
-      refute axis('insertion')['is_driven']
-      boresight.simctl('grip', '1000')
-      boresight.simctl('hand', 'press')
-    end
+    under_pedal(anna, 'needle/cooperate') { push }
     assert_in_delta axis('insertion')['target'], axis('insertion')['position'], 0.01
+  end
+
+  def expect(anna, *depths)
+    anna.act('targeting/membranes', { depths_mm: depths })
+  end
+
+  def membranes
+    fetch_json('/api/v1/targeting').fetch('membranes')
+  end
+
+  def states
+    membranes.fetch('expected').map { |membrane| membrane['state'] }
+  end
+
+  # Until the needle is so many mm below the entry point.
+  def insert_to(anna, depth)
+    enter(anna, 'MOVE_TO_TARGET')
+    assert_answer '202', 'accepted', anna.act('needle/cooperate')
+    boresight.simctl('pedal', 'press')
+    push
+    wait_until("the needle is #{depth} mm deep") do
+      anna.keep
+      membranes.fetch('depth_mm') > depth
+    end
+    enter(anna, 'STOP')
+  ensure
+    boresight.simctl('pedal', 'release')
+  end
+
+  # Entry point, target and expected membranes of 20 mm: the first one of the tissue is there, none is at 35 and at 45 mm.
+  def test_SWR_PUNCT_618_membranes_are_expected_found_and_missed_by_http
+    anna = holder
+    boresight.simctl('tissue', 'whole')
+    prepare(anna, 32, 92)
+    assert_answer '409', 'MEMBRANE_DEPTH', expect(anna, 20, 60.5)
+    assert_answer '409', 'MEMBRANE_ORDER', expect(anna, 35, 20)
+    assert_answer '200', 'done', expect(anna, 20, 35, 45)
+    assert_described '/api/v1/targeting/membranes', 'POST', anna.last
+    assert_equal %w[AHEAD AHEAD AHEAD], states
+    assert_equal [3, 'OFF', nil], membranes.values_at('left', 'sight', 'depth_mm')
+    insert_to(anna, 57)
+    wait_until('the insertion has ended') { membranes['sight'] == 'OFF' }
+    assert_equal %w[FOUND MISSED MISSED], states
+    assert_in_delta 20.5, membranes['expected'].first['found_mm'], 1.5
+    assert_equal [0, 1], membranes.values_at('left', 'unexpected')
+    assert_described '/api/v1/targeting', 'GET', client('anna').request('get', '/api/v1/targeting')
+    assert_replayed
+  end
+
+  def assert_replayed
+    text, = Open3.capture2e(Boresight.program('boresight-replay'), boresight.recording_files.last)
+    assert_match(/^\d{3,} of .* cycles replayed, their outputs equal/, text)
   end
 end

@@ -696,3 +696,40 @@ void test_SWR_PROBE_006_of_too_many_at_a_time_the_last_is_refused(void)
     say(0U, "PROBE", LENGTHS);
     EXPECT_BEGIN(0U, "STATUS PROBE 6 BUSY|");
 }
+
+static void expect_membranes(uint32_t count, const int32_t *depths_um)
+{
+    pass_us(0U);
+    expect_command(COMMAND_MEMBRANES, count);
+    for (uint32_t i = 0U; i < count; i++) {
+        TEST_ASSERT_EQUAL_INT32(depths_um[i], command.as.membranes.depths_um[i]);
+    }
+}
+
+void test_SWR_PUNCT_619_depths_are_passed_on_and_the_result_is_reported(void)
+{
+    static const int32_t depths_um[] = {12500, 30000, 41001};
+
+    say(0U, "MEMBRANES", "12.5  30 41.0006 ");
+    expect_membranes(3U, depths_um);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
+    EXPECT(0U, "STATUS MEMBRANES 1 MOVE_TO_TARGET|");
+    say(0U, "CMD_1", "MEMBRANES 12.5");
+    EXPECT(0U, "STRING ACK_1 MEMBRANES 12.5");
+    expect_membranes(1U, depths_um);
+    answer_to(&command, ANSWER_REFUSED, STATUS_MEMBRANE_DEPTH, 1U);
+    EXPECT_BEGIN(0U, "STATUS MEMBRANES 10 MOVE_TO_TARGET|MEMBRANE_DEPTH: ");
+    say(0U, "MEMBRANES", "");
+    expect_membranes(0U, depths_um);
+}
+
+void test_SWR_PUNCT_619_no_list_of_depths_is_refused_and_not_passed_on(void)
+{
+    static const char *const wrong[] = {"nan", "10,5", "10 mm", "2000.1", "1 2 3 4 5 6 7 8 9"};
+
+    for (uint32_t i = 0U; i < 5U; i++) {
+        say(0U, "MEMBRANES", wrong[i]);
+        EXPECT_BEGIN(0U, "STATUS MEMBRANES 10 OUT_OF_RANGE|");
+        expect_no_command();
+    }
+}

@@ -46,6 +46,9 @@ static inline command_t commands_of_number(command_kind_t kind, uint32_t number)
     case (uint32_t)COMMAND_FORM_PROBE:
         command.as.probe.count = number;
         break;
+    case (uint32_t)COMMAND_FORM_MEMBRANES:
+        command.as.membranes.count = number;
+        break;
     case (uint32_t)COMMAND_FORM_POSITIONS:
         command.as.positions.axes = number;
         break;
@@ -98,6 +101,8 @@ static inline uint32_t commands_number(const command_t *command)
         return command->as.withdrawal.of;
     case (uint32_t)COMMAND_FORM_PROBE:
         return command->as.probe.count;
+    case (uint32_t)COMMAND_FORM_MEMBRANES:
+        return command->as.membranes.count;
     case (uint32_t)COMMAND_FORM_POSITIONS:
         return command->as.positions.axes;
     case (uint32_t)COMMAND_FORM_VELOCITY:

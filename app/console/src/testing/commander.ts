@@ -96,6 +96,7 @@ export const plainActs = [
   "TARGET",
   "ENTRY",
   "PROBE",
+  "MEMBRANES",
   "CLEAR_AXIS",
   "CONFIRM_AXIS",
   "SET_HOME",

@@ -258,6 +258,7 @@ export function makeRobot(
           maximum_mm: 350,
         },
       ],
+      membranes: null,
       proposals: {
         registration: null,
         registration_by: null,

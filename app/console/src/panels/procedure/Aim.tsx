@@ -26,6 +26,7 @@ import { Order, OrderNotes } from "../../parts/Order";
 import { reasonAgainst } from "../../state/outlook";
 import { refusalOf, type Page } from "../../state/page";
 import { fitted } from "../../words/shape";
+import { MembraneOrder } from "./Membranes";
 
 const PREVIEW_PATH: Path = "/api/v1/targeting/preview";
 const PREVIEW_AFTER_MS = 300;
@@ -296,6 +297,7 @@ export function Aim({
   const [entry, setEntry] = useState("");
   const [target, setTarget] = useState("");
   const { is_registered, has_target } = robot.status;
+  const { membranes } = robot.targeting;
   const cause = [is_registered, has_target, robot.targeting.entry_mm].join();
   const preview = usePreview(operation.page, target, cause);
   const properties = { robot, outlook, commanding };
@@ -322,6 +324,14 @@ export function Aim({
         setText={setTarget}
       />
       {preview !== null && <p role="status">{preview}</p>}
+      {membranes !== null && (
+        <MembraneOrder
+          key={membranes.expected.map((one) => one.depth_mm).join()}
+          membranes={membranes}
+          outlook={outlook}
+          commanding={commanding}
+        />
+      )}
     </>
   );
 }

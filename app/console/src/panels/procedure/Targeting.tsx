@@ -7,6 +7,7 @@ import {
   originOf,
 } from "../../words/format";
 import { Matrix } from "../../parts/drawn/Matrix";
+import { membranesText } from "./Membranes";
 
 function pointText(matrix: readonly number[] | null, missing: string): string {
   return matrix === null ? missing : formatPoint(originOf(matrix));
@@ -117,6 +118,12 @@ export function Targeting({ targeting }: { targeting: TargetingData }) {
         <dd>{entryText(targeting)}</dd>
         <dt>Target</dt>
         <dd>{targetText(targeting)}</dd>
+        {targeting.membranes !== null && (
+          <>
+            <dt>Membranes</dt>
+            <dd>{membranesText(targeting.membranes)}</dd>
+          </>
+        )}
         <dt>Distance to target</dt>
         <dd>{distance === null ? "–" : `${formatNumber(distance, 3)} mm`}</dd>
         <dt>Needle seen in the image</dt>

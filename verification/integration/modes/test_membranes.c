@@ -1,0 +1,394 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: while a hand inserts the needle, membranes are found, named and counted, the
+ * controller says when it can find none, and moves nothing otherwise by them.
+ */
+#include "integration/support/by_hand.h"
+#include "integration/support/rig.h"
+
+#include "unity.h"
+
+#include "controller/controller.h"
+#include "limits/requirement_limits.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define ENTRY_Z_NM 32000000
+#define TARGET_Z_NM 92000000
+#define LONG_CYCLES 60000U
+#define GRIP_MN 800
+#define FIRST_UM 20000  /* Where a push of GRIP_MN punctures the membranes of the usual tissue, */
+#define SECOND_UM 54500 /* about. */
+#define NOWHERE_UM 40000
+#define NEAR_UM 1000
+#define LATE_UM 400  /* From a puncture to its report. */
+#define PUSHED 3000U /* Cycles of a push that end in front of the tissue, at 2.5 mm/s. */
+
+static const command_t cooperate = {.kind = (uint32_t)COMMAND_COOPERATE};
+
+static rig_t rig;
+static rig_t ready;
+static bool is_ready = false;
+
+/* Aligned once and copied. */
+void setUp(void)
+{
+    if (!is_ready) {
+        by_hand_align(&ready, ENTRY_Z_NM, TARGET_Z_NM);
+        by_hand_zero(&ready);
+        is_ready = true;
+    }
+    rig = ready;
+    rig_forget(&rig);
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
+}
+
+static const snapshot_membranes_t *shown(void)
+{
+    return &rig.outputs.snapshot.membranes;
+}
+
+static uint32_t expect(uint32_t count, const int32_t *depths_um)
+{
+    command_t command = {.kind = (uint32_t)COMMAND_MEMBRANES, .as.membranes = {.count = count}};
+    for (uint32_t i = 0U; (i < count) && (i < LIMIT_MEMBRANES_MOST); i++) {
+        command.as.membranes.depths_um[i] = depths_um[i];
+    }
+    return rig_command(&rig, command).status;
+}
+
+static void expect_one(int32_t depth_um)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(1U, &depth_um));
+}
+
+static void begin(void)
+{
+    by_hand_enter(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, cooperate).status);
+    rig_press(&rig);
+    by_hand_push(&rig, GRIP_MN);
+}
+
+static void insert(void)
+{
+    begin();
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
+    rig_cycle(&rig);
+}
+
+/* The event of this kind that came as number `nth`, from 0. */
+static const event_t *event_of(event_id_t id, uint32_t nth)
+{
+    uint32_t count = 0U;
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        if ((rig.events[i].id == (uint32_t)id) && (count++ == nth)) {
+            return &rig.events[i];
+        }
+    }
+    TEST_FAIL_MESSAGE("no such event");
+    return NULL;
+}
+
+/* Where the box has ruptured membrane `number`, below the entry point. */
+static int32_t truth_um(uint32_t number)
+{
+    const double home_mm =
+        box_depth_mm(&rig.box) - ((double)rig_position(&rig, BY_HAND_NEEDLE) / 1666.67);
+    const double target_mm =
+        home_mm + ((double)rig.controller.plan.target_ticks[BY_HAND_NEEDLE] / 1666.67);
+    const double left_mm = target_mm - rig.box.force.tissue.popped_at_mm[number];
+    return ((TARGET_Z_NM - ENTRY_Z_NM) / 1000) - (int32_t)(left_mm * 1000.0);
+}
+
+void test_SWR_PUNCT_610_expected_membranes_are_found_where_they_are_punctured(void)
+{
+    const int32_t depths_um[] = {FIRST_UM, SECOND_UM};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(2U, depths_um));
+    insert();
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_FOUND));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
+    for (uint32_t i = 0U; i < 2U; i++) {
+        const event_t *const found = event_of(EVENT_MEMBRANE_FOUND, i);
+        TEST_ASSERT_INT32_WITHIN(LATE_UM, truth_um(i), found->value / 1000);
+        TEST_ASSERT_GREATER_THAN_UINT32(LIMIT_MEMBRANE_LEAST_MN, found->subject);
+        TEST_ASSERT_EQUAL_UINT32(MEMBRANE_FOUND, shown()->membranes[i].state);
+        TEST_ASSERT_EQUAL_INT32(found->value / 1000, shown()->membranes[i].found_um);
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->left);
+}
+
+void test_SWR_PUNCT_610_those_that_are_not_expected_are_named_so(void)
+{
+    insert();
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANE_FOUND));
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
+    TEST_ASSERT_EQUAL_UINT32(2U, shown()->unexpected);
+    TEST_ASSERT_INT32_WITHIN(LATE_UM, truth_um(1U),
+                             event_of(EVENT_MEMBRANE_UNEXPECTED, 1U)->value / 1000);
+}
+
+void test_SWR_PUNCT_610_a_needle_that_goes_in_anew_has_all_of_them_ahead(void)
+{
+    expect_one(FIRST_UM);
+    insert();
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->left);
+    by_hand_push(&rig, 0);
+    rig_release(&rig);
+    TEST_ASSERT_EQUAL_UINT32(
+        STATUS_OK, rig_command(&rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT}).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->left);
+    rig_release(&rig);
+    rig_cycles(&rig, BY_HAND_OFF_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, cooperate).status);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, shown()->left);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->unexpected);
+}
+
+/* Of two boxes with the same hand and tissue, one has a controller that is blinded each cycle. */
+void test_SWR_PUNCT_611_the_same_drives_whatever_was_found(void)
+{
+    static rig_t blind;
+    begin();
+    blind = rig;
+    for (uint32_t i = 0U; i < LONG_CYCLES; i++) {
+        (void)memset(&blind.controller.membranes, 0, sizeof blind.controller.membranes);
+        rig_cycle(&rig);
+        rig_cycle(&blind);
+        TEST_ASSERT_EQUAL_MEMORY(rig.outputs.frames, blind.outputs.frames,
+                                 sizeof rig.outputs.frames);
+        TEST_ASSERT_EQUAL_UINT32(rig.outputs.snapshot.order, blind.outputs.snapshot.order);
+    }
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&blind, EVENT_MEMBRANE_UNEXPECTED));
+}
+
+void test_SWR_PUNCT_612_a_membrane_that_was_passed_is_missed(void)
+{
+    expect_one(NOWHERE_UM);
+    begin();
+    while (shown()->depth_um < (NOWHERE_UM + (int32_t)LIMIT_MEMBRANE_WINDOW_UM - NEAR_UM)) {
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANE_MISSED));
+    TEST_ASSERT_EQUAL_UINT32(1U, shown()->left);
+    while (shown()->depth_um < (NOWHERE_UM + (int32_t)LIMIT_MEMBRANE_WINDOW_UM + NEAR_UM)) {
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, event_of(EVENT_MEMBRANE_MISSED, 0U)->subject);
+    TEST_ASSERT_EQUAL_INT32(NOWHERE_UM * 1000, event_of(EVENT_MEMBRANE_MISSED, 0U)->value);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_MISSED, shown()->membranes[0].state);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->left);
+}
+
+/* They are too near to the target to be passed by far. */
+void test_SWR_PUNCT_612_at_the_depth_of_the_target_all_that_is_ahead_is_missed(void)
+{
+    const int32_t depths_um[] = {SECOND_UM, 59000, 59900};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(3U, depths_um));
+    insert();
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANE_FOUND));
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_MISSED));
+    TEST_ASSERT_EQUAL_UINT32(3U, event_of(EVENT_MEMBRANE_MISSED, 1U)->subject);
+}
+
+void test_SWR_PUNCT_612_an_insertion_that_was_stopped_has_missed_nothing(void)
+{
+    expect_one(NOWHERE_UM);
+    begin();
+    rig_cycles(&rig, PUSHED);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    rig_cycles(&rig, 10U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANE_MISSED));
+    TEST_ASSERT_EQUAL_UINT32(1U, shown()->left);
+}
+
+void test_SWR_PUNCT_613_it_is_blind_at_rest_and_says_so(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_OFF, shown()->sight);
+    begin();
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_PAUSED, shown()->sight);
+    rig_cycles(&rig, 1000U);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_LOOKING, shown()->sight);
+    by_hand_push(&rig, 0);
+    while (rig.outputs.snapshot.axes[BY_HAND_NEEDLE].setpoint_speed_ticks_per_s_q8 != 0) {
+        rig_cycle(&rig);
+    }
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_PAUSED, shown()->sight);
+    rig_cycles(&rig, 500U);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_PAUSED, shown()->sight);
+}
+
+/* In front of the second membrane, pressed in, the needle stops for seconds, and goes on. */
+void test_SWR_PUNCT_613_relaxation_of_the_tissue_is_no_membrane(void)
+{
+    begin();
+    while (shown()->depth_um < (SECOND_UM - (2 * NEAR_UM))) {
+        rig_cycle(&rig);
+    }
+    const int32_t before_mn = rig.outputs.snapshot.forces[FORCE_CHANNEL_NEEDLE].force_mn;
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
+    by_hand_push(&rig, 0);
+    rig_cycles(&rig, 4000U);
+    TEST_ASSERT_LESS_THAN_INT32(before_mn - (2 * (int32_t)LIMIT_MEMBRANE_LEAST_MN),
+                                rig.outputs.snapshot.forces[FORCE_CHANNEL_NEEDLE].force_mn);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
+    by_hand_push(&rig, GRIP_MN);
+    (void)rig_finish(&rig, LONG_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
+}
+
+void test_SWR_PUNCT_613_a_doubtful_force_blinds_it_and_is_named_once(void)
+{
+    begin();
+    rig_cycles(&rig, PUSHED);
+    rig_box(&rig, "force needle broken");
+    rig_cycles(&rig, 100U);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_DOUBTFUL, shown()->sight);
+    (void)rig_finish(&rig, LONG_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANES_UNSEEN));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
+}
+
+void test_SWR_PUNCT_614_expected_membranes_stand_until_the_target_is_another_one(void)
+{
+    const int32_t depths_um[] = {FIRST_UM, SECOND_UM};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(2U, depths_um));
+    TEST_ASSERT_EQUAL_INT32(2, event_of(EVENT_MEMBRANES_TAKEN, 0U)->value);
+    TEST_ASSERT_EQUAL_UINT32(2U, event_of(EVENT_MEMBRANE_EXPECTED, 1U)->subject);
+    TEST_ASSERT_EQUAL_INT32(SECOND_UM * 1000, event_of(EVENT_MEMBRANE_EXPECTED, 1U)->value);
+    rig_cycles(&rig, 1000U);
+    TEST_ASSERT_EQUAL_UINT32(2U, shown()->count);
+    TEST_ASSERT_EQUAL_UINT32(2U, shown()->left);
+    TEST_ASSERT_EQUAL_INT32(SECOND_UM, shown()->membranes[1].depth_um);
+    by_hand_enter(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_TARGETING).status);
+    TEST_ASSERT_EQUAL_UINT32(2U, shown()->count);
+    rigid_t pose = rig.controller.plan.scanner_target;
+    pose.translation.z_nm -= 1000000;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANES_FORGOTTEN));
+}
+
+void test_SWR_PUNCT_614_and_until_the_entry_point_is(void)
+{
+    expect_one(FIRST_UM);
+    command_t entry = {.kind = (uint32_t)COMMAND_ENTRY};
+    entry.as.pose.pose = rig.controller.plan.scanner_target;
+    entry.as.pose.pose.translation.z_nm = ENTRY_Z_NM - 1000000;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, entry).status);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_ENTRY_POINT, expect(1U, &(int32_t){FIRST_UM}));
+}
+
+void test_SWR_PUNCT_614_an_empty_list_expects_none(void)
+{
+    expect_one(FIRST_UM);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(0U, NULL));
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANES_FORGOTTEN));
+}
+
+void test_SWR_PUNCT_615_a_list_that_does_not_fit_is_refused_and_changes_nothing(void)
+{
+    const int32_t many_um[LIMIT_MEMBRANES_MOST + 1U] = {1000, 2000, 3000, 4000, 5000,
+                                                        6000, 7000, 8000, 9000};
+    expect_one(FIRST_UM);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_MEMBRANE_DEPTH, expect(1U, &(int32_t){60100}));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_MEMBRANE_DEPTH, expect(1U, &(int32_t){0}));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_MEMBRANE_ORDER, expect(2U, (int32_t[]){5000, 5000}));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OUT_OF_RANGE, expect(LIMIT_MEMBRANES_MOST + 1U, many_um));
+    TEST_ASSERT_EQUAL_UINT32(1U, shown()->count);
+    TEST_ASSERT_EQUAL_INT32(FIRST_UM, shown()->membranes[0].depth_um);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(LIMIT_MEMBRANES_MOST, many_um));
+}
+
+/* Its entry point is farther away than any list may be deep. */
+void test_SWR_PUNCT_615_a_membrane_too_deep_for_a_list_is_refused(void)
+{
+    by_hand_align(&rig, TARGET_Z_NM - 310000000, TARGET_Z_NM);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OUT_OF_RANGE,
+                             expect(1U, &(int32_t){(int32_t)LIMIT_MEMBRANE_DEEPEST_UM + 1}));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(1U, &(int32_t){(int32_t)LIMIT_MEMBRANE_DEEPEST_UM}));
+}
+
+void test_SWR_PUNCT_615_no_list_while_a_motion_is_armed_or_elsewhere(void)
+{
+    by_hand_enter(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_MOTION_ARMED, expect(1U, &(int32_t){FIRST_UM}));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, expect(1U, &(int32_t){FIRST_UM}));
+}
+
+void test_SWR_PUNCT_615_no_list_without_a_target_or_a_sensor(void)
+{
+    static rig_t other;
+    const int32_t depth_um = FIRST_UM;
+    other = rig;
+    rig_start_targeted(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_FORCE_SENSOR, expect(1U, &depth_um));
+    rig = other;
+    plan_forget_target(&rig.controller.plan);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET, expect(1U, &depth_um));
+}
+
+void test_SWR_PUNCT_616_a_damaged_list_is_forgotten_and_named(void)
+{
+    expect_one(FIRST_UM);
+    rig_forget(&rig);
+    rig.controller.membranes.plan.list.membranes[0].depth_um ^= 256;
+    rig_cycles(&rig, CARD_SLOT_COUNT);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_MEMORY_MEMBRANES, event_of(EVENT_MEMORY_DAMAGED, 0U)->subject);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
+}
+
+void test_SWR_PUNCT_616_a_damaged_insertion_begins_anew_in_its_cycle(void)
+{
+    expect_one(FIRST_UM);
+    begin();
+    rig_cycles(&rig, PUSHED);
+    rig_forget(&rig);
+    rig.controller.membranes.run.detector.looked ^= 0x40000000U;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_PAUSED, shown()->sight);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
+}
+
+/* Its cell trembles five times as much. */
+void test_SWR_PUNCT_617_the_least_fall_comes_from_the_noise_of_the_zeroing(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->least_fall_mn);
+    begin();
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_MEMBRANE_LEAST_MN, shown()->least_fall_mn);
+    rig = ready;
+    sim_phantom_file_t phantom = rig.box.force.phantom;
+    phantom.cells[SIM_CELL_NEEDLE].noise_n = 0.1;
+    box_force_lay(&rig.box.force, &phantom);
+    by_hand_zero(&rig);
+    begin();
+    rig_cycle(&rig);
+    const uint32_t noise_mn = rig.outputs.snapshot.forces[FORCE_CHANNEL_NEEDLE].noise_mn;
+    TEST_ASSERT_UINT32_WITHIN(15U, 100U, noise_mn);
+    TEST_ASSERT_UINT32_WITHIN(
+        2U, (noise_mn * LIMIT_MEMBRANE_FLOOR_SIGMAS * LIMIT_MEMBRANE_WHITE_PERMILLE) / 1000U,
+        shown()->least_fall_mn);
+}
