@@ -62,8 +62,8 @@ export function Forces({
         ))}
       </WideTable>
       <p>
-        A push is positive. Nothing moves by a force, and none is needed to
-        move.
+        A push is positive. A cooperative insertion alone follows the force of
+        the hand; no other motion needs a force.
       </p>
       <OrderNotes commanding={commanding} />
       <Order
