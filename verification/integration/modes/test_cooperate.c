@@ -435,6 +435,19 @@ void test_SWR_COOP_006_a_damaged_table_of_the_sensor_ends_it(void)
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
 }
 
+/* Of the report before, as there is none in this cycle. */
+void test_SWR_FORCE_576_a_force_that_changes_by_itself_moves_nothing(void)
+{
+    start_armed();
+    rig_cycles(&rig, OFF_CYCLES);
+    rig_box(&rig, "card 3 silent");
+    rig.controller.force.sealed.force_mn[FORCE_CHANNEL_HAND] = HARD_MN;
+    rig_cycle(&rig);
+    TEST_ASSERT_FALSE(is_driven());
+    TEST_ASSERT_TRUE(is_over());
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FORCE_DOUBTFUL, rig.answers[rig.answer_count - 1U].status);
+}
+
 void test_SWR_COOP_008_the_permit_says_that_no_hand_pushes(void)
 {
     start_armed();
