@@ -72,6 +72,20 @@ class TestProof < Minitest::Test
     assert_match(/^\[1\/1\] RED/, text)
   end
 
+  def test_SWR_TOOL_620_a_call_without_a_body_is_named_alone
+    unit = UNIT.sub("int half", "struct third {\n    int is;\n};\nstruct third *third(void);\nint half").sub('value - 1', 'value - third()->is - third()->is')
+    text, is_green = run_proof(unit: unit, row: ROW.merge('mutants' => []))
+    refute is_green
+    assert_equal ['no body for third, which core/half/half.c:7 calls: verification/proof/proofs.yml names no source or contract of it for ' \
+                  'verification/proof/half/prove_half.c'], text.lines.grep(/^    /).map(&:strip)
+  end
+
+  def test_SWR_TOOL_620_a_call_that_never_happens_needs_no_body
+    unit = UNIT.sub("int half", "int third(void);\nint half").sub("return", "return (value < 1) ? third() :")
+    text, is_green = run_proof(unit: unit, row: ROW.merge('mutants' => []))
+    assert is_green, text
+  end
+
   def test_SWR_TOOL_202_a_fault_that_is_not_refuted_is_named
     text, is_green = run_proof(row: ROW.merge('mutants' => [MUTANT.merge('after' => '/ 3')]))
     refute is_green
