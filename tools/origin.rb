@@ -11,7 +11,7 @@ require 'tmpdir'
 
 # Where a test result comes from: which content of the working tree, which checkout on which machine, which tools.
 module Origin
-  TOOLS = %w[gcc clang clang-19 arm-linux-gnueabihf-gcc ccache qemu-arm ruby node cppcheck frama-c gcovr spin valgrind chromium].freeze
+  TOOLS = %w[gcc clang clang-19 arm-linux-gnueabihf-gcc ccache qemu-arm ruby node cppcheck frama-c z3 gcovr spin valgrind chromium].freeze
   # No other repository than the one that is meant, also below a hook of git.
   GIT = { 'GIT_DIR' => nil, 'GIT_WORK_TREE' => nil, 'GIT_INDEX_FILE' => nil }.freeze
   # `make test` says it once for all its gates, as the tree was before the first began.

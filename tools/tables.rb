@@ -190,9 +190,9 @@ class TableSources
       rows = Proof::Harness.all.map do |harness|
         by_day = harness.functions(at_night: false).keys
         named = harness.functions(at_night: true).keys.map { |name| "`#{name}`#{' at night' unless by_day.include?(name)}" }
-        ["`#{harness.file}`", named.join(', '), harness.proves.map { |name| "`#{name}`" }.join(', '), harness.mutants.size]
+        ["`#{harness.file}`", harness.tool, named.join(', '), harness.functions_proved.map { |name| "`#{name}`" }.join(', '), harness.mutants.size]
       end
-      markdown(['Harness', 'Proofs', 'Functions in which every check holds', 'Mutants refuted'], rows)
+      markdown(['Harness', 'Prover', 'Proofs', 'Functions in which every check holds', 'Mutants refuted'], rows)
     end
   end
 

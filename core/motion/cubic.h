@@ -34,7 +34,12 @@ void cubic_set(cubic_t *self, const cubic_end_t *from, const cubic_end_t *to, ui
 /** Share of `span_ms` that `time_us` (at most all of it) is, 0..CUBIC_ONE_Q20. */
 uint32_t cubic_share_q20(uint32_t time_us, uint32_t span_ms);
 
-/** @return position at `share_q20`; both ends are exact */
+/**
+ * @return position at `share_q20`, between the smallest and the largest of cubic_point_ticks();
+ * both ends are exact
+ *
+ * @satisfies SWR-TRAJ-510
+ */
 int32_t cubic_position_ticks(const cubic_t *self, uint32_t share_q20);
 
 /** @return speed at `share_q20`, signed */

@@ -27,6 +27,11 @@ module Proof
       def sentence?
         text.match?(/\A(SWR-|contract of )/)
       end
+
+      # The function that is called here, and has neither a body nor a contract.
+      def missing
+        text[/\Ano body for callee (\w+)\z/, 1] unless holds
+      end
     end
 
     # properties: nil without an answer, which `trouble` explains.

@@ -6,8 +6,8 @@ require 'psych'
 require_relative 'harness'
 
 module Proof
-  # Each function of the core and of the charts, by [file, name], with its proofs: `cbmc`, `eva` or `cbmc eva` where nothing
-  # of it is open; otherwise `open`, where Eva has an open alarm, or `unreached`.
+  # Each function of the core and of the charts, by [file, name], with its proofs: those of `cbmc`, `wp` and `eva` by which
+  # nothing of it is open; otherwise `open`, where Eva has an open alarm, or `unreached`.
   class Coverage
     FILES = '{core,build/gen/charts}/**/*.{c,h,inc}'
     HERE = %r{\A(?:core|build/gen/charts)/}.freeze
@@ -34,7 +34,7 @@ module Proof
     # Functions of which a harness proves something, with their harnesses.
     def by_harness
       @by_harness ||= @harnesses.each_with_object(Hash.new { |hash, key| hash[key] = [] }) do |harness, found|
-        harness.proves.each { |name| found[place(name, harness)] << harness }
+        harness.functions_proved.each { |name| found[place(name, harness)] << harness }
       end
     end
 
@@ -42,7 +42,7 @@ module Proof
 
     def state(function)
       is_reached = @reached.include?(function)
-      proofs = [('cbmc' if by_harness.key?(function)), ('eva' if is_reached && !open?(function))].compact
+      proofs = by_harness.fetch(function, []).map(&:tool).uniq.sort + [('eva' if is_reached && !open?(function))].compact
       return proofs.join(' ') if proofs.any?
 
       is_reached ? 'open' : 'unreached'

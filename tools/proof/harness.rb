@@ -4,13 +4,14 @@
 require 'fileutils'
 require 'psych'
 require_relative 'cbmc'
+require_relative 'wp'
 
 module Proof
   class Refused < StandardError; end
 
   # A fault that the prover must refute: `before` stands in `file` once, and `after` in its place breaks a sentence of
-  # the function `by`.
-  Mutant = Struct.new(:file, :before, :after, :by, keyword_init: true) do
+  # the function `by`, or, where functions are proved against contracts, that of the function `in`.
+  Mutant = Struct.new(:file, :before, :after, :by, :in, keyword_init: true) do
     # Writes it below `folder`, where it is found before the file itself.
     def write(folder)
       text = File.read(file)
@@ -36,7 +37,7 @@ module Proof
     INCLUDES = [FOLDER, 'core', 'build/gen'].freeze
     UNWIND = 12
 
-    attr_reader :file, :sources, :proves, :mutants
+    attr_reader :file, :sources, :proves, :by_contract, :mutants
 
     def self.all(list = LIST)
       Psych.safe_load_file(list).map { |row| new(row) }
@@ -45,7 +46,8 @@ module Proof
     def initialize(row)
       @file = File.join(FOLDER, row.fetch('file'))
       @sources = [@file, *row.fetch('sources')]
-      @proves = row.fetch('proves')
+      @proves = row.fetch('proves', [])
+      @by_contract = row.fetch('by_contract', [])
       @unwind = row.fetch('unwind', UNWIND)
       @instead = row['instead']
       @includes = [*@instead, *INCLUDES]
@@ -68,7 +70,17 @@ module Proof
     end
 
     def run(function)
-      Cbmc.new(@sources, function, includes: @includes, unwind: @unwind).run
+      prover(@sources, function, @includes).run
+    end
+
+    # All functions of which it says something, whichever prover looks at them.
+    def functions_proved
+      @proves + @by_contract
+    end
+
+    # The prover, as the list of functions names it.
+    def tool
+      @by_contract.empty? ? 'cbmc' : 'wp'
     end
 
     # The same with a fault in it. A sentence is to be refuted, so nothing else is checked: that takes half of the time.
@@ -77,7 +89,15 @@ module Proof
       changed = mutant.write(folder)
       sources = @sources.map { |source| source == mutant.file ? changed : source }
       includes = [File.join(folder, 'core'), File.join(folder, 'build/gen'), *@includes]
-      Cbmc.new(sources, mutant.by, includes: includes, unwind: @unwind, checks: false).run
+      prover(sources, mutant.by, includes, broken: mutant.in, checks: false).run
+    end
+
+    private
+
+    def prover(sources, function, includes, broken: nil, checks: true)
+      return Cbmc.new(sources, function, includes: includes, unwind: @unwind, checks: checks) if tool == 'cbmc'
+
+      Wp.new(@file, function, @by_contract, includes: includes, broken: broken)
     end
   end
 end

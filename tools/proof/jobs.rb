@@ -36,12 +36,29 @@ module Proof
       answer = @harness.run(@function)
       return Verdict.new(job: self, complaints: [answer.trouble], count: 0, seconds: answer.seconds) unless answer.properties
 
-      possible, checked = answer.properties.partition(&:possible?)
-      Verdict.new(job: self, complaints: broken(checked) + impossible(possible) + empty(checked),
-                  count: checked.size, seconds: answer.seconds, functions: checked.map(&:function).uniq)
+      checked = answer.properties.reject(&:possible?)
+      Verdict.new(job: self, complaints: complaints(answer.properties), count: checked.size, seconds: answer.seconds,
+                  functions: checked.map(&:function).uniq)
     end
 
     private
+
+    def complaints(properties)
+      missing = without_body(properties)
+      return missing if missing.any?
+
+      possible, checked = properties.partition(&:possible?)
+      broken(checked) + impossible(possible) + empty(checked)
+    end
+
+    # A call without a body answers anything, also a pointer to nowhere: all else that does not hold may follow from it.
+    #
+    # @satisfies SWR-TOOL-620
+    def without_body(properties)
+      properties.select(&:missing).uniq(&:missing).map do |property|
+        "no body for #{property.missing}, which #{property.place} calls: #{Harness::LIST} names no source or contract of it for #{@harness.file}"
+      end
+    end
 
     def broken(properties)
       properties.reject(&:holds).map { |property| "#{property.place}: does not hold: #{property.text}" }

@@ -41,7 +41,7 @@ module Proof
     # @satisfies SWR-TOOL-204
     def covered?(verdicts)
       missing = verdicts.group_by { |verdict| verdict.job.harness }.flat_map do |harness, same|
-        (harness.proves - same.flat_map { |verdict| verdict.functions.to_a }).map { |name| "#{name} is in no proof of #{harness.file}" }
+        (harness.functions_proved - same.flat_map { |verdict| verdict.functions.to_a }).map { |name| "#{name} is in no proof of #{harness.file}" }
       end
       @out.puts missing
       missing.empty?

@@ -9,12 +9,12 @@ module Proof
     FILE = 'verification/proof/proved.yml'
     # Eva follows this robot for the list.
     ROBOT = 'neuro'
-    PROOFS = %w[cbmc eva].freeze
+    PROOFS = %w[cbmc wp eva].freeze
     HEAD = <<~TEXT
       # SPDX-License-Identifier: Apache-2.0
-      # Every function of the core and of the charts: `cbmc`, a harness of proofs.yml names it; `eva`, Eva has reached it and no
-      # alarm in it is open; `open`, one is; `unreached`, Eva has not come to it. Written by `make eva-list`, which adds proofs
-      # and removes none: where a proof is given up, its word is removed by hand.
+      # Every function of the core and of the charts: `cbmc`, a harness of proofs.yml names it; `wp`, one names it by its contract;
+      # `eva`, Eva has reached it and no alarm in it is open; `open`, one is; `unreached`, Eva has not come to it. Written by
+      # `make eva-list`, which adds proofs and removes none: where a proof is given up, its word is removed by hand.
     TEXT
 
     attr_reader :states
@@ -61,8 +61,8 @@ module Proof
       proved, other = kinds.partition { |state| proofs_of(state).any? }
       counts = PROOFS.map { |proof| proved.count { |state| proofs_of(state).include?(proof) } }
       "Under the assumptions, contracts and limits of SOUNDNESS.md, #{proved.size} of #{kinds.size} functions of the core and of the " \
-        "charts are free of run-time errors: #{counts[0]} by CBMC, #{counts[1]} by Eva for the robot #{ROBOT}. #{other.count('open')} have open alarms, " \
-        "#{other.count('unreached')} are not reached by Eva."
+        "charts are free of run-time errors: #{counts[0]} by CBMC, #{counts[1]} by WP, #{counts[2]} by Eva for the robot #{ROBOT}. " \
+        "#{other.count('open')} have open alarms, #{other.count('unreached')} are not reached by Eva."
     end
 
     private

@@ -39,6 +39,31 @@ class TestProof < Minitest::Test
   SLOW_RUN = 'Proof::Run.new([Proof::Harness.new(JSON.parse(ARGV[0]))], $stdout, at_night: false).call'
   MUTANT = { 'by' => 'prove_SWR_HALF_001_it_is_smaller', 'file' => 'core/half/half.c', 'before' => '/ 2', 'after' => '* 2' }.freeze
   ROW = { 'file' => 'half/prove_half.c', 'sources' => ['core/half/half.c'], 'proves' => ['half'], 'mutants' => [MUTANT] }.freeze
+  SHARE = "int half(int value, int part)\n{\n    return (part > 50) ? value - 1 : 0;\n}\n"
+  CONTRACT = <<~C
+    /*@ requires 1 <= value <= 1000 && 0 <= part <= 100;
+        assigns \\nothing;
+        ensures SWR_HALF_001: 0 <= \\result < value;
+    */
+    int half(int value, int part);
+
+    static int value;
+    static int part;
+
+    /*@ requires 1 <= value <= 1000 && 0 <= part <= 100;
+        assigns \\nothing;
+    */
+    void prove_SWR_HALF_001_it_is_smaller(void)
+    {
+        const int is = half(value, part);
+        /*@ check SWR_HALF_001: is <= value; */
+        (void)is;
+    }
+
+    #include "half/half.c"
+  C
+  BROKEN = MUTANT.merge('in' => 'half', 'before' => '- 1', 'after' => '+ 1').freeze
+  BY_CONTRACT = ROW.except('proves').merge('by_contract' => ['half'], 'mutants' => [BROKEN]).freeze
 
   def test_SWR_TOOL_201_a_proof_that_holds_is_counted_with_its_properties
     text, is_green = run_proof
@@ -70,6 +95,58 @@ class TestProof < Minitest::Test
     text, is_green = run_proof(proof: PROOF.sub('int half(int value);', ''), row: ROW.merge('mutants' => []), unit: 'nonsense')
     refute is_green
     assert_match(/^\[1\/1\] RED/, text)
+  end
+
+  def test_SWR_TOOL_620_a_call_without_a_body_is_named_alone
+    unit = UNIT.sub("int half", "struct third {\n    int is;\n};\nstruct third *third(void);\nint half").sub('value - 1', 'value - third()->is - third()->is')
+    text, is_green = run_proof(unit: unit, row: ROW.merge('mutants' => []))
+    refute is_green
+    assert_equal ['no body for third, which core/half/half.c:7 calls: verification/proof/proofs.yml names no source or contract of it for ' \
+                  'verification/proof/half/prove_half.c'], text.lines.grep(/^    /).map(&:strip)
+  end
+
+  def test_SWR_TOOL_620_a_call_that_never_happens_needs_no_body
+    unit = UNIT.sub("int half", "int third(void);\nint half").sub("return", "return (value < 1) ? third() :")
+    text, is_green = run_proof(unit: unit, row: ROW.merge('mutants' => []))
+    assert is_green, text
+  end
+
+  def test_SWR_TOOL_621_contracts_that_hold_are_counted_with_their_goals
+    text, is_green = run_proof(proof: CONTRACT, unit: SHARE, row: BY_CONTRACT)
+    assert is_green, text
+    assert_match(/^1 of 1 proofs hold with [1-9]\d* properties, 1 of 1 mutants are refuted$/, text)
+  end
+
+  def test_SWR_TOOL_621_what_does_not_hold_is_named_by_its_function
+    text, is_green = run_proof(proof: CONTRACT, unit: SHARE.sub('value - 1', 'value / (part - 60)'), row: BY_CONTRACT.merge('mutants' => []))
+    refute is_green
+    assert_includes text, 'verification/proof/half/prove_half.c: does not hold: SWR-HALF-001: half_ensures_SWR_HALF_001'
+    assert_includes text, 'verification/proof/half/prove_half.c: does not hold: half_assert_rte_division_by_zero'
+  end
+
+  def test_SWR_TOOL_621_a_prover_that_gives_no_answer_is_named
+    text, is_green = run_proof(proof: CONTRACT, unit: 'nonsense', row: BY_CONTRACT.merge('mutants' => []))
+    refute is_green
+    assert_match(/^\[1\/1\] RED/, text)
+    assert_match(/^    syntax error/, text)
+  end
+
+  def test_SWR_TOOL_202_a_fault_that_breaks_no_contract_is_named
+    text, is_green = run_proof(proof: CONTRACT, unit: SHARE, row: BY_CONTRACT.merge('mutants' => [BROKEN.merge('after' => '- 1 + 0')]))
+    refute is_green
+    assert_includes text, 'the prover does not refute prove_SWR_HALF_001_it_is_smaller (core/half/half.c: - 1 => - 1 + 0)'
+  end
+
+  def test_SWR_TOOL_203_assumptions_of_a_contract_that_contradict_each_other_are_named
+    text, is_green = run_proof(proof: CONTRACT.gsub('1 <= value <= 1000', '1 <= value <= 0'), unit: SHARE, row: BY_CONTRACT.merge('mutants' => []))
+    refute is_green
+    assert_includes text, 'never happens: possible: prove_SWR_HALF_001_it_is_smaller'
+  end
+
+  def test_SWR_TOOL_204_a_function_whose_contract_is_in_no_proof_is_named
+    text, is_green = run_proof(proof: CONTRACT, unit: SHARE, row: BY_CONTRACT.merge('by_contract' => %w[half third], 'mutants' => []))
+    refute is_green
+    assert_includes text, "no function 'third'"
   end
 
   def test_SWR_TOOL_202_a_fault_that_is_not_refuted_is_named

@@ -45,6 +45,13 @@ class TestProved < Minitest::Test
     assert_equal({ OPEN_GATE => 'cbmc eva', SHUT_GATE => 'unreached', IS_OPEN => 'cbmc' }, states(reached: [OPEN_GATE]))
   end
 
+  def test_SWR_TOOL_280_a_function_is_proved_by_the_contract_that_names_it
+    by_contract = Proof::Harness.new(HARNESS.except('proves').merge('by_contract' => ['gate_open']))
+    assert_equal({ OPEN_GATE => 'wp eva', SHUT_GATE => 'unreached', IS_OPEN => 'unreached' }, states(reached: [OPEN_GATE], harnesses: [by_contract]))
+    assert_equal({ OPEN_GATE => 'cbmc wp', SHUT_GATE => 'unreached', IS_OPEN => 'cbmc' },
+                 states(harnesses: [by_contract, Proof::Harness.new(HARNESS)]))
+  end
+
   def test_SWR_TOOL_281_a_function_that_is_not_listed_or_gone_is_named
     assert_equal ['function that is not listed: core/gate/gate.c: gate_lock'], list.problems(LISTED.merge(['core/gate/gate.c', 'gate_lock'] => 'open'))
     assert_equal ['listed function that is gone: core/gate/gate.c: gate_shut'], list.problems(LISTED.except(SHUT_GATE))
@@ -75,7 +82,7 @@ class TestProved < Minitest::Test
 
   def test_SWR_TOOL_283_the_sentence_counts_each_kind
     assert_equal 'Under the assumptions, contracts and limits of SOUNDNESS.md, 2 of 3 functions of the core and of the charts are free of ' \
-                 'run-time errors: 1 by CBMC, 2 by Eva for the robot neuro. 1 have open alarms, 0 are not reached by Eva.', list.summary
+                 'run-time errors: 1 by CBMC, 0 by WP, 2 by Eva for the robot neuro. 1 have open alarms, 0 are not reached by Eva.', list.summary
   end
 
   private

@@ -294,6 +294,15 @@ class TestTrace < Minitest::Test
     in_project(files.merge(night)) { |root| assert trace('check', root).last.success? }
   end
 
+  def test_SWR_TRACE_200_a_check_of_a_contract_is_an_assertion_of_its_proof_and_a_comment_is_none
+    harness = 'verification/proof/gate/prove_gate.c'
+    { 'check SWR_PEDAL_002: is_open;' => false, 'is open' => true }.each do |text, is_empty|
+      in_project(harness => "void prove_SWR_PEDAL_002_opens(void)\n{\n    /*@ #{text} */\n}\n") do |root|
+        assert_equal is_empty, trace('check', root).first.include?("TRACE-E06 #{harness}:1: prove_SWR_PEDAL_002_opens asserts nothing")
+      end
+    end
+  end
+
   def test_SWR_TRACE_001_e01_unknown_hazard_in_chart
     ['HAZ-009', 'SWR-PEDAL-009'].each do |id|
       assert_finding "E01 statecharts/gate.scxml:3: gate GATE-T01 names the unknown hazard #{id}",

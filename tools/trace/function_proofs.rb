@@ -31,7 +31,7 @@ module Trace
     private
 
     def row(file, function, proof)
-      harnesses = proof.split.include?('cbmc') ? harnesses_of(file, function) : []
+      harnesses = harnesses_of(file, function).select { |harness| proof.split.include?(harness.tool) }
       proved, other = requirements_of(file, function).partition { |id| proved_requirements.include?(id) }
       Row.new(file: file, function: function, proof: proof, harnesses: harnesses.map(&:file),
               contracts: harnesses.flat_map(&:contracts).uniq, proved: proved, not_proved: other)
@@ -39,7 +39,7 @@ module Trace
 
     # A function of a header may be included by any source of a harness.
     def harnesses_of(file, function)
-      @harnesses.select { |one| one.proves.include?(function) && (file.end_with?('.h') || one.sources.include?(file)) }
+      @harnesses.select { |one| one.functions_proved.include?(function) && (file.end_with?('.h') || one.sources.include?(file)) }
     end
 
     # Those that stand at its definition or at its declaration in the header of the same name.

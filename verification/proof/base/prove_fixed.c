@@ -44,7 +44,7 @@ void prove_SWR_FIX_003_a_number_is_saturated_or_kept_within_its_ends(void)
     POSSIBLE((int64_t)narrow != value, "one that does not fit");
 }
 
-/* Positions of a cubic have 8 fraction bits. */
+/* Positions of a cubic have 8 fraction bits: contract of motion/prove_cubic.c. */
 void prove_SWR_FIX_003_eight_fraction_bits_are_rounded_half_away_from_zero(void)
 {
     int64_t value;
