@@ -159,7 +159,7 @@ bool watch_look(void)
     const uint32_t count = source_find(watch_loop()->robot, sources);
     for (uint32_t i = 0U; i < count; i++) {
         if (strcmp(&sources[i].topic[1], topic) == 0) {
-            source_tell(&sources[i], &watch_loop()->outputs.snapshot, find, &search);
+            source_report(&sources[i], &watch_loop()->outputs.snapshot, find, &search);
         }
     }
     return search.is_found;
@@ -198,5 +198,5 @@ void watch_compare(void)
 
     REQUIRE(321U, difference.robot != NULL);
     begin();
-    difference_tell(&difference, outputs->snapshot.cycle, &other, outputs);
+    difference_report(&difference, outputs->snapshot.cycle, &other, outputs);
 }

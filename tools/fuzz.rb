@@ -49,7 +49,7 @@ module Fuzz
       puts "fuzz: #{name} for #{seconds} s, seed #{@seed}"
       ended_well = look(name, seconds, corpus, found)
       news = (Dir.children(found) - before).map { |file| File.join(found, file) }
-      news.each { |file| tell(name, file) }
+      news.each { |file| report(name, file) }
       puts "fuzz: #{name} ended badly; its log is #{log(name)}" if news.empty? && !ended_well
       news.empty? && ended_well
     end
@@ -65,7 +65,7 @@ module Fuzz
     end
 
     # @satisfies SWR-TOOL-017
-    def tell(name, file)
+    def report(name, file)
       puts "fuzz: #{name} found an input, kept as #{file}", *reason(name),
            "      Play it again: #{program(name)} #{file}"
       return unless name == 'dialect' && File.exist?(WORDS)

@@ -77,7 +77,7 @@ void checkup_measure(check_facts_t *facts, uint32_t cycles)
     facts->wake_p99_us = p99_us(cycles);
 }
 
-int checkup_tell(const check_facts_t *facts, FILE *out)
+int checkup_report(const check_facts_t *facts, FILE *out)
 {
     uint32_t good = 0U;
     uint32_t blocking = 0U;

@@ -23,6 +23,6 @@ void checkup_measure(check_facts_t *facts, uint32_t cycles);
  *
  * @satisfies SWR-CHECK-001
  */
-int checkup_tell(const check_facts_t *facts, FILE *out);
+int checkup_report(const check_facts_t *facts, FILE *out);
 
 #endif

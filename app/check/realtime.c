@@ -51,7 +51,7 @@ void realtime_give_way(void)
     (void)prctl(PR_SET_TIMERSLACK, 1000UL, 0UL, 0UL, 0UL);
 }
 
-void realtime_tell(uint32_t rights)
+void realtime_report(uint32_t rights)
 {
     if ((rights & EXCHANGE_RIGHT_FIFO) == 0U) {
         (void)fprintf(stderr, "control: no real-time priority; run as root or allow it with "

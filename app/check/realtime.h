@@ -28,7 +28,7 @@ void realtime_give_way(void);
  *
  * @satisfies SWR-CTRL-002
  */
-void realtime_tell(uint32_t rights);
+void realtime_report(uint32_t rights);
 
 /**
  * Keeps all cores from sleeping deeply until the process ends, by the kernel's file below `root`.

@@ -9,21 +9,24 @@
 #define MS_PER_S 1000.0
 #define MOST_S 1.0e6
 
-status_t list_terms_step(const robot_t *robot, const reported_step_t *told, program_step_t *step)
+status_t list_terms_step(const robot_t *robot, const reported_step_t *reported,
+                         program_step_t *step)
 {
     const uint32_t turning = program_step_turning_axis(robot);
     const bool is_turning = turning < robot->axis_count;
 
     (void)memset(step, 0, sizeof *step);
-    if ((told->has_angle != is_turning) || (told->dwell_s < 0.0) || (told->dwell_s > MOST_S) ||
-        !axis_terms_ticks(&robot->axes[robot->needle_axis], told->depth_mm, &step->depth_ticks) ||
+    if ((reported->has_angle != is_turning) || (reported->dwell_s < 0.0) ||
+        (reported->dwell_s > MOST_S) ||
+        !axis_terms_ticks(&robot->axes[robot->needle_axis], reported->depth_mm,
+                          &step->depth_ticks) ||
         (is_turning &&
-         !axis_terms_ticks(&robot->axes[turning], told->angle_deg, &step->angle_ticks))) {
+         !axis_terms_ticks(&robot->axes[turning], reported->angle_deg, &step->angle_ticks))) {
         return STATUS_OUT_OF_RANGE;
     }
-    step->dwell_ms = (uint32_t)round(told->dwell_s * MS_PER_S);
-    step->is_gated = told->is_gated ? 1U : 0U;
-    return (told->is_gated && (step->dwell_ms == 0U)) ? STATUS_PROGRAM_DWELL : STATUS_OK;
+    step->dwell_ms = (uint32_t)round(reported->dwell_s * MS_PER_S);
+    step->is_gated = reported->is_gated ? 1U : 0U;
+    return (reported->is_gated && (step->dwell_ms == 0U)) ? STATUS_PROGRAM_DWELL : STATUS_OK;
 }
 
 command_t list_terms_step_command(const robot_t *robot, uint32_t index, const program_step_t *step)

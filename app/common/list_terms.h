@@ -32,7 +32,8 @@ typedef struct {
  * command can hold, or an angle where no axis turns the needle, or none where one does;
  * STATUS_PROGRAM_DWELL for a gate without a dwell, which no command can hold either
  */
-status_t list_terms_step(const robot_t *robot, const reported_step_t *told, program_step_t *step);
+status_t list_terms_step(const robot_t *robot, const reported_step_t *reported,
+                         program_step_t *step);
 
 /** The command that hands in step `index`. */
 command_t list_terms_step_command(const robot_t *robot, uint32_t index, const program_step_t *step);

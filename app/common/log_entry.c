@@ -16,7 +16,7 @@ void log_entry_make(log_entry_t *self, const exchange_t *exchange, const exchang
 {
     self->event = event->event;
     self->utc_us = event->utc_us;
-    if (!exchange_tell_note(exchange, &event->event, self->text, sizeof self->text)) {
+    if (!exchange_send_note(exchange, &event->event, self->text, sizeof self->text)) {
         char page[EXCHANGE_TITLE_SIZE];
         exchange_title(exchange, COMMAND_SOURCE_HTTP, event->event.peer, page);
         event_text_sentence(exchange_robot(exchange), &event->event, page, self->text,

@@ -34,7 +34,7 @@ void computer_begin(computer_t *self, const char *root, uint32_t rights)
     facts.rights = rights;
     self->lacks = 0U;
     self->looks = 0U;
-    realtime_tell(rights);
+    realtime_report(rights);
     for (uint32_t i = 0U; i < COMPUTER_CHECK_COUNT; i++) {
         const computer_check_t check = (computer_check_t)i;
         const bool stays = check_blocks(check) && (check != COMPUTER_CHECK_PAGE_FAULTS);

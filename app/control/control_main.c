@@ -102,7 +102,7 @@ static void switch_off(const char *why)
     char line[2U * DRIVES_OFF_TEXT_SIZE];
     const drives_off_t done =
         drives_off(our_robot, board.dialect, controller.sealed.sequence, controller.sealed.time_us);
-    drives_off_tell(&done, text);
+    drives_off_report(&done, text);
     const int length = snprintf(line, sizeof line, "control: %s; %s", why, text);
     (void)!write(STDERR_FILENO, line, (size_t)length);
 }
@@ -475,7 +475,7 @@ static int control(const char *const values[])
         if (code == REST_EXIT) {
             (void)snprintf(why, sizeof why, "asked to end at rest");
         } else {
-            (void)snprintf(why, sizeof why, "told to end by signal %d", (int)stopped_by);
+            (void)snprintf(why, sizeof why, "asked to end by signal %d", (int)stopped_by);
         }
         switch_off(why);
     }

@@ -6,7 +6,7 @@
 #include "exchange/exchange_cycles.h"
 #include "limits/requirement_limits.h"
 
-#define PATIENCE_NS (UINT64_C(1000) * LIMIT_RECORDER_ANSWER_CLOCK_US)
+#define TIMEOUT_NS (UINT64_C(1000) * LIMIT_RECORDER_ANSWER_CLOCK_US)
 #define NAP_NS UINT64_C(2000000)
 #define SILENT_NS (UINT64_C(1000) * LIMIT_RECORDER_SILENT_US)
 #define PROOF_NS (UINT64_C(1000) * LIMIT_RECORDER_PROOF_US)
@@ -29,7 +29,7 @@ static bool is_patient(cycle_lane_t *self, const exchange_t *exchange, uint64_t 
         self->heard = beats;
         *heard_ns = now_ns;
     }
-    return (now_ns - *heard_ns) < PATIENCE_NS;
+    return (now_ns - *heard_ns) < TIMEOUT_NS;
 }
 
 /* False while the recorder is not to be waited for. */
@@ -58,13 +58,13 @@ void cycle_lane_wait(cycle_lane_t *self, exchange_t *exchange, const volatile si
 /* A count that comes from damage goes back, or far. */
 static uint32_t newly_removed(cycle_lane_t *self, const exchange_t *exchange)
 {
-    const uint32_t told = exchange_cycles_removed(exchange);
-    const uint32_t more = told - self->removed;
+    const uint32_t reported = exchange_cycles_removed(exchange);
+    const uint32_t more = reported - self->removed;
 
     if (more > (uint32_t)INT32_MAX) {
         return 0U;
     }
-    self->removed = told;
+    self->removed = reported;
     return more;
 }
 

@@ -59,11 +59,11 @@ drives_off_t drives_off(const robot_t *robot, uint32_t dialect, uint32_t sequenc
     drives_off_t done = {.dialect = dialect};
     (void)finish(); /* The exchange under way, whose frames were no "off". */
     for (uint32_t i = 0U; i < LIMIT_OFF_EXCHANGES; i++) {
-        done.told = write_frames(robot, dialect, sequence + i, time_us);
+        done.sent = write_frames(robot, dialect, sequence + i, time_us);
         /* C99 adds no const through an array pointer by itself. */
-        bsp_start(done.told, (const uint8_t(*)[CARD_FRAME_BYTES])frames);
+        bsp_start(done.sent, (const uint8_t(*)[CARD_FRAME_BYTES])frames);
         done.confirmed |= confirmed(finish(), sequence, sequence + i);
-        if (done.confirmed == done.told) {
+        if (done.confirmed == done.sent) {
             break;
         }
     }
@@ -79,23 +79,23 @@ static unsigned count_bits(uint32_t bits)
     return count;
 }
 
-void drives_off_tell(const drives_off_t *done, char text[DRIVES_OFF_TEXT_SIZE])
+void drives_off_report(const drives_off_t *done, char text[DRIVES_OFF_TEXT_SIZE])
 {
-    const unsigned told = count_bits(done->told);
+    const unsigned sent = count_bits(done->sent);
     const unsigned off = count_bits(done->confirmed);
-    if (off == told) {
+    if (off == sent) {
         (void)snprintf(text, DRIVES_OFF_TEXT_SIZE,
-                       "all %u cards confirm that their drive is off.\n", told);
+                       "all %u cards confirm that their drive is off.\n", sent);
     } else if (done->dialect != (uint32_t)CARD_DIALECT_OWN) {
         (void)snprintf(
             text, DRIVES_OFF_TEXT_SIZE,
             "\"off\" was sent to all %u cards, which can neither confirm it nor switch off "
             "by a watchdog of their own: make sure that nothing moves.\n",
-            told);
+            sent);
     } else {
         (void)snprintf(text, DRIVES_OFF_TEXT_SIZE,
                        "\"off\" was sent to all %u cards, %u confirm it; the others' own watchdogs "
                        "switch off within %u ms of their time.\n",
-                       told, off, LIMIT_CARD_WATCHDOG_US / 1000U);
+                       sent, off, LIMIT_CARD_WATCHDOG_US / 1000U);
     }
 }

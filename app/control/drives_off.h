@@ -17,7 +17,7 @@
 
 /** Its result. */
 typedef struct {
-    uint32_t told;      /**< Bit n: the card in slot n was sent "off". */
+    uint32_t sent;      /**< Bit n: the card in slot n was sent "off". */
     uint32_t confirmed; /**< Bit n: it has reported since that its drive is off. */
     uint32_t dialect;   /**< card_dialect_t: none but our own lets a card report that. */
 } drives_off_t;
@@ -39,6 +39,6 @@ drives_off_t drives_off(const robot_t *robot, uint32_t dialect, uint32_t sequenc
  * @satisfies SWR-CTRL-005
  * @satisfies SWR-NI-007
  */
-void drives_off_tell(const drives_off_t *done, char text[DRIVES_OFF_TEXT_SIZE]);
+void drives_off_report(const drives_off_t *done, char text[DRIVES_OFF_TEXT_SIZE]);
 
 #endif

@@ -62,7 +62,7 @@ bool exchange_read_note(const exchange_t *self, uint32_t number, exchange_note_t
 }
 
 /* An operator's words do not read as ours. */
-bool exchange_tell_note(const exchange_t *self, const event_t *event, char *text, size_t size)
+bool exchange_send_note(const exchange_t *self, const event_t *event, char *text, size_t size)
 {
     const bool is_note =
         (event->id == (uint32_t)EVENT_NOTE) || (event->id == (uint32_t)EVENT_LOGIN_REFUSED);

@@ -43,6 +43,6 @@ bool exchange_read_note(const exchange_t *self, uint32_t number, exchange_note_t
  *
  * @satisfies SWR-EVENT-010
  */
-bool exchange_tell_note(const exchange_t *self, const event_t *event, char *text, size_t size);
+bool exchange_send_note(const exchange_t *self, const event_t *event, char *text, size_t size);
 
 #endif

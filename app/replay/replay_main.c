@@ -107,7 +107,7 @@ static int report_what_if(void)
     while (walk_take(&walk)) {
         what_if_prepare(&what_if, &walk.replay, &walk.record);
         if (!walk_replay(&walk)) {
-            return walk_tell_difference(&walk, stderr);
+            return walk_report_difference(&walk, stderr);
         }
         (void)walk_count(&walk, walk_is_done(&walk));
         if (!walk.is_again) {
@@ -153,7 +153,7 @@ static int replay_all(void)
 {
     const int code = go_through(verdict_take);
 
-    return (code == WALK_GOES_ON) ? verdict_tell(&walk) : code;
+    return (code == WALK_GOES_ON) ? verdict_report(&walk) : code;
 }
 
 static int print_all(walk_part_t *print)

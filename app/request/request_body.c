@@ -152,7 +152,7 @@ static void read_value(reader_t *self, const request_field_t *field, char *value
 
 static void end_member(level_t *level, uint32_t count)
 {
-    request_names_tell(level->field, count, level->structure);
+    request_names_report(level->field, count, level->structure);
     level->field = NULL;
     level->is_in_list = false;
     level->elements = 0U;

@@ -29,7 +29,7 @@ const request_field_t *request_names_missing(const request_message_t *message, u
     return NULL;
 }
 
-void request_names_tell(const request_field_t *field, uint32_t count, void *structure)
+void request_names_report(const request_field_t *field, uint32_t count, void *structure)
 {
     char *place = (char *)structure + field->given_offset;
     if (field->most > 0U) {

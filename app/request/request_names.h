@@ -14,6 +14,6 @@ request_fault_t request_names_find(const request_message_t *message, const char 
 const request_field_t *request_names_missing(const request_message_t *message, uint32_t seen);
 
 /** Notes in `structure` that an optional value is there, or how many values a list has. */
-void request_names_tell(const request_field_t *field, uint32_t count, void *structure);
+void request_names_report(const request_field_t *field, uint32_t count, void *structure);
 
 #endif

@@ -100,7 +100,7 @@ static request_fault_t take_parameter(const request_message_t *message, const ch
         fault = take_value(field, value, structure + field->offset);
     }
     if (fault == REQUEST_OK) {
-        request_names_tell(field, 1U, structure);
+        request_names_report(field, 1U, structure);
     }
     return fault;
 }

@@ -59,7 +59,7 @@ static int stop(exchange_t *exchange, const char *instance)
     return EXIT_AT_REST;
 }
 
-int at_rest_tell(const char *instance, bool is_stopped)
+int at_rest_report(const char *instance, bool is_stopped)
 {
     char error[ERROR_SIZE];
     snapshot_t snapshot;

@@ -15,6 +15,6 @@
  * @satisfies SWR-PACK-002
  * @satisfies SWR-PACK-014
  */
-int at_rest_tell(const char *instance, bool is_stopped);
+int at_rest_report(const char *instance, bool is_stopped);
 
 #endif

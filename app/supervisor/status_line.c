@@ -138,14 +138,14 @@ static void add_time(status_parts_t *parts, const loop_figures_t *loop, bool is_
 }
 
 /* State of a program in words; "ok" when there is no trouble. */
-static const char *program_word(family_t *family, const exchange_t *exchange, uint32_t member)
+static const char *program_word(process_group_t *group, const exchange_t *exchange, uint32_t member)
 {
-    const bool is_silent = family_is_silent(family, exchange, (member_t)member);
+    const bool is_silent = process_group_is_silent(group, exchange, (member_t)member);
 
-    if (family->runs_already[member]) {
+    if (group->runs_already[member]) {
         return "not ours";
     }
-    if (family->members[member].pid == 0) {
+    if (group->members[member].pid == 0) {
         return "RESTARTING";
     }
     return is_silent ? "SILENT" : "ok";
@@ -155,13 +155,13 @@ static const char *program_word(family_t *family, const exchange_t *exchange, ui
  * and cannot write is none of them: its part says that already.
  *
  * @satisfies SWR-SUP-300 */
-static void add_programs(status_parts_t *parts, const exchange_t *exchange, family_t *family,
+static void add_programs(status_parts_t *parts, const exchange_t *exchange, process_group_t *group,
                          bool is_recorder_failing, char *well, size_t size)
 {
     well[0] = '\0';
     for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
-        const char *const name = family->members[i].name;
-        const char *const word = (name != NULL) ? program_word(family, exchange, i) : "";
+        const char *const name = group->members[i].name;
+        const char *const word = (name != NULL) ? program_word(group, exchange, i) : "";
         const size_t used = strlen(well);
 
         const bool is_well = strcmp(word, "ok") == 0;
@@ -171,7 +171,7 @@ static void add_programs(status_parts_t *parts, const exchange_t *exchange, fami
         } else if (is_well) {
             (void)snprintf(&well[used], size - used, "%s ", name);
         } else if (name != NULL) {
-            status_parts_add(parts, family->runs_already[i] ? STATUS_PLAIN : STATUS_BAD, "%s %s",
+            status_parts_add(parts, group->runs_already[i] ? STATUS_PLAIN : STATUS_BAD, "%s %s",
                              name, word);
         } else {
             /* The board has no program here. */
@@ -241,7 +241,7 @@ static void add_unreached(status_parts_t *parts, const exchange_t *exchange)
     }
 }
 
-void status_line_take(status_parts_t *parts, const exchange_t *exchange, family_t *family)
+void status_line_take(status_parts_t *parts, const exchange_t *exchange, process_group_t *group)
 {
     char well[STATUS_PART_SIZE];
     snapshot_t snapshot;
@@ -262,14 +262,14 @@ void status_line_take(status_parts_t *parts, const exchange_t *exchange, family_
     }
     const bool is_recorder_failing =
         is_running && (snapshot.is_recorder_failing != 0U) && (snapshot.unrecorded != 0U);
-    add_programs(parts, exchange, family, is_recorder_failing, well, sizeof well);
+    add_programs(parts, exchange, group, is_recorder_failing, well, sizeof well);
     if (is_running) {
         add_links(parts, exchange_robot(exchange), &snapshot);
         add_authority(parts, exchange, &snapshot);
     }
     add_unreached(parts, exchange);
     if (exchange_read_loop(exchange, &loop)) {
-        add_time(parts, &loop, family_is_silent(family, exchange, MEMBER_CONTROL));
+        add_time(parts, &loop, process_group_is_silent(group, exchange, MEMBER_CONTROL));
     }
     if (well[0] != '\0') {
         status_parts_add(parts, STATUS_PLAIN, "%sok", well);

@@ -4,7 +4,7 @@
 #define BORESIGHT_STATUS_LINE_H
 
 #include "exchange/exchange.h"
-#include "supervisor/family.h"
+#include "supervisor/process_group.h"
 #include "supervisor/status_parts.h"
 
 /**
@@ -14,6 +14,6 @@
  *
  * @satisfies SWR-SUP-004
  */
-void status_line_take(status_parts_t *parts, const exchange_t *exchange, family_t *family);
+void status_line_take(status_parts_t *parts, const exchange_t *exchange, process_group_t *group);
 
 #endif

@@ -14,7 +14,7 @@
 #include "limits/requirement_limits.h"
 #include "supervisor/at_rest.h"
 #include "supervisor/board_text.h"
-#include "supervisor/family.h"
+#include "supervisor/process_group.h"
 #include "supervisor/options.h"
 #include "supervisor/ports.h"
 #include "supervisor/screen.h"
@@ -42,7 +42,7 @@
 
 static options_t options;
 static screen_t screen;
-static family_t family;
+static process_group_t group;
 static exchange_t *exchange;
 static int signals;
 static char error[ERROR_SIZE];
@@ -99,15 +99,15 @@ static bool wait_for_news(int timeout_ms)
 static bool has_lost_one(void)
 {
     char how[64];
-    const int lost = family_reap(&family);
+    const int lost = process_group_reap(&group);
 
     if (lost < 0) {
         return false;
     }
-    child_describe_end(&family.members[lost], how, sizeof how);
+    child_describe_end(&group.members[lost], how, sizeof how);
     screen_relay(&screen);
     screen_say(&screen, "Boresight did not start: %s ended (%s); the line above says what to do.",
-               family.members[lost].name, how);
+               group.members[lost].name, how);
     return true;
 }
 
@@ -156,7 +156,7 @@ static int await(bool (*is_ready)(void), const char *who)
 
 static int start_one(member_t member)
 {
-    if (!family_start(&family, member, error, sizeof error)) {
+    if (!process_group_start(&group, member, error, sizeof error)) {
         screen_say(&screen, "Boresight did not start: %s", error);
         return EXIT_CANNOT_START;
     }
@@ -169,7 +169,7 @@ static int start_companions(void)
     int result = RUNNING;
 
     for (uint32_t i = 0U; (i < BOARD_COMPANIONS) && (result == RUNNING); i++) {
-        if ((board.companions[i].program != NULL) && !family.runs_already[i]) {
+        if ((board.companions[i].program != NULL) && !group.runs_already[i]) {
             screen_await(&screen, board.companions[i].ready);
             result = start_one((member_t)i);
             result = (result == RUNNING) ? await(is_companion_ready, board.companions[i].program)
@@ -187,7 +187,7 @@ static int start_control(void)
 
     result = (result == RUNNING) ? await(is_control_running, "control") : result;
     if ((result == RUNNING) && exchange_read_loop(exchange, &loop)) {
-        family.slowness = loop.slowness;
+        group.slowness = loop.slowness;
     }
     return result;
 }
@@ -255,7 +255,7 @@ static int judge_end(const child_t *child)
 
     child_describe_end(child, how, sizeof how);
     screen_relay(&screen);
-    if ((child == &family.members[MEMBER_CONTROL]) && WIFEXITED(child->status) &&
+    if ((child == &group.members[MEMBER_CONTROL]) && WIFEXITED(child->status) &&
         (WEXITSTATUS(child->status) == REST_EXIT)) {
         return EXIT_STOPPED;
     }
@@ -279,7 +279,7 @@ static int next_tick_ms(void)
     uint64_t wait_us = (uint64_t)TICK_MS * 1000U;
 
     for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
-        const child_t *child = &family.members[i];
+        const child_t *child = &group.members[i];
         if ((child->pid == 0) && (child->restart_us > now_us) &&
             ((child->restart_us - now_us) < wait_us)) {
             wait_us = child->restart_us - now_us;
@@ -295,9 +295,9 @@ static void end_hanging(void)
     static const member_t replaced[] = {MEMBER_RECORDER, MEMBER_IGTL, MEMBER_HTTP};
 
     for (uint32_t i = 0U; i < (sizeof replaced / sizeof replaced[0]); i++) {
-        if (family_end_hanging(&family, exchange, replaced[i])) {
+        if (process_group_end_hanging(&group, exchange, replaced[i])) {
             screen_say(&screen, "%s has given no sign of life for %u s; it is ended.",
-                       family.members[replaced[i]].name,
+                       group.members[replaced[i]].name,
                        (unsigned)(LIMIT_HANG_US / UINT64_C(1000000)));
         }
     }
@@ -309,18 +309,18 @@ static int supervise(void)
     int result = RUNNING;
 
     while (result == RUNNING) {
-        status_line_take(&parts, exchange, &family);
+        status_line_take(&parts, exchange, &group);
         screen_show_status(&screen, &parts, clock_monotonic_us());
         exchange_beat(exchange, EXCHANGE_SUPERVISOR);
         if (wait_for_news(next_tick_ms())) {
             return EXIT_STOPPED;
         }
-        for (int ended = family_reap(&family); (ended >= 0) && (result == RUNNING);
-             ended = family_reap(&family)) {
-            result = judge_end(&family.members[ended]);
+        for (int ended = process_group_reap(&group); (ended >= 0) && (result == RUNNING);
+             ended = process_group_reap(&group)) {
+            result = judge_end(&group.members[ended]);
         }
         end_hanging();
-        family_restart(&family);
+        process_group_restart(&group);
     }
     return result;
 }
@@ -339,7 +339,8 @@ static bool prepare(void)
                        options.recordings, strerror(errno));
         return false;
     }
-    if (!family_init(&family, &options, screen.output[1], screen.errors[1], error, sizeof error) ||
+    if (!process_group_init(&group, &options, screen.output[1], screen.errors[1], error,
+                            sizeof error) ||
         !ports_check(&options, error, sizeof error)) {
         return false;
     }
@@ -357,7 +358,7 @@ static int run(void)
         result = supervise();
     }
     screen_end_status(&screen);
-    family_stop(&family, exchange);
+    process_group_stop(&group, exchange);
     screen_relay(&screen);
     exchange_close(exchange);
     screen_say(&screen, (result == EXIT_CANNOT_START) ? "Nothing is left running."
@@ -376,7 +377,7 @@ static int check_computer(void)
                  (LIMIT_CHECK_CYCLES * LIMIT_CYCLE_US) / 1000000U);
     (void)fflush(stdout);
     checkup_measure(&facts, LIMIT_CHECK_CYCLES);
-    return checkup_tell(&facts, stdout);
+    return checkup_report(&facts, stdout);
 }
 
 int main(int count, char **arguments)
@@ -390,7 +391,7 @@ int main(int count, char **arguments)
         return check_computer();
     }
     if (options.asks_for_rest) {
-        return at_rest_tell(options.instance, options.stops_at_rest);
+        return at_rest_report(options.instance, options.stops_at_rest);
     }
     if (!prepare()) {
         (void)fprintf(stderr, "Boresight did not start: %s\n", error);

@@ -201,8 +201,8 @@ bool spi_bus_await(const spi_bus_t *self, uint64_t deadline_ns)
         if ((done == self->requested) || (now_ns >= deadline_ns)) {
             return done == self->requested;
         }
-        const struct timespec patience = time_of(deadline_ns - now_ns);
-        (void)syscall(SYS_futex, &self->done, FUTEX_WAIT_PRIVATE, done, &patience);
+        const struct timespec timeout = time_of(deadline_ns - now_ns);
+        (void)syscall(SYS_futex, &self->done, FUTEX_WAIT_PRIVATE, done, &timeout);
     }
 }
 

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #define NS_PER_MS UINT64_C(1000000)
-#define PATIENCE_MS 50U
+#define TIMEOUT_MS 50U
 #define APART_US 100U
 #define TOGETHER 5U /* Exchanges. */
 
@@ -39,7 +39,7 @@ static bool is_whole(const wiring_spi_t *spi, const bsp_exchange_t *result, uint
     if ((said != (uint8_t)BSP_SLOT_OK) && (said != (uint8_t)BSP_SLOT_NO_ANSWER)) {
         (void)snprintf(error, error_size,
                        "%s does not end a transfer in %u ms; check its controller's driver.",
-                       spi->path, PATIENCE_MS);
+                       spi->path, TIMEOUT_MS);
         return false;
     }
     return true;
@@ -56,7 +56,7 @@ static bool look(card_buses_t *buses, const wiring_t *wiring, uint32_t gap_us, l
     (void)memset(received, 0, sizeof received);
     write_frames(frames);
     card_buses_start(buses, CARD_EVERY_SLOT, (const uint8_t(*)[CARD_FRAME_BYTES])frames, gap_us);
-    card_buses_finish(buses, spi_bus_now_ns() + (PATIENCE_MS * NS_PER_MS * wiring->slowness),
+    card_buses_finish(buses, spi_bus_now_ns() + (TIMEOUT_MS * NS_PER_MS * wiring->slowness),
                       received, &result);
     for (uint32_t i = 0U; i < wiring->spi_count; i++) {
         const wiring_spi_t *const spi = &wiring->spi[i];

@@ -52,8 +52,8 @@ static void limit_speed(encoder_t *self, int64_t ticks, uint32_t time_us)
 static void wait_for_ticks(encoder_t *self, uint32_t quiet_us, uint32_t span_us, int64_t travelled)
 {
     const int64_t size_q8 = fixed_magnitude((int64_t)self->measured_ticks_per_s_q8);
-    const int64_t patience = (Q8_US_PER_S / 100) * (int64_t)LIMIT_SPEED_WAIT_PERCENT;
-    if ((size_q8 * (int64_t)quiet_us) > patience) {
+    const int64_t wait_q8_us = (Q8_US_PER_S / 100) * (int64_t)LIMIT_SPEED_WAIT_PERCENT;
+    if ((size_q8 * (int64_t)quiet_us) > wait_q8_us) {
         limit_speed(self, 1, quiet_us);
     } else if ((self->speed_ticks_per_s_q8 != self->measured_ticks_per_s_q8) && (span_us > 0U)) {
         limit_speed(self, fixed_magnitude(travelled) + 1, span_us);

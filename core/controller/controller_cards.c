@@ -193,7 +193,7 @@ static void observe_sensors(controller_t *self, const cycle_t *cycle)
 
 /* A card that the robot does not name: the bytes from there may be noise, so that only its first
  * valid frame is reported. Once it is silent its slot is empty again. */
-static void observe_stranger(controller_t *self, const cycle_t *cycle, uint32_t slot)
+static void observe_unexpected(controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
     const uint32_t bit = (uint32_t)1U << slot;
     link_t *const link = &self->links[slot];
@@ -218,7 +218,7 @@ static void observe_unexpected_cards(controller_t *self, const cycle_t *cycle)
     const uint32_t slots = answered & ~self->cards.named_slots & CARD_EVERY_SLOT;
     for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
         if (((slots >> i) & 1U) != 0U) {
-            observe_stranger(self, cycle, i);
+            observe_unexpected(self, cycle, i);
         }
     }
 }

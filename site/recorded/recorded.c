@@ -72,7 +72,7 @@ uint32_t recorded_go_on(uint32_t records)
 
     REQUIRE(330U, document != NULL);
     for (uint32_t i = 0U; (i < records) && (code == WALK_GOES_ON); i++) {
-        code = walk_tell_next(&walk, motion_json_take, &json);
+        code = walk_report_next(&walk, motion_json_take, &json);
     }
     if (code != WALK_GOES_ON) {
         end_document(code);

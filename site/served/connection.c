@@ -54,10 +54,11 @@ static bool read_fields(struct mg_request_info *info, char *fields)
     return true;
 }
 
-bool connection_read(struct mg_connection *self, char *text, size_t size, char *told, size_t room)
+bool connection_read(struct mg_connection *self, char *text, size_t size, char *reported,
+                     size_t room)
 {
     (void)memset(self, 0, sizeof *self);
-    self->told = told;
+    self->reported = reported;
     self->room = room;
     self->info.content_length = -1;
     char *const end = strstr(text, "\r\n\r\n");
@@ -109,7 +110,7 @@ int mg_write(struct mg_connection *connection, const void *bytes, size_t size)
     if (size > (connection->room - connection->size)) {
         return -1;
     }
-    (void)memcpy(&connection->told[connection->size], bytes, size);
+    (void)memcpy(&connection->reported[connection->size], bytes, size);
     connection->size += size;
     return (int)size;
 }

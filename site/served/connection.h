@@ -17,17 +17,18 @@ struct mg_connection {
     void *own_data; /**< Data of the connection. */
     const char *body;
     size_t body_size;
-    char *told; /**< The reply so far. */
+    char *reported; /**< The reply so far. */
     size_t room;
     size_t size;
 };
 
 /**
  * Reads the `size` bytes of `text`, a head with its empty line, and a body; they are changed and
- * must outlive `self`, whose reply goes to the `room` bytes of `told`.
+ * must outlive `self`, whose reply goes to the `room` bytes of `reported`.
  *
  * @return false: it is no request
  */
-bool connection_read(struct mg_connection *self, char *text, size_t size, char *told, size_t room);
+bool connection_read(struct mg_connection *self, char *text, size_t size, char *reported,
+                     size_t room);
 
 #endif

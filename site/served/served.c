@@ -66,8 +66,8 @@ bool served_start(uint32_t seed, uint32_t utc_s)
         .box = SERVED_ROBOT_BOX,
         .recordings = ""};
     http_server_init(&server, &config);
-    (void)session_store_make_code(&server.desk);
-    (void)snprintf(answer, sizeof answer, "%s", server.desk.code);
+    (void)session_store_make_code(&server.sessions);
+    (void)snprintf(answer, sizeof answer, "%s", server.sessions.code);
     return true;
 }
 

@@ -16,7 +16,7 @@ static void open_stream(void *user_data, uint32_t next_event)
     (void)memset(&connection, 0, sizeof connection);
     (void)memset(&client, 0, sizeof client);
     connection.user_data = user_data;
-    connection.told = sent;
+    connection.reported = sent;
     connection.room = sizeof sent;
     client.connection = &connection;
     client.next_event = next_event;

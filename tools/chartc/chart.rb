@@ -6,7 +6,7 @@ require_relative 'lib/compiled'
 require_relative 'lib/emit/promela'
 require_relative 'lib/limits'
 
-# The door of the chart compiler: who uses it from Ruby requires this file, and nothing else of this folder. README.md
+# The interface of the chart compiler: who uses it from Ruby requires this file, and nothing else of this folder. README.md
 # says what stands behind it.
 # @satisfies SWR-CHART-035
 module Chart

@@ -44,7 +44,7 @@ class ThesisPage
   end
 
   # `Figures 18 to 23` and `Figures 1, 2` are as many.
-  def told
+  def reported
     @rows.flat_map do |row|
       kind, numbers = row.cells.first.match(/\A(Figure|Listing|Table)s? ([\d, to]+)/)&.captures
       next row.cells.first[/\A(Mode|Test) [^:]+/] unless kind
@@ -54,9 +54,9 @@ class ThesisPage
   end
 
   def missing
-    told = self.told
-    OWED.reject { |name| told.include?(name) }.map { |name| "#{PAGE}: #{name} has no row" } +
-      told.compact.tally.filter_map { |name, count| "#{PAGE}: #{name} has #{count} rows" if count > 1 }
+    reported = self.reported
+    OWED.reject { |name| reported.include?(name) }.map { |name| "#{PAGE}: #{name} has no row" } +
+      reported.compact.tally.filter_map { |name, count| "#{PAGE}: #{name} has #{count} rows" if count > 1 }
   end
 
   def of_row(row)

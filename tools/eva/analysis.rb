@@ -26,7 +26,7 @@ module Eva
     INCLUDES = "-D__FC_MACHDEP_GCC_X86_32 -include #{HERE}/compiler.h -I#{HERE}/instead -Icore -Ibuild/gen"
     CONTROLLER = %w[core/*/*.c core/*/*/*.c build/gen/charts/*_chart.c build/gen/robot/*.c
                     build/gen/interface/*.c].freeze
-    # Below the least precision in time, but each axis, card and command is told from the next: loops over them are
+    # Below the least precision in time, but each axis, card and command is kept apart from the next: loops over them are
     # unrolled, sets hold the places of two nested indexes, and writes are followed to as many.
     PRECISION = %w[-eva-precision 0 -eva-min-loop-unroll 8 -eva-auto-loop-unroll 12 -eva-ilevel 80 -eva-plevel 400].freeze
     # Functions whose branches are kept apart: a list of rows is judged by several facts at the same time; the entry point, if

@@ -6,7 +6,7 @@ require 'fileutils'
 require 'json'
 require_relative 'job'
 require_relative 'plan'
-require_relative 'teller'
+require_relative 'reporter'
 
 module Gates
   def self.now
@@ -34,7 +34,7 @@ module Gates
       @verdicts = []
       @expected = gates.to_h { |gate| [gate.name, gate.seconds] }.merge(measured)
       @plan = Plan.new(cores, @expected)
-      @teller = Teller.new(out, gates.size)
+      @reporter = Progress.new(out, gates.size)
     end
 
     # True if every gate has passed.
@@ -45,7 +45,7 @@ module Gates
       step while !@signal && (@waiting.any? || @jobs.any?)
       return interrupted if @signal
 
-      @teller.finish(@verdicts)
+      @reporter.finish(@verdicts)
       @verdicts.all?(&:passed?)
     ensure
       Processes.end_tree(Process.pid)
@@ -60,7 +60,7 @@ module Gates
 
       reap
       @jobs.each(&:watch)
-      @teller.progress(@jobs, seconds_left) if @jobs.any?
+      @reporter.progress(@jobs, seconds_left) if @jobs.any?
       sleep POLL_SECONDS
     end
 
@@ -79,7 +79,7 @@ module Gates
       gate = @waiting.find { |one| (one.needs & red).any? } || return
       @waiting -= [gate]
       @verdicts << Verdict.new(gate: gate, passed: 0, failed: 1, seconds: 0, complaints: [])
-      @teller.gate_left_out(gate, gate.needs & red)
+      @reporter.gate_left_out(gate, gate.needs & red)
       leave_out
     end
 
@@ -106,7 +106,7 @@ module Gates
     def ended(job, verdict, core_seconds)
       @jobs -= [job]
       @verdicts << verdict
-      @teller.gate_ended(verdict)
+      @reporter.gate_ended(verdict)
       return unless verdict.passed?
 
       note(SECONDS, job.gate.name => [verdict.seconds.round(1), 0.1].max)
@@ -139,7 +139,7 @@ module Gates
     end
 
     def interrupted
-      @teller.interrupted(@jobs)
+      @reporter.interrupted(@jobs)
       false
     end
   end

@@ -122,8 +122,8 @@ module Interface
     def check_places(value, kinds, unsaid = false)
       places = value.says.scan(PLACE).flatten
       places = places.map { |place| place == 'meaning' ? 'value' : place } if kinds['value'].is_a?(Enumeration)
-      stranger = places.find { |place| kinds[place].nil? }
-      value.node.refuse("says {#{stranger}}, which it has not") if stranger
+      unknown = places.find { |place| kinds[place].nil? }
+      value.node.refuse("says {#{unknown}}, which it has not") if unknown
       silent = kinds.compact.keys - places - (unsaid ? ['value'] : [])
       value.node.refuse("does not say {#{silent.first}}") if silent.any? && !quiet?(silent.first, kinds)
     end

@@ -153,7 +153,7 @@ class TestGates < Minitest::Test
 
   def test_SWR_GATE_003_a_line_every_half_minute_where_nothing_can_be_written_anew
     assert_equal %w[0:30 1:00 1:30].map { |time| "#{time} gone, about 2:05 left: charts 12/69 (1:15), misra (0:04)\n" },
-                 told(StringIO.new)
+                 reported(StringIO.new)
   end
 
   def test_SWR_GATE_003_a_terminal_has_one_line_that_fits
@@ -161,7 +161,7 @@ class TestGates < Minitest::Test
     terminal.define_singleton_method(:tty?) { true }
     terminal.define_singleton_method(:winsize) { [25, 40] }
     assert_equal ["\r\e[K0:00 gone, about 2:05 left: charts 12/6", "\r\e[K0:10 gone, about 2:05 left: charts 12/6"],
-                 told(terminal).first.scan(/\r[^\r]*/).first(2)
+                 reported(terminal).first.scan(/\r[^\r]*/).first(2)
   end
 
   def test_SWR_GATE_003_a_gate_says_in_its_log_how_far_it_is
@@ -217,8 +217,8 @@ class TestGates < Minitest::Test
     tests = (1..12).map { |number| { 'test' => "test_#{number}", 'file' => 'a.rb', 'message' => "no\n" * 15 } }
     complaints = tests.map { |test| Gates::Complaint.of_test(test) }
     out = StringIO.new
-    Gates::Teller.new(out, 1).finish([Gates::Verdict.new(gate: Gates::Gate.new(name: 'a'), passed: 3, failed: 12,
-                                                         seconds: 1, complaints: complaints)])
+    Gates::Progress.new(out, 1).finish([Gates::Verdict.new(gate: Gates::Gate.new(name: 'a'), passed: 3, failed: 12,
+                                                           seconds: 1, complaints: complaints)])
     assert_equal 10, out.string.scan(/^a: test_\d+ \(a\.rb\)$/).size
     assert_equal 10, out.string.scan(/^    \(3 more lines\)$/).size
     assert_includes out.string, 'a: and 2 more; see build/log/a.log'
@@ -374,15 +374,15 @@ class TestGates < Minitest::Test
   end
 
   # Output while 90 seconds pass, by lines.
-  def told(out)
+  def reported(out)
     now = 0
     jobs = [['charts', [12, 69], 75], ['misra', nil, 4]].map do |name, progress, seconds|
       Struct.new(:gate, :progress, :seconds).new(Gates::Gate.new(name: name), progress, seconds)
     end
     Gates.stub(:now, -> { now }) do
-      teller = Gates::Teller.new(out, 3)
+      reporter = Gates::Progress.new(out, 3)
       10.times do
-        teller.progress(jobs, 125)
+        reporter.progress(jobs, 125)
         now += 10
       end
     end

@@ -59,7 +59,7 @@ class TestPackage < Minitest::Test
   end
 
   def test_SWR_PACK_004_make_builds_static_programs_of_the_boards_that_are_packed_so
-    text = Open3.capture2e({ 'MAKEFLAGS' => nil }, 'make', '-s', '-C', ROOT, '--eval', 'told: ; @echo $(STATIC_BOARDS)', 'told').first
+    text = Open3.capture2e({ 'MAKEFLAGS' => nil }, 'make', '-s', '-C', ROOT, '--eval', 'reported: ; @echo $(STATIC_BOARDS)', 'reported').first
     static = Package::KINDS.find(&:is_static)
     boards = Dir.chdir(ROOT) { (Package.boards - [Package::SIMULATED]).select { |board| Package.possible?(board, static) } }
     assert_equal boards, text.lines.last.split

@@ -221,10 +221,10 @@ class TestTrace < Minitest::Test
   end
 
   def test_SWR_SITE_019_a_hazard_has_a_whole_scene_or_a_reason
-    told = 'E15 requirements/risk.yml:1: HAZ-001 has neither a scene and what it expects nor a reason'
+    reported = 'E15 requirements/risk.yml:1: HAZ-001 has neither a scene and what it expects nor a reason'
     whole = "scene: robot=neuro&seed=7&inputs= 5:pedal,press; 9:JOG,axis=3\n  expects: [9 off]"
     ["scene: robot=neuro&seed=7\n  expects: [9 off]", whole.sub(/\n.*/, ''), "#{whole}\n  no_scene: So.", 'expects: [9 off]']
-      .each { |fields| assert_finding told, 'requirements/risk.yml', 'severity: 5', "severity: 5\n  #{fields}" }
+      .each { |fields| assert_finding reported, 'requirements/risk.yml', 'severity: 5', "severity: 5\n  #{fields}" }
     [whole, 'no_scene: It has no bus.'].each do |fields|
       risk = COMPLETE.fetch('requirements/risk.yml').sub('severity: 5', "severity: 5\n  #{fields}")
       in_project('requirements/risk.yml' => risk) { |root| refute_includes trace('check', root).first, 'E15' }

@@ -24,7 +24,7 @@
 #define SETTINGS 8U
 #define EVERY_SLOT ((1U << CARD_SLOT_COUNT) - 1U)
 /* In the box's time, which may pass a hundred times slower. */
-#define PATIENCE_NS UINT64_C(50000000)
+#define TIMEOUT_NS UINT64_C(50000000)
 /* As prompt as a wire: before the box and whatever is not in real time. */
 #define PRIORITY 75
 
@@ -99,7 +99,7 @@ static bool exchange(const uint8_t *frames, uint32_t count)
     (void)memcpy(sent[next_slot], frames, (size_t)count * CARD_FRAME_BYTES);
     bsp_start((EVERY_SLOT >> (CARD_SLOT_COUNT - count)) << next_slot,
               (const uint8_t(*)[CARD_FRAME_BYTES])sent);
-    bsp_finish(bsp_now_ns() + PATIENCE_NS, received, &result);
+    bsp_finish(bsp_now_ns() + TIMEOUT_NS, received, &result);
     return result.results[next_slot] <= (uint8_t)BSP_SLOT_NO_ANSWER;
 }
 

@@ -27,7 +27,7 @@ class Machine
   # In the order in which they can be loaded.
   MODULES = %w[gpio-mxc imx2_wdt fuse cuse].freeze
   # Nothing may take longer, however busy the host is.
-  PATIENCE_SECONDS = 300
+  TIMEOUT_SECONDS = 300
   POLL_SECONDS = 0.05
   ASK_AGAIN_SECONDS = 0.5
   ARGUMENTS = 'console=ttymxc1,115200 quiet rdinit=/init panic=-1'
@@ -121,9 +121,9 @@ class Machine
   end
 
   def wait_until(reason)
-    deadline = now + PATIENCE_SECONDS
+    deadline = now + TIMEOUT_SECONDS
     until (result = yield)
-      raise TimedOut, "waited #{PATIENCE_SECONDS} s in vain until #{reason}; the console said:\n#{@console}" if now > deadline
+      raise TimedOut, "waited #{TIMEOUT_SECONDS} s in vain until #{reason}; the console said:\n#{@console}" if now > deadline
 
       sleep POLL_SECONDS
     end

@@ -114,7 +114,7 @@ class TestArmSystem < Minitest::Test
     drive(system)
     system.machine.pause(HOST_PAUSE_SECONDS)
     cycle = system.status['cycle']
-    wait(system, 'the loop has told its figures since') { system.status.dig('loop', 'cycles') > cycle }
+    wait(system, 'the loop has reported its figures since') { system.status.dig('loop', 'cycles') > cycle }
     assert_equal [0, 0], [system.status.dig('loop', 'overruns'), system.trips]
   end
 

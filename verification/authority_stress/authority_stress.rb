@@ -24,7 +24,7 @@ class AuthorityStress
   def self.judge(seconds, seed, accounts)
     kept = File.expand_path("../../build/authority_stress/#{seed}", __dir__)
     FileUtils.rm_rf(kept)
-    robot = Boresight.start(arguments: ['--robot', Errand::ROBOT, '--accounts', accounts], recordings: kept)
+    robot = Boresight.start(arguments: ['--robot', TargetMove::ROBOT, '--accounts', accounts], recordings: kept)
     verdict = record(robot, seconds, Random.new(seed))
     FileUtils.rm_rf(kept) if verdict.is_good
     verdict
@@ -33,9 +33,9 @@ class AuthorityStress
   end
 
   def self.record(robot, seconds, random)
-    errand = Errand.new(robot)
-    errand.prepare
-    errand.move
+    target_move = TargetMove.new(robot)
+    target_move.prepare
+    target_move.move
     robot.client.close
     new(robot, random).run(seconds)
     Process.kill('TERM', robot.pid)

@@ -13,7 +13,7 @@ class Clients
   SECONDS = 2.0
   SAYS = { 'a pose and a status, p50' => 'p50_us', 'p99' => 'p99_us', 'worst' => 'worst_us',
            'acknowledgement of a command, worst' => 'worst_ack_us', 'acknowledgement of STOP' => 'stop_ack_us',
-           'STOP obeyed and told' => 'stop_us' }.freeze
+           'STOP obeyed and reported' => 'stop_us' }.freeze
 
   def run
     puts "OpenIGTLink: 15 clients ask as fast as they are answered, #{SECONDS} s of a move"

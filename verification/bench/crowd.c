@@ -342,7 +342,7 @@ static bool take_turn(void)
     return events[count].revents == 0;
 }
 
-static void tell(void)
+static void report(void)
 {
     for (size_t i = 0U; i < KINDS; i++) {
         (void)printf("%s\"%s\": {\"answered\": %u, \"refused\": %u, \"dropped\": %u}",
@@ -380,6 +380,6 @@ int main(int argument_count, char **arguments)
     while (goes_on) {
         goes_on = take_turn();
     }
-    tell();
+    report();
     return 0;
 }

@@ -35,7 +35,7 @@ module Crowd
 end
 
 # Motion of the bench meanwhile: it homes, and moves from one target to the other under the pedal.
-class Errand
+class TargetMove
   ROBOT = 'bench2'
   NM_PER_MM = 1_000_000
 

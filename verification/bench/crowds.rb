@@ -24,12 +24,12 @@ class Crowds
   PORTS = { 'STOP at its port' => :stop_port, 'STOP at the console\'s' => :console_port }.freeze
 
   def run
-    off_the_loops_core { tell }
+    off_the_loops_core { report }
   end
 
   private
 
-  def tell
+  def report
     puts "Crowds at the HTTP server, #{CROWDS.size} times twice #{SECONDS} s of moves (BENCH_SECONDS changes that)"
     folder = Dir.mktmpdir('accounts')
     @accounts = Accounts.make(File.join(folder, 'accounts'))
@@ -99,20 +99,20 @@ class Crowds
   end
 
   def start(*arguments, prefix: [])
-    Boresight.start(arguments: ['--robot', Errand::ROBOT, '--accounts', @accounts, *arguments], prefix: prefix)
+    Boresight.start(arguments: ['--robot', TargetMove::ROBOT, '--accounts', @accounts, *arguments], prefix: prefix)
   end
 
   # A motion that ends elsewhere is a result, and no failure; the crowd is met for as long as by cyclictest all the same.
   # Otherwise most of the loop's cycles were those in which the programs start.
   def move_for(robot)
     ends = Boresight.now + SECONDS
-    errand = Errand.new(robot)
-    errand.prepare
+    target_move = TargetMove.new(robot)
+    target_move.prepare
     loop do
-      errand.move
+      target_move.move
       break if Boresight.now >= ends
     end
-    { off_nm: errand.off_nm }
+    { off_nm: target_move.off_nm }
   rescue RuntimeError => e
     sleep [ends - Boresight.now, 0].max
     { trouble: e.message }

@@ -26,7 +26,7 @@ class RealTimeReport
   LOAD = { consoles: 8 }.freeze
   LATE_US = 1500 # SWR-LOOP-001
   # Motions that are given up, beside those that are not.
-  PATIENCE = 5
+  TIMEOUT = 5
 
   def self.seconds
     hours, minutes = ENV.values_at('HOURS', 'MINUTES').map { |text| text.to_s.empty? ? nil : Float(text) }
@@ -68,7 +68,7 @@ class RealTimeReport
   end
 
   def measure
-    robot = Boresight.start(arguments: ['--real-time', '--robot', Errand::ROBOT, '--recordings', RECORDINGS])
+    robot = Boresight.start(arguments: ['--real-time', '--robot', TargetMove::ROBOT, '--recordings', RECORDINGS])
     Crowd.around(robot.http_port, **LOAD) { move(robot) }
     @is_shared ||= Neighbours.new.any?
     @loop = robot.status['loop']
@@ -79,11 +79,11 @@ class RealTimeReport
   end
 
   def move(robot)
-    errand = Errand.new(robot)
+    target_move = TargetMove.new(robot)
     ends = Boresight.now + @seconds
     while Boresight.now < ends
-      is_prepared ||= tried(robot) { errand.prepare }
-      is_prepared &&= tried(robot) { errand.move }
+      is_prepared ||= tried(robot) { target_move.prepare }
+      is_prepared &&= tried(robot) { target_move.move }
       @moves += 1 if is_prepared
     end
   end
@@ -94,7 +94,7 @@ class RealTimeReport
     true
   rescue RuntimeError => e
     @given_up += 1
-    raise BenchFailed, "no motion ends: #{e.message}" if @given_up > PATIENCE * (@moves + 1)
+    raise BenchFailed, "no motion ends: #{e.message}" if @given_up > TIMEOUT * (@moves + 1)
 
     robot.simctl('pedal', 'release')
     robot.await_released_pedal
@@ -129,7 +129,7 @@ class RealTimeReport
 
   def head
     "#{File.read('/proc/version').strip}\n#{Time.now.utc.strftime('%Y-%m-%d %H:%M')} UTC, #{machine}; #{duration} in real time, " \
-      "robot #{Errand::ROBOT} on the simulated control box\n" \
+      "robot #{TargetMove::ROBOT} on the simulated control box\n" \
       "#{@moves} moves, #{@given_up} given up; #{LOAD[:consoles]} consoles with their streams and a client of OpenIGTLink"
   end
 

@@ -97,7 +97,7 @@ static igtl_message_t read_back(const igtl_packet_t *packet)
     igtl_message_t message;
 
     SENTENCE(igtl_decode_header(packet->bytes, &header) == IGTL_OK, "what is written has a header");
-    SENTENCE((header.body_bytes + IGTL_HEADER_BYTES) == packet->length, "its length is told");
+    SENTENCE((header.body_bytes + IGTL_HEADER_BYTES) == packet->length, "its length is reported");
     kept = *packet;
     SENTENCE(igtl_decode_body(&header, &kept.bytes[IGTL_HEADER_BYTES], &message) == IGTL_OK,
              "what is written is read");

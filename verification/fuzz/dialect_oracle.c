@@ -211,10 +211,10 @@ static void judge_transform(const world_t *world, uint32_t place, const igtl_mes
         return; /* It echoes anything. */
     }
     for (uint32_t i = 0U; i < IGTL_TRANSFORM_NUMBERS; i++) {
-        SENTENCE(((message->numbers[i] >> 23U) & 0xFFU) != 0xFFU, "what is told is finite");
+        SENTENCE(((message->numbers[i] >> 23U) & 0xFFU) != 0xFFU, "what is reported is finite");
     }
     if (is_measured || is_named(message, "desired_cp")) {
-        SENTENCE(peer->was_pose_known, "no pose is told that is not known");
+        SENTENCE(peer->was_pose_known, "no pose is reported that is not known");
     }
     if (is_measured && !peer->has_hung) {
         igtl_units_write_pose(&world->moment.snapshot->scanner_treatment, numbers);
@@ -226,7 +226,7 @@ static void judge_transform(const world_t *world, uint32_t place, const igtl_mes
 static void judge_string(uint32_t place, const igtl_message_t *message)
 {
     if (is_named(message, "measured_jp") || is_named(message, "measured_jv")) {
-        SENTENCE(oracle.peers[place].was_homed, "no joint is told that is not known");
+        SENTENCE(oracle.peers[place].was_homed, "no joint is reported that is not known");
     }
     if (is_named(message, "IS_IN_TARGETING_POS") || is_named(message, "HAS_REACHED_TARGET")) {
         SENTENCE((message->text_bytes == 1U), "a question of yes or no is answered so");
@@ -442,7 +442,7 @@ static void judge_requests(const world_t *world)
                      (was->command.kind == (uint32_t)COMMAND_NEEDLE) ||
                      workphase_array_has(&world->workphase.array, was) ||
                      (is_urgent(was) && has_newer(world, was)) || goes_on_draping(world, was),
-                 "a client that waits for an answer is told");
+                 "a client that waits for an answer is informed");
     }
 }
 

@@ -20,16 +20,16 @@ module WorstCase
     # Compiler and flags, as the Makefile has them for the charts.
     def self.compiler(processor)
       @compilers ||= {}
-      @compilers[processor] ||= told(processor, '$(CC) $(CFLAGS) $(HARDENED_CORE)')
+      @compilers[processor] ||= reported(processor, '$(CC) $(CFLAGS) $(HARDENED_CORE)')
     end
 
     # Flags of the linker, the same.
     def self.linked(processor)
       @linked ||= {}
-      @linked[processor] ||= told(processor, '$(LDFLAGS)')
+      @linked[processor] ||= reported(processor, '$(LDFLAGS)')
     end
 
-    def self.told(processor, words)
+    def self.reported(processor, words)
       execute('make', '-s', '--no-print-directory', '-C', ROOT, "CONFIG=#{CONFIGS.fetch(processor)}",
               "--eval=flags: ; @echo #{words}", 'flags').split
     end

@@ -97,7 +97,7 @@ function play({ scene: text, expects }) {
   return { missed: wrong, without: missed(expectations) };
 }
 
-function told(scene) {
+function reported(scene) {
   try {
     return play(scene);
   } catch (error) {
@@ -106,4 +106,4 @@ function told(scene) {
 }
 
 const scenes = JSON.parse(readFileSync(0, "utf8"));
-console.log(JSON.stringify(Object.fromEntries(Object.entries(scenes).map(([id, scene]) => [id, told(scene)]))));
+console.log(JSON.stringify(Object.fromEntries(Object.entries(scenes).map(([id, scene]) => [id, reported(scene)]))));

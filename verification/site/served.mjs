@@ -90,8 +90,8 @@ export class Server {
     const answer = this.#hear(this.exports.ask(size));
     const end = answer.indexOf(END_OF_HEAD);
     const head = answer.slice(0, end);
-    const told = answer.slice(end + END_OF_HEAD.length);
+    const reported = answer.slice(end + END_OF_HEAD.length);
     this.#cookie = /^Set-Cookie: ([^;]*)/m.exec(head)?.[1] ?? this.#cookie;
-    return { status: Number(head.split(" ")[1]), json: told === "" ? null : JSON.parse(told) };
+    return { status: Number(head.split(" ")[1]), json: reported === "" ? null : JSON.parse(reported) };
   }
 }

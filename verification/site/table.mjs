@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The robot in the file of the page, by its own door, app/console/src/site/served_robot.ts: logged in, it takes command, homes,
+// The robot in the file of the page, by its own interface, app/console/src/site/served_robot.ts: logged in, it takes command, homes,
 // is registered and goes to each target under the pedal, which is released in between. Its time passes as fast as it may.
 // Reads registration and targets as JSON; prints where the treatment point came to be at each, scanner coordinates in mm.
 //
@@ -50,8 +50,8 @@ function live() {
 
 // Outcome of the last act.
 function ended() {
-  const told = robot.listen().filter(({ type }) => type === "act");
-  return told.map(({ data }) => JSON.parse(data)).find(({ id, state }) => id === acts && state !== "accepted");
+  const reported = robot.listen().filter(({ type }) => type === "act");
+  return reported.map(({ data }) => JSON.parse(data)).find(({ id, state }) => id === acts && state !== "accepted");
 }
 
 function underPedal(path, fields) {

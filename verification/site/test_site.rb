@@ -436,8 +436,8 @@ class TestSite < Minitest::Test
   end
 
   def test_SWR_SITE_016_a_robot_that_is_put_back_goes_on_as_it_did_and_otherwise_if_asked_otherwise
-    said, = node('--no-warnings', "#{__dir__}/door.mjs", SERVED, 'neuro')
-    assert_equal({ 'role' => 'ENGINEER', 'again' => true, 'other' => false, 'told' => true }, JSON.parse(said))
+    said, = node('--no-warnings', "#{__dir__}/served_robot.mjs", SERVED, 'neuro')
+    assert_equal({ 'role' => 'ENGINEER', 'again' => true, 'other' => false, 'reported' => true }, JSON.parse(said))
   end
 
   def test_SWR_SITE_021_table_1_of_the_thesis_is_reached_where_the_demonstration_has_come

@@ -11,7 +11,7 @@
 
 #define FLIPS_PER_SCENE 20U
 #define CYCLES_BETWEEN 390U
-#define PATIENCE_CYCLES 3000U /* Until something moves. */
+#define TIMEOUT_CYCLES 3000U /* Until something moves. */
 #define CYCLES_AFTER 4000U
 #define TABLE_SHARE 5U /* Every fifth flip hits the table. */
 #define BITS_MOST 3U
@@ -86,7 +86,7 @@ static void go_on(scene_t *scene, const flip_t *flip)
     _exit(end);
 }
 
-static void tell(const scene_t *scene, const flip_t *flip, const char *what)
+static void report(const scene_t *scene, const flip_t *flip, const char *what)
 {
     printf("scene %u, cycle %u, %s, byte %u of the %s, bits %08X: %s\n",
            (unsigned)scene->oracle.seed, (unsigned)scene->scenario.cycle,
@@ -103,10 +103,10 @@ static void judge(flip_count_t *count, const scene_t *scene, const flip_t *flip,
         count->harmless++;
     } else if (end >= (int)FLIP_WRONG) {
         count->wrong++;
-        tell(scene, flip, motion_oracle_sentence((sentence_t)(end - (int)FLIP_WRONG)));
+        report(scene, flip, motion_oracle_sentence((sentence_t)(end - (int)FLIP_WRONG)));
     } else {
         count->crashed++;
-        tell(scene, flip, WIFEXITED(status) ? "a contract is broken" : "crashed");
+        report(scene, flip, WIFEXITED(status) ? "a contract is broken" : "crashed");
     }
 }
 
@@ -132,8 +132,7 @@ static void approach(scene_t *scene, bool is_to_move)
     for (uint32_t i = 0U; i < CYCLES_BETWEEN; i++) {
         scene_cycle(scene);
     }
-    for (uint32_t i = 0U; is_to_move && (i < PATIENCE_CYCLES) && !rig_is_driving(&scene->rig);
-         i++) {
+    for (uint32_t i = 0U; is_to_move && (i < TIMEOUT_CYCLES) && !rig_is_driving(&scene->rig); i++) {
         scene_cycle(scene);
     }
 }

@@ -87,13 +87,13 @@ static bool stand_astray(scene_t *scene, const robot_t *robot, uint32_t seed)
 static bool play_history(scene_t *scene, const robot_t *robot, uint32_t seed)
 {
     /* The enemy has its own fault: two that hide each other are none. */
-    const bool is_foes = operator_history(seed, robot) == PLAY_TAPS;
-    const bool is_late = !is_foes && ((seed % LATE_PARTS) == 0U);
+    const bool is_adversarys = operator_history(seed, robot) == PLAY_TAPS;
+    const bool is_late = !is_adversarys && ((seed % LATE_PARTS) == 0U);
     bool is_kept = true;
     const uint32_t cycles = operator_history_cycles(seed);
     scene_begin(scene, robot, operator_history(seed, robot), seed);
     for (uint32_t i = 0U; i < cycles; i++) {
-        if ((i == (cycles / BREAKS_LATER)) && !is_foes && !is_late) {
+        if ((i == (cycles / BREAKS_LATER)) && !is_adversarys && !is_late) {
             operator_break(&scene->rig, seed);
             scene->scenario.has_fault = 1U;
         }
@@ -115,7 +115,7 @@ static bool play_scene(scene_t *scene, const robot_t *robot, operator_t *player,
     return is_kept;
 }
 
-static void tell(const scene_t *scene, const operator_t *player, uint32_t seed)
+static void report(const scene_t *scene, const operator_t *player, uint32_t seed)
 {
     const snapshot_t *const shown = &scene->rig.outputs.snapshot;
     printf("scene %u, after %u acts and %u s: %s", (unsigned)seed, (unsigned)player->acts,
@@ -160,10 +160,10 @@ bool recovery_play(scene_t *scene, const robot_t *robot, uint32_t count, uint32_
         }
         most_acts = (player.acts > most_acts) ? player.acts : most_acts;
         if ((player.end == OPERATOR_DEAD_END) || (player.end == OPERATOR_REFUSED)) {
-            tell(scene, &player, seed + i);
+            report(scene, &player, seed + i);
         }
     }
-    printf("an operator who follows the next step: %u homed, %u of them at the target, %u told "
+    printf("an operator who follows the next step: %u homed, %u of them at the target, %u reported "
            "what to "
            "mend, %u dead ends, %u refusals, at most %u acts\n",
            (unsigned)(ends[OPERATOR_COMMANDS] + ends[OPERATOR_ARRIVES]),

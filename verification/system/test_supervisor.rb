@@ -106,7 +106,7 @@ class TestSupervisor < SystemTest
   end
 
   def test_SWR_CTRL_005_control_informs_the_cards_and_says_so_whatever_ends_it
-    { 'USR1' => 'told to end by signal 10', 'HUP' => 'told to end by signal 1',
+    { 'USR1' => 'asked to end by signal 10', 'HUP' => 'asked to end by signal 1',
       'SEGV' => 'crashed by signal 11, report this' }.each do |signal, why|
       one = Boresight.start
       one.kill('control', signal)

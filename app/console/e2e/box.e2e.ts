@@ -12,7 +12,7 @@ const [name = "", password = ""] = (process.env.BORESIGHT_LOGIN ?? "").split(
   " ",
 );
 /** A bound against hanging, and no judgement. */
-const patience = { timeout: 120_000 };
+const within = { timeout: 120_000 };
 let browser: Browser;
 let page: Page;
 
@@ -22,7 +22,7 @@ async function box(): Promise<Box> {
 
 function expectPedal(isPressed: boolean) {
   return expect
-    .poll(async () => (await box()).is_pedal_pressed, patience)
+    .poll(async () => (await box()).is_pedal_pressed, within)
     .toBe(isPressed);
 }
 
@@ -36,7 +36,7 @@ beforeAll(async () => {
     args: ["--no-sandbox", "--disable-gpu"],
   });
   page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
-  page.setDefaultTimeout(patience.timeout);
+  page.setDefaultTimeout(within.timeout);
   await page.goto(url);
   await press("Log in…");
   await page.locator('input[name="name"]').fill(name);
@@ -59,7 +59,7 @@ test("the key holds the pedal, and a click elsewhere does not", async () => {
     await expectPedal(false);
     return isPressed;
   };
-  await expect.poll(isHeld, patience).toBe(true);
+  await expect.poll(isHeld, within).toBe(true);
 });
 
 test("the pointer may leave the button while it is down", async () => {
@@ -75,7 +75,7 @@ test("the pointer may leave the button while it is down", async () => {
     await expectPedal(false);
     return isPressed;
   };
-  await expect.poll(staysPressed, patience).toBe(true);
+  await expect.poll(staysPressed, within).toBe(true);
 });
 
 test("a fault is caused and mended", async () => {

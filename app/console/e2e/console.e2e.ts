@@ -36,7 +36,7 @@ const [simctl = "", ...simctlArguments] =
 const startUpUrl = variable("BORESIGHT_START_UP");
 const loginCode = variable("BORESIGHT_LOGIN_CODE");
 /** A bound against hanging, and no judgement. */
-const patience = { timeout: 120_000 };
+const within = { timeout: 120_000 };
 const problems: string[] = [];
 const origins = new Set<string>();
 const STREAMS = 8;
@@ -80,7 +80,7 @@ function pressStop(where = page) {
 
 async function openTab(where = context): Promise<Page> {
   const tab = await where.newPage();
-  tab.setDefaultTimeout(patience.timeout);
+  tab.setDefaultTimeout(within.timeout);
   await tab.goto(url);
   return tab;
 }
@@ -139,7 +139,7 @@ beforeAll(async () => {
     viewport: { width: 1440, height: 980 },
   });
   page = await context.newPage();
-  page.setDefaultTimeout(patience.timeout);
+  page.setDefaultTimeout(within.timeout);
   page.on("pageerror", (error) => problems.push(error.message));
   page.on("console", (message) => {
     if (message.type() === "error") {
@@ -171,7 +171,7 @@ test("SWR-CON-001 the banner asks for the pedal after START_UP", async () => {
 
 test("SWR-CON-020 banner and title say that only the pedal is missing", async () => {
   await waitForText(".sign-word", "ARMED");
-  await expect.poll(() => page.title(), patience).toBe("ARMED – Boresight");
+  await expect.poll(() => page.title(), within).toBe("ARMED – Boresight");
 });
 
 test("SWR-CON-021 before homing a position is unknown", async () => {
@@ -219,22 +219,22 @@ test("SWR-CON-003 the position moves while the pedal is pressed", async () => {
   const before = await field("insertion", "position").textContent();
   simulate("pedal press");
   await expect
-    .poll(() => field("insertion", "position").textContent(), patience)
+    .poll(() => field("insertion", "position").textContent(), within)
     .not.toBe(before);
 });
 
 test("SWR-CON-002 the pedal's lamp changes its word and its shape", async () => {
   await expect
-    .poll(() => lampWord("Pedal").textContent(), patience)
+    .poll(() => lampWord("Pedal").textContent(), within)
     .toBe("PRESSED");
   const shape = page.locator('.lamp:has-text("Pedal") .shape');
   expect(await shape.getAttribute("data-shape")).toBe("active");
   await waitForText(".sign-word", "MOVING");
-  await expect.poll(() => page.title(), patience).toBe("MOVING – Boresight");
+  await expect.poll(() => page.title(), within).toBe("MOVING – Boresight");
   await takePicture();
   simulate("pedal release");
   await expect
-    .poll(() => lampWord("Pedal").textContent(), patience)
+    .poll(() => lampWord("Pedal").textContent(), within)
     .toBe("RELEASED");
   expect(await shape.getAttribute("data-shape")).toBe("normal");
 });
@@ -412,7 +412,7 @@ test("SWR-CON-022 at each width nothing leaves the window, and the stop is whole
         await resize(width);
         await expect
           .poll(() => outsideOf(), {
-            ...patience,
+            ...within,
             message: `${view} ${width}`,
           })
           .toEqual([]);
@@ -420,7 +420,7 @@ test("SWR-CON-022 at each width nothing leaves the window, and the stop is whole
           await page.evaluate((y) => scrollTo(0, y), end);
           await expect
             .poll(() => isStopWhole(), {
-              ...patience,
+              ...within,
               message: `${view} ${width} ${end}`,
             })
             .toBe(true);
@@ -436,8 +436,8 @@ test("SWR-CON-022 at each width nothing leaves the window, and the stop is whole
 test("SWR-CON-022 enlarged to 400 %, the page is as one of 320 px, and no text is smaller than 14 px", async () => {
   try {
     await page.setViewportSize({ width: 320, height: 256 });
-    await expect.poll(() => outsideOf(), patience).toEqual([]);
-    await expect.poll(() => isStopWhole(), patience).toBe(true);
+    await expect.poll(() => outsideOf(), within).toEqual([]);
+    await expect.poll(() => isStopWhole(), within).toBe(true);
     const smallest = await page.evaluate(() =>
       Math.min(
         ...[...document.querySelectorAll("#root *")]
@@ -459,12 +459,12 @@ test("SWR-CON-022 the theme is the system's, until one is chosen, which is kept"
     const tab = await openTab(other);
     const light = await scheme(tab);
     await tab.emulateMedia({ colorScheme: "dark" });
-    await expect.poll(() => scheme(tab), patience).not.toBe(light);
+    await expect.poll(() => scheme(tab), within).not.toBe(light);
     await tab.getByLabel("Theme").selectOption("light");
-    await expect.poll(() => scheme(tab), patience).toBe(light);
+    await expect.poll(() => scheme(tab), within).toBe(light);
     await tab.reload();
     await tab.locator(".theme-choice").waitFor();
-    await expect.poll(() => scheme(tab), patience).toBe(light);
+    await expect.poll(() => scheme(tab), within).toBe(light);
     await tab.emulateMedia({ forcedColors: "active" });
     await takePictureOf("forced-colours", tab);
   } finally {
@@ -478,7 +478,7 @@ test("SWR-CON-023 help opens by its key, keeps the rules, covers no stop, and le
   try {
     for (const width of [320, 1440]) {
       await resize(width);
-      await expect.poll(() => isStopWhole(), patience).toBe(true);
+      await expect.poll(() => isStopWhole(), within).toBe(true);
       await expectNoFinding(`help ${width}`);
       await takePictureOf(`help-${width}`);
     }
@@ -489,7 +489,7 @@ test("SWR-CON-023 help opens by its key, keeps the rules, covers no stop, and le
   const tour = page.getByRole("region", { name: "First steps" });
   for (;;) {
     await page.locator("[data-toured]").waitFor({ state: "attached" });
-    await expect.poll(() => isStopWhole(), patience).toBe(true);
+    await expect.poll(() => isStopWhole(), within).toBe(true);
     const next = tour.getByRole("button", { name: /Next|Done/ });
     const isLast = (await next.textContent()) === "Done";
     await next.click();
@@ -568,7 +568,7 @@ test.each(["Escape", "Enter"])(
       await page.keyboard.down(key);
     }
     await page.keyboard.up(key);
-    await expect.poll(() => requests.length, patience).toBeGreaterThan(0);
+    await expect.poll(() => requests.length, within).toBeGreaterThan(0);
     await waitForText(".stop-result", "Control has stopped all motion.");
     page.off("request", note);
     expect(requests).toEqual([`${stopOrigin.href}api/v1/stop`]);
@@ -608,7 +608,7 @@ test.each([6, 9])(
       }
       expect(await workphase()).toBe("STOP");
       // It is the shared worker's; a tab has its own no longer than a slow worker has not greeted.
-      await expect.poll(() => streams.size, patience).toBe(0);
+      await expect.poll(() => streams.size, within).toBe(0);
     } finally {
       simulate("pedal release");
       await Promise.all(tabs.map((tab) => tab.close()));
@@ -616,7 +616,7 @@ test.each([6, 9])(
   },
 );
 
-test("SWR-CON-011 one console too many is told so, and can stop", async () => {
+test("SWR-CON-011 one console too many is refused in words, and can stop", async () => {
   await startUp();
   const giveBack = await fillStreams();
   const other = await browser.newContext();

@@ -5,7 +5,7 @@ import { createRequire } from "node:module";
 import { chromium, type Browser, type Page } from "playwright-core";
 
 /** A bound against hanging, and no judgement. */
-export const patience = { timeout: 120_000 };
+export const within = { timeout: 120_000 };
 
 export interface OpenedPage {
   browser: Browser;
@@ -26,7 +26,7 @@ export async function openPage(address: string): Promise<OpenedPage> {
   });
   const asked: string[] = [];
   const problems: string[] = [];
-  page.setDefaultTimeout(patience.timeout);
+  page.setDefaultTimeout(within.timeout);
   page.on("request", (request) => asked.push(request.url()));
   page.on("pageerror", (error) => problems.push(error.message));
   page.on("console", (message) => {

@@ -8,7 +8,7 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { type Browser, type Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { findingsOf, openPage, patience } from "./opened_page";
+import { findingsOf, openPage, within } from "./opened_page";
 
 const address = process.env.BORESIGHT_PAGE ?? "";
 const recordings = new URL("replay.html", address).href;
@@ -105,7 +105,7 @@ async function cycle(): Promise<number> {
 
 async function passCycles(count: number): Promise<void> {
   const end = (await cycle()) + count;
-  await expect.poll(cycle, patience).toBeGreaterThan(end);
+  await expect.poll(cycle, within).toBeGreaterThan(end);
 }
 
 function positions(): Promise<string[]> {
@@ -197,7 +197,7 @@ for (const { title, cause, mend, read } of faults) {
     await pauseInMotion();
     await cause();
     await button("Real time").click();
-    await expect.poll(readBanner, patience).toEqual(read);
+    await expect.poll(readBanner, within).toEqual(read);
     const stood = await positions();
     await passCycles(STILL_CYCLES);
     expect(await positions()).toEqual(stood);
@@ -213,7 +213,7 @@ test("SWR-SITE-014 time stands still, and goes on by one cycle", async () => {
   await page.waitForTimeout(LOOK_MS);
   const before = await cycle();
   await button("One cycle").click();
-  await expect.poll(cycle, patience).toBeGreaterThan(before);
+  await expect.poll(cycle, within).toBeGreaterThan(before);
   await page.locator('.panels[data-freshness="live"]').waitFor();
   await button("Real time").click();
   await passCycles(1);
@@ -272,11 +272,11 @@ test("SWR-CON-611 a hand presses by keys with the chosen force, and nothing is d
   await page.getByRole("link", { name: "Status", exact: true }).click();
   const free = await readingOfHand();
   await page.getByRole("switch", { name: "Keep handle pressed" }).click();
-  await expect.poll(readingOfHand, patience).toBeGreaterThan(free + 200);
+  await expect.poll(readingOfHand, within).toBeGreaterThan(free + 200);
   await page.getByRole("link", { name: "Modes", exact: true }).click();
   const plots = page.getByRole("region", { name: "Force and depth" });
   await plots.getByText("hand doubtful", { exact: true }).waitFor();
-  await expect.poll(() => plots.locator(".plot").count(), patience).toBe(3);
+  await expect.poll(() => plots.locator(".plot").count(), within).toBe(3);
   const curve = plots.locator(".plot .plot-line-hand").first();
   expect(await curve.getAttribute("d")).toBe("");
   expect(await findingsOf(page)).toBe("");
@@ -298,7 +298,7 @@ test("SWR-SITE-028 a link is played, and a bad one is refused in words", async (
 });
 
 test("SWR-SITE-032 time goes back, and what would be if is answered there", async () => {
-  await expect.poll(cycle, patience).toBeGreaterThan(1);
+  await expect.poll(cycle, within).toBeGreaterThan(1);
   await button("Pause").click();
   await page.getByText("Back in time, share, what if").click();
   await button("Back one cycle").click();

@@ -17,7 +17,7 @@ const robot = process.env.BORESIGHT_ROBOT === "prostate" ? "prostate" : "neuro";
 const serverPid = Number(process.env.BORESIGHT_HTTP_PID);
 const pictures = process.env.BORESIGHT_PICTURES;
 /** A bound against hanging, and no judgement. */
-const patience = { timeout: 120_000 };
+const within = { timeout: 120_000 };
 const FRAME_MS = 700;
 const DRAWN_PX = 2;
 const REACHED_MM = 0.5;
@@ -46,7 +46,7 @@ async function read<Answer>(name: string): Promise<Answer> {
 async function openPage(): Promise<Page> {
   const context = await browser.newContext({ viewport: window1440 });
   const one = await context.newPage();
-  one.setDefaultTimeout(patience.timeout);
+  one.setDefaultTimeout(within.timeout);
   await one.goto(url);
   await one.locator('.panels[data-freshness="live"]').waitFor();
   return one;
@@ -252,7 +252,7 @@ async function picturesOfMove(): Promise<void> {
   );
   await expect
     .poll(async () => (await read<Targeting>("targeting")).distance_mm, {
-      ...patience,
+      ...within,
       interval: 50,
     })
     .toBeLessThan(NEAR_MM);
@@ -442,7 +442,7 @@ async function openOldPage(): Promise<Page> {
   const context = await browser.newContext();
   await context.addInitScript("delete window.SharedWorker");
   const one = await context.newPage();
-  one.setDefaultTimeout(patience.timeout);
+  one.setDefaultTimeout(within.timeout);
   await one.goto(url);
   await one.locator('.panels[data-freshness="live"]').waitFor();
   await one.route("**/api/v1/events", async (route) => {

@@ -70,7 +70,7 @@ const char *http_act_limit(const answer_t *answer)
 static const char *message_of(const answer_t *answer)
 {
     const bool is_begun = (answer->kind == (uint32_t)ANSWER_ACCEPTED) && (answer->is_final == 0U);
-    return is_begun ? "Accepted; its end is told later." : status_text((int32_t)answer->status);
+    return is_begun ? "Accepted; its end is reported later." : status_text((int32_t)answer->status);
 }
 
 static const char *state_of(const answer_t *answer)
@@ -83,17 +83,17 @@ static const char *state_of(const answer_t *answer)
     return (answer->is_final != 0U) ? "done" : "accepted";
 }
 
-cJSON *http_act_tell(const robot_t *robot, uint32_t page, uint32_t id, const answer_t *answer)
+cJSON *http_act_report(const robot_t *robot, uint32_t page, uint32_t id, const answer_t *answer)
 {
-    const json_act_t told = {.id = id,
-                             .page = page,
-                             .state = state_of(answer),
-                             .code = status_name((int32_t)answer->status),
-                             .message = message_of(answer),
-                             .axis = http_act_axis(robot, answer),
-                             .limit = http_act_limit(answer),
-                             .workphase = workphase_name((int32_t)answer->workphase)};
-    return json_act(&told);
+    const json_act_t reported = {.id = id,
+                                 .page = page,
+                                 .state = state_of(answer),
+                                 .code = status_name((int32_t)answer->status),
+                                 .message = message_of(answer),
+                                 .axis = http_act_axis(robot, answer),
+                                 .limit = http_act_limit(answer),
+                                 .workphase = workphase_name((int32_t)answer->workphase)};
+    return json_act(&reported);
 }
 
 int http_act_refuse(http_server_t *server, const http_call_t *call, const answer_t *answer)
@@ -113,7 +113,7 @@ static int reply(http_server_t *server, const http_call_t *call, uint32_t id,
         return http_act_refuse(server, call, answer);
     }
     return http_reply_object(call->connection, (answer->is_final != 0U) ? 200 : 202,
-                             http_act_tell(robot, call->page, id, answer));
+                             http_act_report(robot, call->page, id, answer));
 }
 
 int http_act_refuse_member(const http_call_t *call, const char *pointer)

@@ -59,6 +59,6 @@ const char *http_act_limit(const answer_t *answer);
 
 /** The result of the act `id` of `page`, from `answer`, as a message. NULL without memory; the
  * caller frees it. */
-cJSON *http_act_tell(const robot_t *robot, uint32_t page, uint32_t id, const answer_t *answer);
+cJSON *http_act_report(const robot_t *robot, uint32_t page, uint32_t id, const answer_t *answer);
 
 #endif

@@ -54,7 +54,7 @@ typedef struct {
     const tls_front_t *front; /**< How TLS leads here; NULL: it does not. */
     http_guard_t front_guard; /**< Guard of the listener that it feeds. */
     const char *instance;     /**< Its name. */
-    session_store_t desk;
+    session_store_t sessions;
     http_notes_t notes;
     http_record_t record;
     http_peers_log_t peers_log;

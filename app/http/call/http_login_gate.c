@@ -106,7 +106,7 @@ int http_login_gate_judge(http_server_t *server, const http_call_t *call)
          is_plain_loopback(server, connection))) {
         return 0;
     }
-    switch (session_store_judge(&server->desk, find_id(server, connection, id),
+    switch (session_store_judge(&server->sessions, find_id(server, connection, id),
                                 mg_get_header(connection, HTTP_LOGIN_GATE_TOKEN), use,
                                 call->route->role, telemetry_now_ms())) {
     case SESSION_PASS:
@@ -125,8 +125,8 @@ bool http_login_gate_find(http_server_t *server, const struct mg_connection *con
                           session_t *session)
 {
     char id[SESSION_TOKEN_SIZE];
-    return session_store_find(&server->desk, find_id(server, connection, id), telemetry_now_ms(),
-                              session);
+    return session_store_find(&server->sessions, find_id(server, connection, id),
+                              telemetry_now_ms(), session);
 }
 
 bool http_login_gate_is_open(http_server_t *server, const struct mg_connection *connection)
@@ -141,8 +141,8 @@ static const char *login_way(http_server_t *server, const struct mg_connection *
 {
     const bool is_near = is_plain_loopback(server, connection);
     const bool is_safe = is_near || http_login_gate_is_tls(server, connection);
-    const bool has_code = is_near && session_store_has_code(&server->desk);
-    if (server->desk.accounts_file == NULL) {
+    const bool has_code = is_near && session_store_has_code(&server->sessions);
+    if (server->sessions.accounts_file == NULL) {
         return has_code ? "code" : "none";
     }
     return is_safe ? "password" : "none";
@@ -160,17 +160,18 @@ static int send_session(http_server_t *server, struct mg_connection *connection,
     const session_left_t none = {.idle_s = 0U};
     const bool is_open = session->is_open;
     const session_left_t left = is_open ? session_left(session, telemetry_now_ms()) : none;
-    const json_session_t told = {.is_open = is_open,
-                                 .name = is_open ? session->account.name : NULL,
-                                 .role = is_open ? role_name((int32_t)session->account.role) : NULL,
-                                 .token = is_open ? session->csrf : NULL,
-                                 .idle_s = left.idle_s,
-                                 .most_s = left.most_s,
-                                 .warn_s = LIMIT_SESSION_WARN_S,
-                                 .login = login_way(server, connection),
-                                 .boot_id = server->identity.boot_id};
+    const json_session_t reported = {.is_open = is_open,
+                                     .name = is_open ? session->account.name : NULL,
+                                     .role =
+                                         is_open ? role_name((int32_t)session->account.role) : NULL,
+                                     .token = is_open ? session->csrf : NULL,
+                                     .idle_s = left.idle_s,
+                                     .most_s = left.most_s,
+                                     .warn_s = LIMIT_SESSION_WARN_S,
+                                     .login = login_way(server, connection),
+                                     .boot_id = server->identity.boot_id};
     char json[512];
-    cJSON *object = json_session(&told);
+    cJSON *object = json_session(&reported);
     const bool is_whole = cJSON_PrintPreallocated(object, json, (int)sizeof json, 0) != 0;
     cJSON_Delete(object);
     const http_reply_t reply = {.status = 200,
@@ -211,7 +212,7 @@ static const char *write_device_cookie(http_server_t *server,
     char name[COOKIE_NAME_SIZE];
     char mark[DEVICE_MARK_SIZE];
     const bool is_tls = http_login_gate_is_tls(server, connection);
-    if ((login->name == NULL) || !session_store_write_mark(&server->desk, login->name, mark)) {
+    if ((login->name == NULL) || !session_store_write_mark(&server->sessions, login->name, mark)) {
         return NULL;
     }
     name_mark(server, is_tls, login->name, name);
@@ -294,13 +295,13 @@ int http_login_gate_log_in(http_server_t *server, const http_call_t *call)
     const bool is_near = is_plain_loopback(server, connection);
     const bool is_tls = http_login_gate_is_tls(server, connection);
     if (!is_near && ((login.code != NULL) || !is_tls)) {
-        session_store_note_refusal(&server->desk, &login, is_tls ? NOT_BY_TLS : NOT_IN_CLEAR,
+        session_store_note_refusal(&server->sessions, &login, is_tls ? NOT_BY_TLS : NOT_IN_CLEAR,
                                    telemetry_now_ms());
         return refuse(connection, PROBLEM_LOGIN_NOT_HERE);
     }
     login.mark = find_mark(server, connection, &login, mark);
     const login_verdict_t verdict =
-        session_store_log_in(&server->desk, &login, telemetry_now_ms(), &session, &wait_s);
+        session_store_log_in(&server->sessions, &login, telemetry_now_ms(), &session, &wait_s);
     if (verdict != LOGIN_OPENED) {
         return refuse_login(connection, verdict, wait_s);
     }
@@ -318,7 +319,7 @@ int http_login_gate_log_out(http_server_t *server, const http_call_t *call)
     char cookie[COOKIE_SIZE];
     const session_t none = {.is_open = false};
     if (find_id(server, connection, id) != NULL) {
-        session_store_log_out(&server->desk, id, telemetry_now_ms());
+        session_store_log_out(&server->sessions, id, telemetry_now_ms());
     }
     write_cookie(server, connection, "", 0U, cookie);
     const cookies_t cookies = {.session = cookie, .device = NULL};

@@ -67,6 +67,6 @@ int http_reply_problem(struct mg_connection *connection, const http_problem_t *p
 
 int http_reply_refuse(struct mg_connection *connection, problem_t problem)
 {
-    const http_problem_t told = http_problem_of(problem);
-    return http_reply_problem(connection, &told, NULL);
+    const http_problem_t reported = http_problem_of(problem);
+    return http_reply_problem(connection, &reported, NULL);
 }

@@ -63,11 +63,11 @@ bool http_stream_send_frame(const http_stream_client_t *client, size_t size)
 static bool send_event(const http_stream_client_t *client, const exchange_t *exchange,
                        const exchange_event_t *event)
 {
-    log_entry_t told;
+    log_entry_t reported;
     char json[2048]; /* A quote in a text is two bytes. */
     char message[2124];
-    log_entry_make(&told, exchange, event);
-    cJSON *entry = telemetry_json_event(exchange_robot(exchange), &told);
+    log_entry_make(&reported, exchange, event);
+    cJSON *entry = telemetry_json_event(exchange_robot(exchange), &reported);
     bool is_whole = cJSON_PrintPreallocated(entry, json, (int)sizeof json, 0) != 0;
     cJSON_Delete(entry);
     int size = snprintf(message, sizeof message, "event: log\nid: %u\ndata: %s\n\n",
@@ -98,7 +98,7 @@ static bool send_act(http_server_t *server, const http_stream_client_t *client,
     char json[512];
     char message[600];
     cJSON *act =
-        http_act_tell(exchange_robot(server->exchange), news->page, news->id, &news->answer);
+        http_act_report(exchange_robot(server->exchange), news->page, news->id, &news->answer);
     const bool is_whole = cJSON_PrintPreallocated(act, json, (int)sizeof json, 0) != 0;
     cJSON_Delete(act);
     const int size = snprintf(message, sizeof message, "event: act\ndata: %s\n\n", json);

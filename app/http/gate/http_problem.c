@@ -13,8 +13,9 @@
 http_problem_t http_problem_of(problem_t problem)
 {
     const problem_words_t *words = &problems[problem];
-    const http_problem_t told = {.http = words->http, .code = words->code, .detail = words->detail};
-    return told;
+    const http_problem_t reported = {
+        .http = words->http, .code = words->code, .detail = words->detail};
+    return reported;
 }
 
 http_problem_t http_problem_of_status(uint32_t status)
@@ -27,10 +28,10 @@ http_problem_t http_problem_of_status(uint32_t status)
     case (uint32_t)STATUS_NO_ANSWER:
         return http_problem_of(PROBLEM_NO_ANSWER);
     default: {
-        const http_problem_t told = {.http = 409,
-                                     .code = status_name((int32_t)status),
-                                     .detail = status_text((int32_t)status)};
-        return told;
+        const http_problem_t reported = {.http = 409,
+                                         .code = status_name((int32_t)status),
+                                         .detail = status_text((int32_t)status)};
+        return reported;
     }
     }
 }
@@ -45,18 +46,18 @@ http_problem_t http_problem_of_body(const request_result_t *result)
     } else {
         /* It is not even of the right kind. */
     }
-    http_problem_t told = http_problem_of(problem);
-    told.detail = result->text;
-    told.pointer = result->place;
-    return told;
+    http_problem_t reported = http_problem_of(problem);
+    reported.detail = result->text;
+    reported.pointer = result->place;
+    return reported;
 }
 
 http_problem_t http_problem_of_query(const request_result_t *result)
 {
-    http_problem_t told = http_problem_of(PROBLEM_BAD_QUERY);
-    told.detail = result->text;
-    told.parameter = result->place;
-    return told;
+    http_problem_t reported = http_problem_of(PROBLEM_BAD_QUERY);
+    reported.detail = result->text;
+    reported.parameter = result->place;
+    return reported;
 }
 
 /* Appends as much as there is room for. */

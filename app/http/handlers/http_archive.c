@@ -114,8 +114,8 @@ static int find_events(http_server_t *server, struct mg_connection *connection,
         return http_reply_refuse(connection, PROBLEM_NO_DATA);
     }
     if (!read_filter(asked, filter, &fault)) {
-        const http_problem_t told = http_problem_of_query(&fault);
-        return http_reply_problem(connection, &told, NULL);
+        const http_problem_t reported = http_problem_of_query(&fault);
+        return http_reply_problem(connection, &reported, NULL);
     }
     return search(server, filter, view.snapshot.events, found, &problem)
                ? 0
@@ -184,12 +184,12 @@ static cJSON *new_log(const archive_log_t *log)
 {
     char first[UTC_TEXT_SIZE];
     char last[UTC_TEXT_SIZE];
-    const json_log_file_t told = {.name = log->name,
-                                  .bytes = log->bytes,
-                                  .first = write_utc(log->has_lines, log->first_us, first),
-                                  .last = write_utc(log->has_lines, log->last_us, last),
-                                  .is_present = log->is_present};
-    return json_log_file(&told);
+    const json_log_file_t reported = {.name = log->name,
+                                      .bytes = log->bytes,
+                                      .first = write_utc(log->has_lines, log->first_us, first),
+                                      .last = write_utc(log->has_lines, log->last_us, last),
+                                      .is_present = log->is_present};
+    return json_log_file(&reported);
 }
 
 static cJSON *new_logs(const http_server_t *server)
@@ -205,8 +205,8 @@ static cJSON *new_logs(const http_server_t *server)
         (void)cJSON_AddItemToArray(list, new_log(&logs[i]));
     }
     free(logs);
-    const json_logs_t told = {.logs = list};
-    return json_logs(&told);
+    const json_logs_t reported = {.logs = list};
+    return json_logs(&reported);
 }
 
 static cJSON *new_recording(const archive_recording_t *recording)
@@ -214,13 +214,13 @@ static cJSON *new_recording(const archive_recording_t *recording)
     char started[UTC_TEXT_SIZE];
     char robot[ROBOT_SIZE + 1U];
     recording_escape(recording->robot, robot, sizeof robot);
-    const json_recording_t told = {
+    const json_recording_t reported = {
         .name = recording->name,
         .bytes = recording->bytes,
         .started = write_utc(recording->is_known, recording->started_us, started),
         .robot = recording->is_known ? robot : NULL,
         .is_present = recording->is_present};
-    return json_recording(&told);
+    return json_recording(&reported);
 }
 
 static cJSON *new_recordings(const http_server_t *server)
@@ -236,8 +236,8 @@ static cJSON *new_recordings(const http_server_t *server)
         (void)cJSON_AddItemToArray(list, new_recording(&recordings[i]));
     }
     free(recordings);
-    const json_recordings_t told = {.recordings = list};
-    return json_recordings(&told);
+    const json_recordings_t reported = {.recordings = list};
+    return json_recordings(&reported);
 }
 
 /* A list is a search, too. */
@@ -308,10 +308,10 @@ int http_archive_log_level(http_server_t *server, const http_call_t *call)
     (void)pthread_mutex_lock(&server->archive.lock);
     const exchange_log_level_t level = server->archive.level;
     (void)pthread_mutex_unlock(&server->archive.lock);
-    const json_log_level_t told = {.level = event_severity_name((int32_t)level.severity),
-                                   .by = (level.by[0] != '\0') ? level.by : NULL,
-                                   .reason = reason_against_setting(server, call)};
-    return http_reply_object(call->connection, 200, json_log_level(&told));
+    const json_log_level_t reported = {.level = event_severity_name((int32_t)level.severity),
+                                       .by = (level.by[0] != '\0') ? level.by : NULL,
+                                       .reason = reason_against_setting(server, call)};
+    return http_reply_object(call->connection, 200, json_log_level(&reported));
 }
 
 int http_archive_set_log_level(http_server_t *server, const http_call_t *call)

@@ -4,7 +4,7 @@
 
 #include "http/call/http_act.h"
 #include "http/call/http_reply.h"
-#include "http/gate/patience.h"
+#include "http/gate/answer_timeout.h"
 
 int http_authority_show(http_server_t *server, const http_call_t *call)
 {

@@ -5,7 +5,7 @@
 
 #include "common/clock.h"
 #include "http/call/http_reply.h"
-#include "http/gate/patience.h"
+#include "http/gate/answer_timeout.h"
 #include "interface/app/messages.h"
 
 #include <pthread.h>

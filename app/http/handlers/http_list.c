@@ -3,7 +3,7 @@
 
 #include "http/call/http_act.h"
 #include "http/call/http_reply.h"
-#include "http/gate/patience.h"
+#include "http/gate/answer_timeout.h"
 
 #define NO_ITEM UINT32_MAX
 
@@ -34,7 +34,7 @@ static int refuse(http_server_t *server, const http_call_t *call, const http_lis
 static int commands(http_server_t *server, const http_call_t *call, const http_list_t *list,
                     const command_t *sent, uint32_t count, uint32_t first)
 {
-    answer_t answers[COMMAND_CLIENT_ERRANDS];
+    answer_t answers[COMMAND_CLIENT_BATCH];
     switch (command_client_do_all(&server->acts, call->page, sent, count, answers)) {
     case ACT_ANSWERED:
         break;
@@ -65,11 +65,11 @@ static int send_items(http_server_t *server, const http_call_t *call, const http
                       const void *items, uint32_t total, uint32_t *crc)
 {
     const robot_t *robot = exchange_robot(server->exchange);
-    command_t sent[COMMAND_CLIENT_ERRANDS];
+    command_t sent[COMMAND_CLIENT_BATCH];
     int status = 0;
-    for (uint32_t first = 0U; (first < total) && (status == 0); first += COMMAND_CLIENT_ERRANDS) {
+    for (uint32_t first = 0U; (first < total) && (status == 0); first += COMMAND_CLIENT_BATCH) {
         uint32_t count = 0U;
-        while ((count < COMMAND_CLIENT_ERRANDS) && ((first + count) < total)) {
+        while ((count < COMMAND_CLIENT_BATCH) && ((first + count) < total)) {
             if (!list->item(robot, items, first + count, &sent[count], crc)) {
                 return refuse_item(call, list, first + count);
             }

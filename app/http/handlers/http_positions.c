@@ -32,11 +32,11 @@ static cJSON *report_axes(const robot_t *robot, const position_record_t *record)
     cJSON *axes = cJSON_CreateArray();
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const kept_axis_t *axis = &record->axes[i];
-        const json_saved_axis_t told = {.name = robot->axes[i].name,
-                                        .grade = grades[axis->grade],
-                                        .position_ticks = axis->position_ticks,
-                                        .reading_ticks = axis->reading_ticks};
-        (void)cJSON_AddItemToArray(axes, json_saved_axis(&told));
+        const json_saved_axis_t reported = {.name = robot->axes[i].name,
+                                            .grade = grades[axis->grade],
+                                            .position_ticks = axis->position_ticks,
+                                            .reading_ticks = axis->reading_ticks};
+        (void)cJSON_AddItemToArray(axes, json_saved_axis(&reported));
     }
     return axes;
 }
@@ -48,14 +48,14 @@ static cJSON *report_file(const robot_t *robot, const position_record_t *record,
     char hmac[SAVED_HMAC_SIZE];
     saved_write_sum(record->robot_crc, sum);
     saved_write_hmac(seal, hmac);
-    const json_saved_positions_t told = {.format = SAVED_FORMAT,
-                                         .robot = robot->name,
-                                         .checksum = sum,
-                                         .power_on = record->power_on,
-                                         .saved_utc = utc,
-                                         .axes = report_axes(robot, record),
-                                         .hmac = hmac};
-    return json_saved_positions(&told);
+    const json_saved_positions_t reported = {.format = SAVED_FORMAT,
+                                             .robot = robot->name,
+                                             .checksum = sum,
+                                             .power_on = record->power_on,
+                                             .saved_utc = utc,
+                                             .axes = report_axes(robot, record),
+                                             .hmac = hmac};
+    return json_saved_positions(&reported);
 }
 
 static int send_file(struct mg_connection *connection, const char *robot, const char *utc,
@@ -134,7 +134,7 @@ static cJSON *report_row(const axis_config_t *config, const snapshot_axis_t *sho
     const bool is_restored = saved_plan_restores(row->why);
     const double now = telemetry_units_position(config, row->now_ticks);
     const double saved = telemetry_units_position(config, row->saved_ticks);
-    const json_preview_axis_t told = {
+    const json_preview_axis_t reported = {
         .name = config->name,
         .unit = telemetry_units_name(config),
         .now = now,
@@ -146,7 +146,7 @@ static cJSON *report_row(const axis_config_t *config, const snapshot_axis_t *sho
         .grade = chart_axis_reference_name(is_restored ? (uint32_t)AXIS_REFERENCE_UNVERIFIED
                                                        : shown->reference),
         .why = whys[row->why]};
-    return json_preview_axis(&told);
+    return json_preview_axis(&reported);
 }
 
 static cJSON *report_view(const saved_view_t *view, const robot_t *robot,
@@ -160,7 +160,7 @@ static cJSON *report_view(const saved_view_t *view, const robot_t *robot,
             axes, report_row(&robot->axes[i], &snapshot->axes[i], &view->plan.rows[i]));
     }
     saved_write_utc(view->saved.record.utc_us, utc);
-    const json_positions_preview_t told = {
+    const json_positions_preview_t reported = {
         .token = view->token,
         .left_s = LIMIT_PREVIEW_S,
         .origin = origins[view->saved.origin],
@@ -168,7 +168,7 @@ static cJSON *report_view(const saved_view_t *view, const robot_t *robot,
         .is_same_power_on = (view->saved.origin != SAVED_OLD_LIST) &&
                             (view->saved.record.power_on == snapshot->power_on),
         .axes = axes};
-    return json_positions_preview(&told);
+    return json_positions_preview(&reported);
 }
 
 /* One of the two. */

@@ -32,13 +32,13 @@ static bool item(const robot_t *robot, const void *items, uint32_t index, comman
                  uint32_t *crc)
 {
     const request_program_step_t *asked = &((const request_program_step_t *)items)[index];
-    const reported_step_t told = {.depth_mm = asked->depth_mm,
-                                  .has_angle = asked->has_angle_deg,
-                                  .angle_deg = asked->angle_deg,
-                                  .dwell_s = asked->dwell_s,
-                                  .is_gated = asked->gate};
+    const reported_step_t reported = {.depth_mm = asked->depth_mm,
+                                      .has_angle = asked->has_angle_deg,
+                                      .angle_deg = asked->angle_deg,
+                                      .dwell_s = asked->dwell_s,
+                                      .is_gated = asked->gate};
     program_step_t step;
-    const bool is_one = list_terms_step(robot, &told, &step) == STATUS_OK;
+    const bool is_one = list_terms_step(robot, &reported, &step) == STATUS_OK;
     if (is_one) {
         *command = list_terms_step_command(robot, index, &step);
         *crc = program_list_crc(*crc, &step);

@@ -13,7 +13,7 @@ int http_stop_command(http_server_t *server, const http_call_t *call)
     answer_t answer;
     const status_t status = stop_command_send_and_wait(
         server->exchange, stop_request_workphase(&call->body.stop), &answer);
-    const stop_report_t report = stop_command_tell(status, &answer, json);
+    const stop_report_t report = stop_command_report(status, &answer, json);
     return report.is_good ? http_reply_json(connection, 200, json)
                           : http_reply_problem(connection, &report.problem, NULL);
 }

@@ -35,12 +35,12 @@ static cJSON *new_points(const sweep_curve_t *curve, const robot_t *robot)
         const sweep_point_t *point = &curve->points[i];
         double expected = 0.0;
         const bool is_known = sweep_expected(axis, point->hertz, &expected);
-        const json_sweep_point_t told = {
+        const json_sweep_point_t reported = {
             .frequency_hz = (uint32_t)point->hertz,
             .upwards_rpm = sweep_curve_turns_per_min(axis, point->up_ticks),
             .downwards_rpm = sweep_curve_turns_per_min(axis, point->down_ticks),
             .expected_rpm = is_known ? &expected : NULL};
-        (void)cJSON_AddItemToArray(list, json_sweep_point(&told));
+        (void)cJSON_AddItemToArray(list, json_sweep_point(&reported));
     }
     return list;
 }
@@ -62,12 +62,13 @@ int http_sweep_show(http_server_t *server, const http_call_t *call)
     const sweep_kept_t kept = sweep_curve_find(&curve, robot, server->archive.directory, text);
     const bool is_good = kept == SWEEP_KEPT_GOOD;
     utc_text_write(is_good ? curve.ended_us : 0U, ended);
-    const json_sweep_t told = {.state = states[kept],
-                               .axis = is_good ? curve.axis : NULL,
-                               .ended = is_good ? ended : NULL,
-                               .end = is_good ? sweep_end_name((int32_t)curve.end) : NULL,
-                               .points = is_good ? new_points(&curve, robot) : cJSON_CreateArray()};
-    return http_reply_object(call->connection, 200, json_sweep(&told));
+    const json_sweep_t reported = {.state = states[kept],
+                                   .axis = is_good ? curve.axis : NULL,
+                                   .ended = is_good ? ended : NULL,
+                                   .end = is_good ? sweep_end_name((int32_t)curve.end) : NULL,
+                                   .points =
+                                       is_good ? new_points(&curve, robot) : cJSON_CreateArray()};
+    return http_reply_object(call->connection, 200, json_sweep(&reported));
 }
 
 int http_sweep_csv(http_server_t *server, const http_call_t *call)

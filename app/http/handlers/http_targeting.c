@@ -213,7 +213,7 @@ static cJSON *new_preview(const robot_t *robot, const preview_t *preview)
     const solution_t *solution = &preview->solution;
     const bool is_good = solution->status == STATUS_OK;
     const answer_t answer = refusal_of(solution);
-    const json_target_preview_t told = {
+    const json_target_preview_t reported = {
         .is_reachable = is_good,
         .code = status_name((int32_t)solution->status),
         .message = status_text((int32_t)solution->status),
@@ -222,7 +222,7 @@ static cJSON *new_preview(const robot_t *robot, const preview_t *preview)
         .tightest = is_good ? robot->axes[preview->tightest].name : NULL,
         .reached = is_good ? json_new_matrix(&preview->reached) : NULL,
         .axes = new_axes(robot, preview)};
-    return json_target_preview(&told);
+    return json_target_preview(&reported);
 }
 
 int http_targeting_preview(http_server_t *server, const http_call_t *call)

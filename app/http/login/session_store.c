@@ -20,11 +20,11 @@
 #define REFUSAL_PAUSE_S 1U /* Between two reports. */
 #define COMPARISON_PAUSE_S 1U
 
-static void tell(const session_store_t *self, note_kind_t kind, const char *who, const char *format,
-                 ...) __attribute__((format(printf, 4, 5)));
+static void report(const session_store_t *self, note_kind_t kind, const char *who,
+                   const char *format, ...) __attribute__((format(printf, 4, 5)));
 
-static void tell(const session_store_t *self, note_kind_t kind, const char *who, const char *format,
-                 ...)
+static void report(const session_store_t *self, note_kind_t kind, const char *who,
+                   const char *format, ...)
 {
     char text[NOTE_TEXT_SIZE];
     va_list arguments;
@@ -116,11 +116,11 @@ static void note_refusal(session_store_t *self, const login_t *login, const char
     const uint32_t count = take_refusals(self, pause_s, now_ms, &last);
     (void)pthread_mutex_unlock(&self->lock);
     if (count > 1U) {
-        tell(self, NOTE_LOGIN_REFUSED, last.who,
-             "login refused%s: %s Refused before it without a line, of any name: %u.", last.from,
-             why, (unsigned)(count - 1U));
+        report(self, NOTE_LOGIN_REFUSED, last.who,
+               "login refused%s: %s Refused before it without a line, of any name: %u.", last.from,
+               why, (unsigned)(count - 1U));
     } else if (count > 0U) {
-        tell(self, NOTE_LOGIN_REFUSED, last.who, "login refused%s: %s", last.from, why);
+        report(self, NOTE_LOGIN_REFUSED, last.who, "login refused%s: %s", last.from, why);
     } else {
         /* It is counted. */
     }
@@ -239,13 +239,13 @@ static void report_opened(const session_store_t *self, const login_t *login,
 {
     for (size_t i = 0U; i < ENDED_MOST; i++) {
         if (ended[i].is_open) {
-            tell(self, NOTE_SESSION_ENDED, ended[i].account.name,
-                 "session ended: another login took its place.");
+            report(self, NOTE_SESSION_ENDED, ended[i].account.name,
+                   "session ended: another login took its place.");
         }
     }
-    tell(self, NOTE_LOGIN, opened->account.name, "logged in as %s, %s.",
-         account_role_word(opened->account.role),
-         (login->name == NULL) ? "by the code of the first login" : "by password");
+    report(self, NOTE_LOGIN, opened->account.name, "logged in as %s, %s.",
+           account_role_word(opened->account.role),
+           (login->name == NULL) ? "by the code of the first login" : "by password");
 }
 
 /* LOGIN_OPENED: it is right. `account` NULL: there is none of that name. */
@@ -371,7 +371,7 @@ void session_store_log_out(session_store_t *self, const char *id, uint64_t now_m
     }
     (void)pthread_mutex_unlock(&self->lock);
     if (ended.is_open) {
-        tell(self, NOTE_LOGOUT, ended.account.name, "logged out.");
+        report(self, NOTE_LOGOUT, ended.account.name, "logged out.");
     }
 }
 
@@ -409,8 +409,8 @@ static void compare_accounts(session_store_t *self)
 
     if (accounts_read(&accounts, self->accounts_file, error, sizeof error)) {
         while (take_changed(self, &accounts, &ended)) {
-            tell(self, NOTE_SESSION_ENDED, ended.account.name,
-                 "session ended: the account was changed.");
+            report(self, NOTE_SESSION_ENDED, ended.account.name,
+                   "session ended: the account was changed.");
         }
     }
     explicit_bzero(&accounts, sizeof accounts);
@@ -436,9 +436,9 @@ static void end_old(session_store_t *self, uint64_t now_ms)
         is_one = session_table_take_ended(&self->table, now_ms, &ended);
         (void)pthread_mutex_unlock(&self->lock);
         if (is_one) {
-            tell(self, NOTE_SESSION_ENDED, ended.account.name, "session ended: %s.",
-                 (session_left(&ended, now_ms).most_s == 0U) ? "it was too old"
-                                                             : "nothing was done in it");
+            report(self, NOTE_SESSION_ENDED, ended.account.name, "session ended: %s.",
+                   (session_left(&ended, now_ms).most_s == 0U) ? "it was too old"
+                                                               : "nothing was done in it");
         }
     }
 }
@@ -451,10 +451,11 @@ void session_store_tick(session_store_t *self, uint64_t now_ms)
     const uint32_t count = take_refusals(self, LIMIT_REFUSALS_LINE_S, now_ms, &last);
     (void)pthread_mutex_unlock(&self->lock);
     if (count > 0U) {
-        tell(self, NOTE_LOGIN_REFUSED, OWN_NAME,
-             "logins refused that came too soon to be judged or logged, of any name: %u; the last "
-             "of %s%s.",
-             (unsigned)count, last.who, last.from);
+        report(
+            self, NOTE_LOGIN_REFUSED, OWN_NAME,
+            "logins refused that came too soon to be judged or logged, of any name: %u; the last "
+            "of %s%s.",
+            (unsigned)count, last.who, last.from);
     }
     end_old(self, now_ms);
     if (is_comparison_due(self, now_ms)) {

@@ -3,7 +3,7 @@
 
 #include "common/clock.h"
 #include "exchange/exchange_peers.h"
-#include "http/gate/patience.h"
+#include "http/gate/answer_timeout.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -20,12 +20,12 @@ static void note_end(command_client_t *self, const page_t *page, const page_act_
 }
 
 /* With the lock. */
-static void take_errand(command_client_t *self, const answer_t *answer)
+static void take_batch_answer(command_client_t *self, const answer_t *answer)
 {
-    for (uint32_t i = 0U; i < self->errand_count; i++) {
-        if (self->errands[i].id == answer->id) {
-            self->errands[i].is_answered = true;
-            self->errands[i].answer = *answer;
+    for (uint32_t i = 0U; i < self->batch_count; i++) {
+        if (self->batch[i].id == answer->id) {
+            self->batch[i].is_answered = true;
+            self->batch[i].answer = *answer;
         }
     }
 }
@@ -37,7 +37,7 @@ static void take_answers(command_client_t *self)
     while (exchange_take_answer(self->exchange, COMMAND_SOURCE_HTTP, &answer)) {
         const page_t *page = NULL;
         page_act_t *act = page_table_find_sent(&self->table, answer.id, &page);
-        take_errand(self, &answer);
+        take_batch_answer(self, &answer);
         if (act != NULL) {
             const bool is_end = act->is_answered;
             act->answer = answer;
@@ -171,7 +171,7 @@ static act_verdict_t begin_act(command_client_t *self, page_t *page, uint32_t id
 }
 
 /* With the lock. State of an act that is kept. */
-static act_verdict_t tell(const page_act_t *act, const command_t *command, answer_t *answer)
+static act_verdict_t report(const page_act_t *act, const command_t *command, answer_t *answer)
 {
     if (!is_same(&act->command, command)) {
         return ACT_ID_USED;
@@ -189,7 +189,7 @@ act_verdict_t command_client_ask(command_client_t *self, uint32_t number, uint32
     if (page != NULL) {
         take_answers(self);
         const page_act_t *act = page_table_act(page, id);
-        verdict = (act != NULL) ? tell(act, command, answer) : begin_act(self, page, id, command);
+        verdict = (act != NULL) ? report(act, command, answer) : begin_act(self, page, id, command);
     }
     (void)pthread_mutex_unlock(&self->lock);
     return verdict;
@@ -202,7 +202,7 @@ act_verdict_t command_client_look(command_client_t *self, uint32_t number, uint3
     take_answers(self);
     page_t *page = page_table_find(&self->table, number);
     const page_act_t *act = (page != NULL) ? page_table_act(page, id) : NULL;
-    const act_verdict_t verdict = (act != NULL) ? tell(act, command, answer) : ACT_NO_ANSWER;
+    const act_verdict_t verdict = (act != NULL) ? report(act, command, answer) : ACT_NO_ANSWER;
     (void)pthread_mutex_unlock(&self->lock);
     return verdict;
 }
@@ -219,38 +219,38 @@ act_verdict_t command_client_send_and_wait(command_client_t *self, uint32_t page
     return verdict;
 }
 
-static bool begin_errands(command_client_t *self, uint32_t page, const command_t *commands,
-                          uint32_t count)
+static bool begin_batch(command_client_t *self, uint32_t page, const command_t *commands,
+                        uint32_t count)
 {
     (void)pthread_mutex_lock(&self->lock);
-    const bool is_free = (self->errand_count == 0U) && !self->has_to_begin;
+    const bool is_free = (self->batch_count == 0U) && !self->has_to_begin;
     bool is_sent = is_free;
     for (uint32_t i = 0U; (i < count) && is_sent; i++) {
         command_t sent;
         is_sent = send_as(self, page, &commands[i], &sent);
         if (is_sent) {
-            self->errands[i] = (act_errand_t){.id = sent.id};
-            self->errand_count++;
+            self->batch[i] = (batch_command_t){.id = sent.id};
+            self->batch_count++;
         }
     }
     if (is_free && !is_sent) {
-        self->errand_count = 0U; /* No caller waits for those that were sent. */
+        self->batch_count = 0U; /* No caller waits for those that were sent. */
     }
     (void)pthread_mutex_unlock(&self->lock);
     return is_sent;
 }
 
-static bool look_for_errands(command_client_t *self, bool is_last, answer_t *answers)
+static bool look_for_batch(command_client_t *self, bool is_last, answer_t *answers)
 {
     bool is_answered = true;
     (void)pthread_mutex_lock(&self->lock);
     take_answers(self);
-    for (uint32_t i = 0U; i < self->errand_count; i++) {
-        is_answered = is_answered && self->errands[i].is_answered;
-        answers[i] = self->errands[i].answer;
+    for (uint32_t i = 0U; i < self->batch_count; i++) {
+        is_answered = is_answered && self->batch[i].is_answered;
+        answers[i] = self->batch[i].answer;
     }
     if (is_answered || is_last) {
-        self->errand_count = 0U;
+        self->batch_count = 0U;
     }
     (void)pthread_mutex_unlock(&self->lock);
     return is_answered;
@@ -260,11 +260,11 @@ act_verdict_t command_client_do_all(command_client_t *self, uint32_t page,
                                     const command_t *commands, uint32_t count, answer_t *answers)
 {
     const uint32_t looks = answer_timeout_looks(self->exchange);
-    if (!begin_errands(self, page, commands, count)) {
+    if (!begin_batch(self, page, commands, count)) {
         return ACT_LATER;
     }
     for (uint32_t i = 0U; i <= looks; i++) {
-        if (look_for_errands(self, i == looks, answers)) {
+        if (look_for_batch(self, i == looks, answers)) {
             return ACT_ANSWERED;
         }
         answer_timeout_wait();

@@ -18,7 +18,7 @@
 #include <stdint.h>
 
 /** Commands that are sent at once; half of what a lane takes. */
-#define COMMAND_CLIENT_ERRANDS LIMIT_TRAJECTORY_ROWS_AT_ONCE
+#define COMMAND_CLIENT_BATCH LIMIT_TRAJECTORY_ROWS_AT_ONCE
 #define COMMAND_CLIENT_RESULT_COUNT 32U /**< Ends of acts that are kept for the streams. */
 
 /** How an act ended that had been begun. */
@@ -33,15 +33,15 @@ typedef struct {
     uint32_t id;
     bool is_answered;
     answer_t answer;
-} act_errand_t;
+} batch_command_t;
 
 typedef struct {
     pthread_mutex_t lock;
     exchange_t *exchange;
     page_table_t table;
-    uint32_t commands;                            /**< Number of the last one. */
-    act_errand_t errands[COMMAND_CLIENT_ERRANDS]; /**< Commands of command_client_do_all(). */
-    uint32_t errand_count;
+    uint32_t commands;                           /**< Number of the last one. */
+    batch_command_t batch[COMMAND_CLIENT_BATCH]; /**< Commands of command_client_do_all(). */
+    uint32_t batch_count;
     bool has_to_begin;  /**< The authority of an earlier server must be released first. */
     uint32_t news_next; /**< Number of the next news. */
     act_result_t news[COMMAND_CLIENT_RESULT_COUNT];
@@ -109,7 +109,7 @@ act_verdict_t command_client_do(command_client_t *self, uint32_t page, const com
                                 answer_t *answer);
 
 /**
- * The same with `count` commands, at most COMMAND_CLIENT_ERRANDS, which are sent one behind the
+ * The same with `count` commands, at most COMMAND_CLIENT_BATCH, which are sent one behind the
  * other.
  *
  * @param answers  with ACT_ANSWERED one of each

@@ -9,13 +9,13 @@
 #include <string.h>
 
 #define EVENTS_AT_ONCE 32U
-#define PATIENCE 10U /* Half a second. */
+#define ASK_AGAIN_TICKS 10U /* Half a second. */
 
-void http_notes_init(http_notes_t *self, exchange_t *exchange, command_client_t *desk)
+void http_notes_init(http_notes_t *self, exchange_t *exchange, command_client_t *client)
 {
     (void)memset(self, 0, sizeof *self);
     self->exchange = exchange;
-    self->desk = desk;
+    self->client = client;
     (void)pthread_mutex_init(&self->lock, NULL);
     self->written = exchange_newest_note(exchange);
     self->logged = self->written;
@@ -50,7 +50,7 @@ uint32_t http_notes_keep(http_notes_t *self, const char *who, const char *text, 
     return number;
 }
 
-void http_notes_tell_replaced(http_notes_t *self)
+void http_notes_report_replaced(http_notes_t *self)
 {
     static const struct {
         exchange_process_t process;
@@ -74,26 +74,26 @@ static void report_damage(http_notes_t *self, command_source_t source, uint64_t 
 {
     static const char *const names[COMMAND_SOURCE_COUNT] = {
         [COMMAND_SOURCE_IGTL] = "igtl", [COMMAND_SOURCE_HTTP] = "http"};
-    http_notes_damage_t *told = &self->damages[source];
+    http_notes_damage_t *reported = &self->damages[source];
     const uint32_t count = exchange_lane_damages(self->exchange, source);
     exchange_note_t note;
     char text[120];
 
-    if ((told->note != 0U) && exchange_read_note(self->exchange, told->note, &note)) {
-        told->note = 0U;
+    if ((reported->note != 0U) && exchange_read_note(self->exchange, reported->note, &note)) {
+        reported->note = 0U;
     }
-    if ((count != told->count) || (told->note != 0U)) {
+    if ((count != reported->count) || (reported->note != 0U)) {
         (void)snprintf(text, sizeof text,
                        "command lane damaged %u time%s since the start; commands in it were "
                        "dropped.",
                        (unsigned)count, (count > 1U) ? "s" : "");
-        told->note = write_note(self, NOTE_DAMAGED, names[source], text);
-        told->count = count;
-        told->reported_ms = now_ms;
+        reported->note = write_note(self, NOTE_DAMAGED, names[source], text);
+        reported->count = count;
+        reported->reported_ms = now_ms;
     }
 }
 
-void http_notes_tell_damage(http_notes_t *self, uint64_t now_ms)
+void http_notes_report_damage(http_notes_t *self, uint64_t now_ms)
 {
     for (uint32_t i = 0U; i < COMMAND_SOURCE_COUNT; i++) {
         const uint64_t reported_ms = self->damages[i].reported_ms;
@@ -142,9 +142,9 @@ static void ask(http_notes_t *self, const exchange_note_t *note)
 {
     const command_t command = {.kind = (uint32_t)COMMAND_NOTE,
                                .as.note = {.note = note->kind, .number = (int32_t)note->number}};
-    (void)command_client_send(self->desk, 0U, &command);
+    (void)command_client_send(self->client, 0U, &command);
     self->asked = note->number;
-    self->patience = PATIENCE;
+    self->ticks_left = ASK_AGAIN_TICKS;
 }
 
 void http_notes_tick(http_notes_t *self)
@@ -152,10 +152,10 @@ void http_notes_tick(http_notes_t *self)
     exchange_note_t note;
     look_into_log(self);
     if (self->logged != self->asked) {
-        self->patience--;
+        self->ticks_left--;
     }
     const uint32_t next = self->logged + 1U;
-    const bool is_free = (self->logged == self->asked) || (self->patience == 0U);
+    const bool is_free = (self->logged == self->asked) || (self->ticks_left == 0U);
     if ((self->logged == newest(self)) || !is_free) {
         return;
     }

@@ -24,20 +24,20 @@ typedef struct {
 
 typedef struct {
     exchange_t *exchange;
-    command_client_t *desk;
+    command_client_t *client;
     pthread_mutex_t lock;
     uint32_t written;    /**< Number of the newest note. */
     uint32_t logged;     /**< Number of the last one that stands in the log. */
     uint32_t asked;      /**< Number of the last one that was asked for. */
-    uint32_t patience;   /**< Ticks until it is asked for again. */
+    uint32_t ticks_left; /**< Ticks until it is asked for again. */
     uint32_t next_event; /**< Number of the event of the log to look at next. */
     uint64_t kept_ms;    /**< When a note of a client was kept last. */
     uint32_t seen;       /**< Value of `logged` at the last tick, for all threads. */
     http_notes_damage_t damages[COMMAND_SOURCE_COUNT]; /**< Damages of their command lanes. */
 } http_notes_t;
 
-/** Starts with nothing to log. `exchange` and `desk`, which asks control, outlive `self`. */
-void http_notes_init(http_notes_t *self, exchange_t *exchange, command_client_t *desk);
+/** Starts with nothing to log. `exchange` and `client`, which asks control, outlive `self`. */
+void http_notes_init(http_notes_t *self, exchange_t *exchange, command_client_t *client);
 
 /** Keeps a note; http_notes_tick() has it logged. Any thread. `owner` is an http_notes_t. */
 void http_notes_write(void *owner, note_kind_t kind, const char *who, const char *text);
@@ -57,7 +57,7 @@ bool http_notes_are_behind(http_notes_t *self);
  *
  * @satisfies SWR-LIFE-002
  */
-void http_notes_tell_replaced(http_notes_t *self);
+void http_notes_report_replaced(http_notes_t *self);
 
 /**
  * Notes of each command lane how often it was found damaged, where that has grown or the note of it
@@ -65,7 +65,7 @@ void http_notes_tell_replaced(http_notes_t *self);
  *
  * @satisfies SWR-EXCH-024
  */
-void http_notes_tell_damage(http_notes_t *self, uint64_t now_ms);
+void http_notes_report_damage(http_notes_t *self, uint64_t now_ms);
 
 /**
  * Has the next note logged that no other caller has logged; called by one thread at 20 Hz, so that

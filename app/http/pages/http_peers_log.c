@@ -47,8 +47,8 @@ static bool is_time(const http_peers_log_t *self, uint64_t now_ms)
            !http_notes_are_behind(self->notes);
 }
 
-static void tell(http_peers_log_t *self, const exchange_peer_t *peer, http_peers_log_row_t *row,
-                 http_peers_log_kind_t kind)
+static void report(http_peers_log_t *self, const exchange_peer_t *peer, http_peers_log_row_t *row,
+                   http_peers_log_kind_t kind)
 {
     const bool is_status = kind == HTTP_PEERS_LOG_STATUS;
     const uint32_t changes = is_status ? peer->statuses : peer->refusals;
@@ -79,7 +79,7 @@ void http_peers_log_tick(http_peers_log_t *self, uint64_t now_ms)
         const exchange_peer_t *peer = &peers.peers[at];
         const uint32_t changes = (kind == HTTP_PEERS_LOG_STATUS) ? peer->statuses : peer->refusals;
         if (changes != self->rows[at].logged[kind]) {
-            tell(self, peer, &self->rows[at], kind);
+            report(self, peer, &self->rows[at], kind);
             self->logged_ms = now_ms;
             self->next = turn + 1U;
         }

@@ -53,7 +53,7 @@ static void make_plain(char *text)
     }
 }
 
-static void tell(http_record_t *self, const http_record_entry_t *entry, uint32_t left_out)
+static void report(http_record_t *self, const http_record_entry_t *entry, uint32_t left_out)
 {
     char before[LEFT_OUT_SIZE] = "";
     char text[EXCHANGE_NOTE_TEXT_SIZE];
@@ -83,7 +83,7 @@ void http_record_write(http_record_t *self, const http_record_entry_t *entry, ui
     }
     (void)pthread_mutex_unlock(&self->lock);
     if (is_time) {
-        tell(self, entry, left_out);
+        report(self, entry, left_out);
     }
 }
 

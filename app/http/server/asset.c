@@ -35,7 +35,7 @@ static bool write_port(unsigned char *bytes, size_t size, const char *name, uint
     return place != NULL;
 }
 
-void asset_tell_stop_ports(uint32_t port, uint32_t tls_port)
+void asset_report_stop_ports(uint32_t port, uint32_t tls_port)
 {
     const asset_t *original = find(PAGE);
     unsigned char *bytes = malloc(original->size);

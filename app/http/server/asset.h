@@ -27,7 +27,7 @@ extern const size_t asset_count;
 
 /** Writes two ports into the page, where it says 00000: at them the page asks for a stop, in the
  * clear or by TLS. To be called once, before anything is served. */
-void asset_tell_stop_ports(uint32_t port, uint32_t tls_port);
+void asset_report_stop_ports(uint32_t port, uint32_t tls_port);
 
 /** The asset requested by `path`, "/" being the page itself; NULL when there is none. */
 const asset_t *asset_find(const char *path);

@@ -45,7 +45,7 @@ static void open_stop_port(const http_server_t *self)
     guard_stops(self, port);
     if (port != 0U) {
         http_head_allow_stops(self->guard.address, port, self->front);
-        asset_tell_stop_ports(port, (self->front != NULL) ? self->front->stop : 0U);
+        asset_report_stop_ports(port, (self->front != NULL) ? self->front->stop : 0U);
     }
 }
 

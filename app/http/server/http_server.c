@@ -43,7 +43,7 @@ void http_server_init(http_server_t *self, const http_server_config_t *config)
     http_notes_init(&self->notes, config->exchange, &self->acts);
     http_record_init(&self->record, &self->notes, telemetry_now_ms());
     http_peers_log_init(&self->peers_log, &self->notes);
-    session_store_init(&self->desk, config->accounts, http_notes_write, &self->notes);
+    session_store_init(&self->sessions, config->accounts, http_notes_write, &self->notes);
     http_positions_begin(self, config->box_key);
     make_boot_id(self->identity.boot_id, sizeof self->identity.boot_id);
     self->identity.version = BUILD_VERSION;
@@ -59,21 +59,21 @@ bool http_server_prepare_logins(http_server_t *self, char *error, size_t error_s
                                "with boresight-passwd and name its file with --accounts.";
     accounts_t accounts;
     accounts.count = 0U;
-    if ((self->desk.accounts_file != NULL) &&
-        !accounts_read(&accounts, self->desk.accounts_file, error, error_size)) {
+    if ((self->sessions.accounts_file != NULL) &&
+        !accounts_read(&accounts, self->sessions.accounts_file, error, error_size)) {
         return false;
     }
     if ((self->identity.box == NULL) && (accounts.count == 0U)) {
         (void)snprintf(error, error_size, "%s", none);
         return false;
     }
-    if (self->desk.accounts_file == NULL) {
-        if (!session_store_make_code(&self->desk)) {
+    if (self->sessions.accounts_file == NULL) {
+        if (!session_store_make_code(&self->sessions)) {
             (void)snprintf(error, error_size, "The system has no random numbers.");
             return false;
         }
         (void)fprintf(stderr, "Login:       %s (once, at the console on this machine)\n",
-                      self->desk.code);
+                      self->sessions.code);
     }
     return true;
 }
@@ -89,14 +89,14 @@ static void set_log_level(http_server_t *self)
 void http_server_tick(http_server_t *self)
 {
     telemetry_view_t view;
-    session_store_tick(&self->desk, telemetry_now_ms());
+    session_store_tick(&self->sessions, telemetry_now_ms());
     set_log_level(self);
-    http_notes_tell_replaced(&self->notes);
-    http_notes_tell_damage(&self->notes, telemetry_now_ms());
+    http_notes_report_replaced(&self->notes);
+    http_notes_report_damage(&self->notes, telemetry_now_ms());
     http_record_tick(&self->record, telemetry_now_ms());
     http_peers_log_tick(&self->peers_log, telemetry_now_ms());
     http_notes_tick(&self->notes);
-    command_client_tick(&self->acts, &self->desk, telemetry_now_ms());
+    command_client_tick(&self->acts, &self->sessions, telemetry_now_ms());
     telemetry_look(&self->telemetry, &view);
     if (!view.has_snapshot || !http_stream_is_watched(&self->stream)) {
         return;

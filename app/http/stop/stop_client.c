@@ -55,8 +55,8 @@ static void refuse(stop_client_t *self, const http_problem_t *problem)
 
 static void refuse_as(stop_client_t *self, problem_t problem)
 {
-    const http_problem_t told = http_problem_of(problem);
-    refuse(self, &told);
+    const http_problem_t reported = http_problem_of(problem);
+    refuse(self, &reported);
 }
 
 /* The body decides between STOP and EMERGENCY, so a stop is not obeyed without it. */
@@ -188,7 +188,7 @@ void stop_client_look(stop_client_t *self, exchange_t *exchange)
     answer_t found;
     const status_t status = stop_command_look(exchange, &self->question, &found);
     if (status != STATUS_BUSY) {
-        const stop_report_t report = stop_command_tell(status, &found, json);
+        const stop_report_t report = stop_command_report(status, &found, json);
         if (report.is_good) {
             answer(self, json);
         } else {
@@ -198,7 +198,7 @@ void stop_client_look(stop_client_t *self, exchange_t *exchange)
 }
 
 /* A console's client gets the refusal that the library would send. */
-void stop_client_judge_patience(stop_client_t *self)
+void stop_client_judge_timeout(stop_client_t *self)
 {
     if ((clock_monotonic_us() - self->since_us) <= ANSWER_CLOCK_US) {
         return;

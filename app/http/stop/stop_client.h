@@ -45,8 +45,8 @@ void stop_client_hear(stop_client_t *self, exchange_t *exchange);
 /** Looks for control's answer. */
 void stop_client_look(stop_client_t *self, exchange_t *exchange);
 
-/** Ends its patience with a client that does not finish, or does not go. */
-void stop_client_judge_patience(stop_client_t *self);
+/** Ends its wait for a client that does not finish, or does not go. */
+void stop_client_judge_timeout(stop_client_t *self);
 
 /** Another one needs its place. */
 void stop_client_give_way(stop_client_t *self);

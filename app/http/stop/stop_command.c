@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/stop/stop_command.h"
 
-#include "http/gate/patience.h"
+#include "http/gate/answer_timeout.h"
 #include "interface/app/names.h"
 
 #include <stdio.h>
@@ -36,8 +36,8 @@ status_t stop_command_send_and_wait(exchange_t *exchange, workphase_t workphase,
     return status;
 }
 
-stop_report_t stop_command_tell(status_t status, const answer_t *answer,
-                                char json[STOP_COMMAND_JSON_SIZE])
+stop_report_t stop_command_report(status_t status, const answer_t *answer,
+                                  char json[STOP_COMMAND_JSON_SIZE])
 {
     stop_report_t report = {.is_good = false, .problem = http_problem_of(PROBLEM_NO_ANSWER)};
     if (status != STATUS_OK) {

@@ -14,7 +14,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define STOP_COMMAND_JSON_SIZE 384 /**< Room for what stop_command_tell() writes. */
+#define STOP_COMMAND_JSON_SIZE 384 /**< Room for what stop_command_report() writes. */
 
 /** One stop that was asked for. */
 typedef struct {
@@ -28,7 +28,7 @@ stop_question_t stop_command_ask(exchange_t *exchange, workphase_t workphase);
 /**
  * Looks once for the answer.
  *
- * @return STATUS_OK with `answer` filled; STATUS_BUSY: look again after PATIENCE_LOOK_MS;
+ * @return STATUS_OK with `answer` filled; STATUS_BUSY: look again after ANSWER_POLL_MS;
  *         STATUS_NO_ANSWER after answer_timeout_looks()
  */
 status_t stop_command_look(const exchange_t *exchange, stop_question_t *question, answer_t *answer);
@@ -43,7 +43,7 @@ typedef struct {
 } stop_report_t;
 
 /** Writes the report on `status` and, with STATUS_OK, `answer`, if that is good. */
-stop_report_t stop_command_tell(status_t status, const answer_t *answer,
-                                char json[STOP_COMMAND_JSON_SIZE]);
+stop_report_t stop_command_report(status_t status, const answer_t *answer,
+                                  char json[STOP_COMMAND_JSON_SIZE]);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "common/clock.h"
 #include "http/gate/http_handover.h"
-#include "http/gate/patience.h"
+#include "http/gate/answer_timeout.h"
 #include "http/stop/stop_client.h"
 
 #include <poll.h>
@@ -79,7 +79,7 @@ static void attend(stop_client_t *client, bool is_heard, bool is_look_due)
         stop_client_look(client, stop_port.exchange);
     }
     if ((client->socket >= 0) && (client->state != STOP_CLIENT_WAITS)) {
-        stop_client_judge_patience(client);
+        stop_client_judge_timeout(client);
     }
 }
 
@@ -111,7 +111,7 @@ static void wait_for_events(struct pollfd events[STOP_PORT_CLIENTS + STOP_PORT_G
         events[STOP_PORT_CLIENTS + i].revents = 0;
     }
     (void)poll(events, STOP_PORT_CLIENTS + STOP_PORT_GATES,
-               is_anybody_waiting() ? (int)PATIENCE_LOOK_MS : TURN_MS);
+               is_anybody_waiting() ? (int)ANSWER_POLL_MS : TURN_MS);
 }
 
 static void take_turn(void)
@@ -119,7 +119,7 @@ static void take_turn(void)
     struct pollfd events[STOP_PORT_CLIENTS + STOP_PORT_GATES];
     wait_for_events(events);
     const uint64_t now_us = clock_monotonic_us();
-    const bool is_look_due = (now_us - stop_port.looked_us) >= (PATIENCE_LOOK_MS * 1000U);
+    const bool is_look_due = (now_us - stop_port.looked_us) >= (ANSWER_POLL_MS * 1000U);
     stop_port.looked_us = is_look_due ? now_us : stop_port.looked_us;
     for (size_t i = 0U; i < STOP_PORT_CLIENTS; i++) {
         if (stop_port.clients[i].socket >= 0) {

@@ -61,7 +61,7 @@ static void add(const list_t *list, const alarm_t *alarm)
         age = age_s(list->view, word->said.event.cycle);
     }
     const bool is_reason = (uint32_t)alarm->reason < (uint32_t)PERMIT_REASON_COUNT;
-    const json_alarm_t told = {
+    const json_alarm_t reported = {
         .event = event_id_name((int32_t)event.id),
         .reason = is_reason ? permit_reason_name((int32_t)alarm->reason) : NULL,
         .axis = (alarm->axis < robot->axis_count) ? robot->axes[alarm->axis].name : NULL,
@@ -70,7 +70,7 @@ static void add(const list_t *list, const alarm_t *alarm)
         .text = (alarm->text != NULL) ? alarm->text : text,
         .since = is_since ? since : NULL,
         .age_s = is_since ? &age : NULL};
-    (void)cJSON_AddItemToArray(list->alarms, json_alarm(&told));
+    (void)cJSON_AddItemToArray(list->alarms, json_alarm(&reported));
 }
 
 /* The reason that stands against every axis, if it does. */
@@ -227,9 +227,9 @@ static void add_troubles(const list_t *list)
     }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         const bool is_of_axis = robot_cards_axis(view->robot, slot) < ROBOT_AXIS_MAX;
-        const uint32_t told = is_of_axis ? of_all : 0U;
+        const uint32_t reported = is_of_axis ? of_all : 0U;
         for (uint32_t trouble = 0U; trouble < CARD_TROUBLE_COUNT; trouble++) {
-            if (card_alarms_has_trouble(view, slot, trouble) && ((told & BIT(trouble)) == 0U)) {
+            if (card_alarms_has_trouble(view, slot, trouble) && ((reported & BIT(trouble)) == 0U)) {
                 add_trouble(list, slot, trouble);
             }
         }
@@ -334,11 +334,11 @@ cJSON *alarm_json_needle(const telemetry_view_t *view)
     axis_t axes[ROBOT_AXIS_MAX];
 
     shown_axes(&view->snapshot, axes);
-    const json_needle_t told = {.axis = config->name,
-                                .unit = telemetry_units_name(config),
-                                .position = place->is_known ? &position : NULL,
-                                .age_s = place->is_known ? &age : NULL,
-                                .is_known = place->is_now,
-                                .may_be_in = !needle_is_out(view->robot, axes)};
-    return json_needle(&told);
+    const json_needle_t reported = {.axis = config->name,
+                                    .unit = telemetry_units_name(config),
+                                    .position = place->is_known ? &position : NULL,
+                                    .age_s = place->is_known ? &age : NULL,
+                                    .is_known = place->is_now,
+                                    .may_be_in = !needle_is_out(view->robot, axes)};
+    return json_needle(&reported);
 }

@@ -263,7 +263,7 @@ static cJSON *new_axis(const telemetry_view_t *view, uint32_t index, const cJSON
 
 static cJSON *new_robot_axis(const axis_config_t *axis)
 {
-    const json_robot_axis_t told = {
+    const json_robot_axis_t reported = {
         .name = axis->name,
         .unit = telemetry_units_name(axis),
         .slot = axis->slot,
@@ -271,7 +271,7 @@ static cJSON *new_robot_axis(const axis_config_t *axis)
         .minimum = telemetry_units_position(axis, axis->minimum_ticks),
         .maximum = telemetry_units_position(axis, axis->maximum_ticks),
         .speed_per_s = telemetry_units_position(axis, axis->speed_ticks_per_s)};
-    return json_robot_axis(&told);
+    return json_robot_axis(&reported);
 }
 
 static cJSON *new_poses(const robot_t *robot)
@@ -294,12 +294,12 @@ cJSON *telemetry_json_robot(const telemetry_view_t *view)
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         (void)cJSON_AddItemToArray(axes, new_robot_axis(&robot->axes[i]));
     }
-    const json_robot_t told = {.name = robot->name,
-                               .checksum = checksum,
-                               .slots = CARD_SLOT_COUNT,
-                               .axes = axes,
-                               .poses = new_poses(robot)};
-    return json_robot(&told);
+    const json_robot_t reported = {.name = robot->name,
+                                   .checksum = checksum,
+                                   .slots = CARD_SLOT_COUNT,
+                                   .axes = axes,
+                                   .poses = new_poses(robot)};
+    return json_robot(&reported);
 }
 
 cJSON *telemetry_json_motors(const telemetry_view_t *view)
@@ -318,11 +318,11 @@ cJSON *telemetry_json_motors(const telemetry_view_t *view)
 static cJSON *new_origin(const snapshot_t *snapshot, uint32_t is_there, const origin_t *origin)
 {
     const double age_us = (double)(snapshot->cycle - origin->cycle) * (double)LIMIT_CYCLE_US;
-    const json_origin_t told = {.source = command_source_name((int32_t)origin->source),
-                                .peer = origin->peer,
-                                .name = origin->title,
-                                .age_s = age_us / US_PER_S};
-    return ((is_there != 0U) && origin->is_known) ? json_origin(&told) : NULL;
+    const json_origin_t reported = {.source = command_source_name((int32_t)origin->source),
+                                    .peer = origin->peer,
+                                    .name = origin->title,
+                                    .age_s = age_us / US_PER_S};
+    return ((is_there != 0U) && origin->is_known) ? json_origin(&reported) : NULL;
 }
 
 static cJSON *new_probe(const telemetry_view_t *view)
@@ -331,12 +331,12 @@ static cJSON *new_probe(const telemetry_view_t *view)
     cJSON *lengths = cJSON_CreateArray();
     for (uint32_t i = 0U; i < robot->probe_length_count; i++) {
         const double length_mm = telemetry_units_length(view->snapshot.probe_nm[i]);
-        const json_probe_length_t told = {
+        const json_probe_length_t reported = {
             .name = robot->probe_names[i],
             .length_mm = (view->snapshot.has_probe != 0U) ? &length_mm : NULL,
             .minimum_mm = telemetry_units_length(robot->probe_minimum.length_nm[i]),
             .maximum_mm = telemetry_units_length(robot->probe_maximum.length_nm[i])};
-        (void)cJSON_AddItemToArray(lengths, json_probe_length(&told));
+        (void)cJSON_AddItemToArray(lengths, json_probe_length(&reported));
     }
     return lengths;
 }
@@ -358,10 +358,10 @@ static cJSON *new_membrane(const snapshot_membrane_t *membrane)
 {
     const double found_mm = (double)membrane->found_um / UM_PER_MM;
     const bool is_found = membrane->state == (uint32_t)MEMBRANE_FOUND;
-    const json_membrane_t told = {.depth_mm = (double)membrane->depth_um / UM_PER_MM,
-                                  .found_mm = is_found ? &found_mm : NULL,
-                                  .state = membrane_state_name((int32_t)membrane->state)};
-    return json_membrane(&told);
+    const json_membrane_t reported = {.depth_mm = (double)membrane->depth_um / UM_PER_MM,
+                                      .found_mm = is_found ? &found_mm : NULL,
+                                      .state = membrane_state_name((int32_t)membrane->state)};
+    return json_membrane(&reported);
 }
 
 /* NULL of a robot without a force sensor. */
@@ -378,14 +378,14 @@ static cJSON *new_membranes(const telemetry_view_t *view)
     for (uint32_t i = 0U; (i < shown->count) && (i < LIMIT_MEMBRANES_MOST); i++) {
         (void)cJSON_AddItemToArray(expected, new_membrane(&shown->membranes[i]));
     }
-    const json_membranes_t told = {.expected = expected,
-                                   .left = shown->left,
-                                   .unexpected = shown->unexpected,
-                                   .sight = membrane_sight_name((int32_t)shown->sight),
-                                   .says = membrane_sight_text((int32_t)shown->sight),
-                                   .depth_mm = is_running ? &depth_mm : NULL,
-                                   .least_fall_mn = is_running ? &least_fall_mn : NULL};
-    return json_membranes(&told);
+    const json_membranes_t reported = {.expected = expected,
+                                       .left = shown->left,
+                                       .unexpected = shown->unexpected,
+                                       .sight = membrane_sight_name((int32_t)shown->sight),
+                                       .says = membrane_sight_text((int32_t)shown->sight),
+                                       .depth_mm = is_running ? &depth_mm : NULL,
+                                       .least_fall_mn = is_running ? &least_fall_mn : NULL};
+    return json_membranes(&reported);
 }
 
 cJSON *telemetry_json_targeting(const telemetry_view_t *view)

@@ -67,7 +67,7 @@ void igtl_reason_text(const robot_t *robot, const answer_t *answer, const igtl_m
     }
 }
 
-void igtl_tell_status(igtl_outbox_t *outbox, const char *name, const igtl_status_t *status,
+void igtl_send_status(igtl_outbox_t *outbox, const char *name, const igtl_status_t *status,
                       const igtl_moment_t *moment)
 {
     igtl_packet_t packet;
@@ -76,29 +76,29 @@ void igtl_tell_status(igtl_outbox_t *outbox, const char *name, const igtl_status
     igtl_outbox_add(outbox, &packet);
 }
 
-void igtl_tell_refused(igtl_outbox_t *outbox, const char *name, const igtl_status_t *status,
+void igtl_send_refused(igtl_outbox_t *outbox, const char *name, const igtl_status_t *status,
                        const igtl_moment_t *moment)
 {
-    igtl_tell_status(outbox, name, status, moment);
+    igtl_send_status(outbox, name, status, moment);
     igtl_outbox_note_refusal(outbox, name, status->text);
 }
 
-void igtl_tell_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
+void igtl_send_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
                        const igtl_moment_t *moment)
 {
     char text[IGTL_REASON_SIZE];
     const igtl_status_t refusal = {igtl_reason_code(status), status_name((int32_t)status), text};
 
     write_reason(status, moment, text);
-    igtl_tell_refused(outbox, name, &refusal, moment);
+    igtl_send_refused(outbox, name, &refusal, moment);
 }
 
-void igtl_tell_not_found(igtl_outbox_t *outbox, const char *name, const igtl_moment_t *moment)
+void igtl_send_not_found(igtl_outbox_t *outbox, const char *name, const igtl_moment_t *moment)
 {
     static const igtl_status_t status = {IGTL_STATUS_NOT_FOUND, "NOT_FOUND",
                                          "NOT_FOUND: There is nothing of this name."};
 
-    igtl_tell_refused(outbox, name, &status, moment);
+    igtl_send_refused(outbox, name, &status, moment);
 }
 
 bool igtl_is_text(const igtl_message_t *message, const char *text)
@@ -116,7 +116,7 @@ void igtl_pack_pose(igtl_packet_t *packet, const char *name, const rigid_t *pose
     igtl_encode_transform(packet, name, numbers, moment->timestamp);
 }
 
-void igtl_tell_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *pose,
+void igtl_send_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *pose,
                     const igtl_moment_t *moment)
 {
     igtl_packet_t packet;

@@ -64,19 +64,19 @@ void igtl_reason_text(const robot_t *robot, const answer_t *answer, const igtl_m
                       char text[IGTL_REASON_SIZE]);
 
 /** Sends STATUS(`name`, ...) to a peer. */
-void igtl_tell_status(igtl_outbox_t *outbox, const char *name, const igtl_status_t *status,
+void igtl_send_status(igtl_outbox_t *outbox, const char *name, const igtl_status_t *status,
                       const igtl_moment_t *moment);
 
 /** The same of a message that is refused, which is kept for the log. */
-void igtl_tell_refused(igtl_outbox_t *outbox, const char *name, const igtl_status_t *status,
+void igtl_send_refused(igtl_outbox_t *outbox, const char *name, const igtl_status_t *status,
                        const igtl_moment_t *moment);
 
 /** Sends STATUS(`name`, code and sentence of `status`), as of a refused message. */
-void igtl_tell_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
+void igtl_send_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
                        const igtl_moment_t *moment);
 
 /** Sends STATUS(`name`, NOT_FOUND): there is nothing of this name. */
-void igtl_tell_not_found(igtl_outbox_t *outbox, const char *name, const igtl_moment_t *moment);
+void igtl_send_not_found(igtl_outbox_t *outbox, const char *name, const igtl_moment_t *moment);
 
 /** The STRING `message` is `text`, no more and no less. */
 bool igtl_is_text(const igtl_message_t *message, const char *text);
@@ -86,7 +86,7 @@ void igtl_pack_pose(igtl_packet_t *packet, const char *name, const rigid_t *pose
                     const igtl_moment_t *moment);
 
 /** Sends TRANSFORM(`name`, `pose`). */
-void igtl_tell_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *pose,
+void igtl_send_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *pose,
                     const igtl_moment_t *moment);
 
 /** STATUS_OK while the needle's measured pose is known in scanner coordinates; otherwise why not.

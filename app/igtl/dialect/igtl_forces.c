@@ -41,18 +41,18 @@ static void refuse_doubtful(igtl_outbox_t *outbox, const char *name, const snaps
         }
     }
     (void)snprintf(&text[used], sizeof text - used, ": %s", force_doubt_text(first));
-    igtl_tell_refused(outbox, name, &refusal, moment);
+    igtl_send_refused(outbox, name, &refusal, moment);
 }
 
-static void tell(igtl_outbox_t *outbox, const robot_t *robot, uint32_t channel,
-                 const igtl_moment_t *moment)
+static void report(igtl_outbox_t *outbox, const robot_t *robot, uint32_t channel,
+                   const igtl_moment_t *moment)
 {
     const char *name = names[channel].sensor;
 
     if (robot->force.is_there == 0U) {
-        igtl_tell_refusal(outbox, name, STATUS_NO_FORCE_SENSOR, moment);
+        igtl_send_refusal(outbox, name, STATUS_NO_FORCE_SENSOR, moment);
     } else if (moment->snapshot == NULL) {
-        igtl_tell_refusal(outbox, name, STATUS_NO_ANSWER, moment);
+        igtl_send_refusal(outbox, name, STATUS_NO_ANSWER, moment);
     } else if (moment->snapshot->forces[channel].doubts != 0U) {
         refuse_doubtful(outbox, name, &moment->snapshot->forces[channel], moment);
     } else {
@@ -65,19 +65,19 @@ static void tell(igtl_outbox_t *outbox, const robot_t *robot, uint32_t channel,
     }
 }
 
-void igtl_forces_tell(igtl_outbox_t *outbox, const robot_t *robot, const char *name,
-                      const igtl_moment_t *moment)
+void igtl_forces_report(igtl_outbox_t *outbox, const robot_t *robot, const char *name,
+                        const igtl_moment_t *moment)
 {
     bool is_known = false;
 
     for (uint32_t i = 0U; i < ROBOT_FORCE_CHANNELS; i++) {
         if ((name[0] == '\0') || (strcmp(name, names[i].sensor) == 0)) {
-            tell(outbox, robot, i, moment);
+            report(outbox, robot, i, moment);
             is_known = true;
         }
     }
     if (!is_known) {
-        igtl_tell_not_found(outbox, name, moment);
+        igtl_send_not_found(outbox, name, moment);
     }
 }
 

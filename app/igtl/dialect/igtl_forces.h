@@ -21,8 +21,8 @@
  * @satisfies SWR-IGTL-610
  * @satisfies SWR-IGTL-611
  */
-void igtl_forces_tell(igtl_outbox_t *outbox, const robot_t *robot, const char *name,
-                      const igtl_moment_t *moment);
+void igtl_forces_report(igtl_outbox_t *outbox, const robot_t *robot, const char *name,
+                        const igtl_moment_t *moment);
 
 /**
  * Writes ` ForceHand="1.250" ForceNeedle="NOT_ZEROED"` of a robot with a force sensor: newtons, or

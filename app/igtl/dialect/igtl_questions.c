@@ -142,11 +142,11 @@ bool igtl_questions_receive(igtl_tracking_t *tracking, const igtl_asker_t *asker
         send_capability(outbox, message->name, asker->language, moment);
         return true;
     case IGTL_KIND_GET_SENSOR:
-        igtl_forces_tell(outbox, asker->robot, message->name, moment);
+        igtl_forces_report(outbox, asker->robot, message->name, moment);
         return true;
     case IGTL_KIND_GET_POINT:
     case IGTL_KIND_GET_OTHER:
-        igtl_tell_not_found(outbox, message->name, moment);
+        igtl_send_not_found(outbox, message->name, moment);
         return true;
     case IGTL_KIND_STT_TDATA:
         send_return(outbox, message, false, moment);
@@ -189,7 +189,7 @@ void igtl_questions_step(igtl_tracking_t *tracking, igtl_outbox_t *outbox,
     }
     if (status != STATUS_OK) {
         if (tracking->reported_status != (uint32_t)status) {
-            igtl_tell_refusal(outbox, tracking->name, status, moment);
+            igtl_send_refusal(outbox, tracking->name, status, moment);
         }
     } else if (moment->now_us >= tracking->next_us) {
         send_needle(tracking, outbox, moment);

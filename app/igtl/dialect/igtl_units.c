@@ -214,11 +214,11 @@ static void write_list(const robot_t *robot, const int32_t counts[ROBOT_AXIS_MAX
 
     text[0] = '\0';
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        const uint32_t told = robot->reported_joints[i];
-        const axis_config_t *axis = &robot->axes[told];
+        const uint32_t reported = robot->reported_joints[i];
+        const axis_config_t *axis = &robot->axes[reported];
         const double unit =
             (axis->unit == (uint8_t)AXIS_UNIT_MM) ? (double)NM_PER_MM : BAM_PER_RADIAN;
-        const double value = ((double)counts[told] / counts_per_tick) *
+        const double value = ((double)counts[reported] / counts_per_tick) *
                              ((double)axis->unit_per_tick_q16 / 65536.0) / unit;
         const int written = snprintf(&text[used], IGTL_LIST_SIZE - used, "%f,", value);
 

@@ -75,7 +75,7 @@ static void refuse_unknown(transform_peer_t *peer, const igtl_message_t *message
 
     if (moment->now_us >= refused->next_us) {
         refused->next_us = moment->now_us + LIMIT_IGTL_UNKNOWN_US;
-        igtl_tell_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
+        igtl_send_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
     }
 }
 
@@ -96,7 +96,7 @@ static void propose(transform_dialect_t *self, uint32_t index, const igtl_messag
     if (status == STATUS_OK) {
         put(self, index, &command, moment);
     } else {
-        igtl_tell_refusal(peer->outbox, message->name, status, moment);
+        igtl_send_refusal(peer->outbox, message->name, status, moment);
         peer->shown.must_send_measured = true;
     }
 }
@@ -136,7 +136,7 @@ static void propose_trajectory(transform_dialect_t *self, uint32_t index,
     const status_t status = read_trajectory(message, peer->number, proposals, &count);
 
     if (status != STATUS_OK) {
-        igtl_tell_refusal(peer->outbox, message->name, status, moment);
+        igtl_send_refusal(peer->outbox, message->name, status, moment);
         peer->shown.must_send_measured = true;
         return;
     }
@@ -161,7 +161,7 @@ static void receive_string(transform_dialect_t *self, uint32_t index, const igtl
     } else if (igtl_is_text(message, "WITHDRAW")) {
         put(self, index, &withdrawal, moment);
     } else {
-        igtl_tell_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
+        igtl_send_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
     }
 }
 
@@ -212,7 +212,7 @@ static void send_refused(transform_dialect_t *self, const igtl_request_t *reques
                                    status_name((int32_t)answer->status), text};
 
     igtl_reason_text(self->robot, answer, moment, text);
-    igtl_tell_status(self->peers[request->peer].outbox, transform_proposals_name(&request->command),
+    igtl_send_status(self->peers[request->peer].outbox, transform_proposals_name(&request->command),
                      &refused, moment);
 }
 
@@ -241,7 +241,7 @@ static void send_overdue(transform_dialect_t *self, const igtl_moment_t *moment)
 
     while (overdue != NULL) {
         if (overdue->peer != IGTL_NOBODY) {
-            igtl_tell_refusal(self->peers[overdue->peer].outbox,
+            igtl_send_refusal(self->peers[overdue->peer].outbox,
                               transform_proposals_name(&overdue->command), STATUS_NO_ANSWER,
                               moment);
         }
@@ -257,7 +257,7 @@ static void pass_proposals(transform_dialect_t *self, uint32_t peer, const igtl_
     transform_proposals_pass(proposals, &self->requests, peer, moment);
     overdue = transform_proposals_overdue(proposals, moment);
     while (overdue != NULL) {
-        igtl_tell_refusal(self->peers[peer].outbox, overdue, STATUS_NO_ANSWER, moment);
+        igtl_send_refusal(self->peers[peer].outbox, overdue, STATUS_NO_ANSWER, moment);
         overdue = transform_proposals_overdue(proposals, moment);
     }
 }

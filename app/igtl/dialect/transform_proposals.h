@@ -23,7 +23,7 @@
 typedef struct {
     bool is_waiting;
     uint32_t turn;           /**< Smaller ones came first. */
-    uint64_t waits_since_us; /**< In the time of patience. */
+    uint64_t waits_since_us; /**< In the time of its timeout. */
     command_t command;       /**< A proposal, or its withdrawal. */
 } transform_waiting_t;
 

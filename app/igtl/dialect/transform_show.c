@@ -68,15 +68,15 @@ static void send_measured(transform_shown_t *self, const robot_t *robot, igtl_ou
     if (now->pose_status == (uint32_t)STATUS_OK) {
         send_pose(outbox, "measured_cp", &now->pose, moment);
     } else if (self->must_send_measured || (now->pose_status != before->pose_status)) {
-        igtl_tell_refusal(outbox, "measured_cp", (status_t)now->pose_status, moment);
+        igtl_send_refusal(outbox, "measured_cp", (status_t)now->pose_status, moment);
     } else {
         /* It was sent before. */
     }
     if (now->joint_status == (uint32_t)STATUS_OK) {
         send_joints(robot, outbox, now, moment);
     } else if (self->must_send_measured || (now->joint_status != before->joint_status)) {
-        igtl_tell_refusal(outbox, "measured_jp", (status_t)now->joint_status, moment);
-        igtl_tell_refusal(outbox, "measured_jv", (status_t)now->joint_status, moment);
+        igtl_send_refusal(outbox, "measured_jp", (status_t)now->joint_status, moment);
+        igtl_send_refusal(outbox, "measured_jv", (status_t)now->joint_status, moment);
     } else {
         /* It was sent before. */
     }
@@ -94,11 +94,11 @@ static void send_desired(transform_shown_t *self, const robot_t *robot, igtl_out
         return;
     }
     if (desired->is_valid == 0U) {
-        igtl_tell_not_found(outbox, "desired_cp", moment);
-        igtl_tell_not_found(outbox, "desired_jp", moment);
+        igtl_send_not_found(outbox, "desired_cp", moment);
+        igtl_send_not_found(outbox, "desired_jp", moment);
     } else if (desired->pose_status != (uint32_t)STATUS_OK) {
-        igtl_tell_refusal(outbox, "desired_cp", (status_t)desired->pose_status, moment);
-        igtl_tell_refusal(outbox, "desired_jp", (status_t)desired->pose_status, moment);
+        igtl_send_refusal(outbox, "desired_cp", (status_t)desired->pose_status, moment);
+        igtl_send_refusal(outbox, "desired_jp", (status_t)desired->pose_status, moment);
     } else {
         send_pose(outbox, "desired_cp", &desired->pose, moment);
         igtl_units_write_positions(robot, desired->ticks, text);
@@ -130,7 +130,7 @@ static void send_registration(transform_shown_t *self, igtl_outbox_t *outbox,
     if (registration->is_valid != 0U) {
         send_pose(outbox, "scanner_to_robot_reg", &registration->pose, moment);
     } else {
-        igtl_tell_not_found(outbox, "scanner_to_robot_reg", moment);
+        igtl_send_not_found(outbox, "scanner_to_robot_reg", moment);
     }
     if (registration->is_rotation_ignored != self->seen.registration.is_rotation_ignored) {
         send_text(outbox, "ignore_rotation", (registration->is_rotation_ignored != 0U) ? "1" : "0",
@@ -205,9 +205,9 @@ static void answer_known(igtl_outbox_t *outbox, const char *name, uint32_t statu
                          const rigid_t *pose, const igtl_moment_t *moment)
 {
     if (status == (uint32_t)STATUS_OK) {
-        igtl_tell_pose(outbox, name, pose, moment);
+        igtl_send_pose(outbox, name, pose, moment);
     } else {
-        igtl_tell_refusal(outbox, name, (status_t)status, moment);
+        igtl_send_refusal(outbox, name, (status_t)status, moment);
     }
 }
 
@@ -220,9 +220,9 @@ static void answer_transform(igtl_outbox_t *outbox, const char *name, const tran
     } else if ((strcmp(name, "desired_cp") == 0) && (view->desired.is_valid != 0U)) {
         answer_known(outbox, name, view->desired.pose_status, &view->desired.pose, moment);
     } else if ((strcmp(name, "scanner_to_robot_reg") == 0) && (view->registration.is_valid != 0U)) {
-        igtl_tell_pose(outbox, name, &view->registration.pose, moment);
+        igtl_send_pose(outbox, name, &view->registration.pose, moment);
     } else {
-        igtl_tell_not_found(outbox, name, moment);
+        igtl_send_not_found(outbox, name, moment);
     }
 }
 
@@ -242,7 +242,7 @@ static void answer_point(igtl_outbox_t *outbox, const char *name, const transfor
         }
     }
     if (!is_found) {
-        igtl_tell_not_found(outbox, name, moment);
+        igtl_send_not_found(outbox, name, moment);
     }
 }
 
@@ -253,9 +253,9 @@ void transform_show_answer(igtl_outbox_t *outbox, const igtl_message_t *question
     transform_view_t view;
 
     if (question->kind == IGTL_KIND_GET_STATUS) {
-        igtl_tell_status(outbox, question->name, &alive, moment);
+        igtl_send_status(outbox, question->name, &alive, moment);
     } else if (moment->snapshot == NULL) {
-        igtl_tell_refusal(outbox, question->name, STATUS_NO_ANSWER, moment);
+        igtl_send_refusal(outbox, question->name, STATUS_NO_ANSWER, moment);
     } else {
         transform_view_take(&view, moment->snapshot);
         if (question->kind == IGTL_KIND_GET_TRANSFORM) {

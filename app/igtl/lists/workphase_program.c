@@ -27,22 +27,22 @@ static status_t read_number(char **text, const char *unit, double *number)
 
 static status_t read_words(const robot_t *robot, char **text, workphase_item_t *item)
 {
-    reported_step_t told = {.has_angle = has_angle(robot)};
-    status_t status = read_number(text, "mm", &told.depth_mm);
+    reported_step_t reported = {.has_angle = has_angle(robot)};
+    status_t status = read_number(text, "mm", &reported.depth_mm);
 
-    if ((status == STATUS_OK) && told.has_angle) {
-        status = read_number(text, "deg", &told.angle_deg);
+    if ((status == STATUS_OK) && reported.has_angle) {
+        status = read_number(text, "deg", &reported.angle_deg);
     }
     if (status == STATUS_OK) {
-        status = read_number(text, "s", &told.dwell_s);
+        status = read_number(text, "s", &reported.dwell_s);
     }
     if (status != STATUS_OK) {
         return status;
     }
     const char *gate = workphase_text_next(text);
-    told.is_gated = workphase_text_is(gate, "GATE");
-    return (told.is_gated == (gate != NULL)) ? list_terms_step(robot, &told, &item->step)
-                                             : STATUS_OUT_OF_RANGE;
+    reported.is_gated = workphase_text_is(gate, "GATE");
+    return (reported.is_gated == (gate != NULL)) ? list_terms_step(robot, &reported, &item->step)
+                                                 : STATUS_OUT_OF_RANGE;
 }
 
 static const char *form(const robot_t *robot)
@@ -58,14 +58,14 @@ static uint32_t columns(const robot_t *robot)
 static status_t read_row(const robot_t *robot, const igtl_message_t *message, uint32_t index,
                          workphase_item_t *item)
 {
-    reported_step_t told = {.has_angle = has_angle(robot)};
-    double *const numbers[] = {&told.depth_mm, &told.angle_deg, &told.dwell_s};
+    reported_step_t reported = {.has_angle = has_angle(robot)};
+    double *const numbers[] = {&reported.depth_mm, &reported.angle_deg, &reported.dwell_s};
     uint32_t at = index * message->columns;
     int32_t gate = 0;
     status_t status = STATUS_OK;
 
     for (uint32_t i = 0U; (i < 3U) && (status == STATUS_OK); i++) {
-        if ((numbers[i] != &told.angle_deg) || told.has_angle) {
+        if ((numbers[i] != &reported.angle_deg) || reported.has_angle) {
             status = igtl_units_read_double(message, at, numbers[i]);
             at++;
         }
@@ -76,8 +76,8 @@ static status_t read_row(const robot_t *robot, const igtl_message_t *message, ui
     if ((status == STATUS_OK) && ((gate < 0) || (gate > 1))) {
         status = STATUS_OUT_OF_RANGE;
     }
-    told.is_gated = gate == 1;
-    return (status == STATUS_OK) ? list_terms_step(robot, &told, &item->step) : status;
+    reported.is_gated = gate == 1;
+    return (status == STATUS_OK) ? list_terms_step(robot, &reported, &item->step) : status;
 }
 
 static command_t command_of(const robot_t *robot, uint32_t index, const workphase_item_t *item)

@@ -139,7 +139,7 @@ static void send_trouble(igtl_connection_t *connection, igtl_result_t reason, co
 {
     const igtl_status_t status = {igtl_result_code(reason), "REFUSED", igtl_result_text(reason)};
 
-    igtl_tell_refused(&connection->outbox, name, &status, moment);
+    igtl_send_refused(&connection->outbox, name, &status, moment);
 }
 
 /* Sends the reason, as far as the peer listens, and closes. */

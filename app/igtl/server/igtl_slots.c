@@ -142,7 +142,7 @@ bool igtl_slots_admit(igtl_server_t *self, igtl_connection_t *connection,
     }
     const uint32_t place = free_place(self);
     if (place == IGTL_NO_PLACE) {
-        igtl_tell_status(&connection->outbox, message->name, &taken, moment);
+        igtl_send_status(&connection->outbox, message->name, &taken, moment);
         return false;
     }
     seat(self, connection, place);

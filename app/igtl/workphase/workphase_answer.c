@@ -62,7 +62,7 @@ static void send_armed(workphase_peer_t *peer, const igtl_packet_t *entered, uin
     if ((peer->language == IGTL_LANGUAGE_BRP_2021) &&
         (phase == (uint32_t)WORKPHASE_MOVE_TO_TARGET)) {
         igtl_outbox_add(peer->outbox, entered);
-        workphase_peer_tell_position(peer, moment);
+        workphase_peer_send_position(peer, moment);
     }
 }
 
@@ -75,7 +75,7 @@ static void send_entered(workphase_peer_t *peer, const answer_t *answer,
         (peer->language != IGTL_LANGUAGE_BRP_2021) && is_entered_silently(answer->asked);
     igtl_packet_t packet;
 
-    workphase_peer_tell_phase(peer, IGTL_STATUS_OK, answer->asked, "", moment);
+    workphase_peer_send_phase(peer, IGTL_STATUS_OK, answer->asked, "", moment);
     igtl_encode_status(&packet, phase, &entered, moment->timestamp);
     if (answer->is_final == 0U) {
         send_armed(peer, &packet, answer->asked, moment);
@@ -99,14 +99,14 @@ static void send_outcome(const workphase_dialect_t *self, workphase_peer_t *peer
     if (!is_good) {
         igtl_reason_text(self->robot, answer, moment, text);
     }
-    igtl_tell_status(peer->outbox, name, &status, moment);
+    igtl_send_status(peer->outbox, name, &status, moment);
 }
 
 /* As deployed servers do: the workphase that was asked for, then that it was not entered. */
 static void send_refused(const workphase_dialect_t *self, workphase_peer_t *peer,
                          const answer_t *answer, const igtl_moment_t *moment)
 {
-    workphase_peer_tell_phase(peer, IGTL_STATUS_OK, answer->asked, "", moment);
+    workphase_peer_send_phase(peer, IGTL_STATUS_OK, answer->asked, "", moment);
     send_outcome(self, peer, workphase_name((int32_t)answer->asked), answer, moment);
 }
 
@@ -161,7 +161,7 @@ static void send_ended(workphase_dialect_t *self, const igtl_request_t *request,
     } else {
         igtl_outbox_add(peer->outbox, &packet);
         if ((answer->kind == (uint32_t)ANSWER_DONE) && is_move(request)) {
-            workphase_peer_tell_position(peer, moment);
+            workphase_peer_send_position(peer, moment);
         }
     }
 }
@@ -204,9 +204,9 @@ static void answer_target(const workphase_dialect_t *self, workphase_peer_t *pee
     }
     const rigid_t *reachable = &answer_as_pose(answer)->pose;
     if (peer->language == IGTL_LANGUAGE_BRP_2021) {
-        igtl_tell_pose(peer->outbox, "REACHABLE_TARGET", reachable, moment);
+        igtl_send_pose(peer->outbox, "REACHABLE_TARGET", reachable, moment);
     } else {
-        igtl_tell_pose(peer->outbox, "TARGET", reachable, moment);
+        igtl_send_pose(peer->outbox, "TARGET", reachable, moment);
         workphase_peer_defer_pose(peer, "REACHABLE_TARGET", reachable, moment);
     }
 }
@@ -235,7 +235,7 @@ static void answer_entry(const workphase_dialect_t *self, workphase_peer_t *peer
     const point_t *entry = &answer_as_point(answer)->point;
     (void)snprintf(text, sizeof text, "%.3f, %.3f, %.3f mm", igtl_units_mm(entry->x_nm),
                    igtl_units_mm(entry->y_nm), igtl_units_mm(entry->z_nm));
-    igtl_tell_status(peer->outbox, subject_of(peer, request), &taken, moment);
+    igtl_send_status(peer->outbox, subject_of(peer, request), &taken, moment);
 }
 
 static bool is_draping(const workphase_peer_t *peer)
@@ -290,7 +290,7 @@ static void answer_list(const workphase_dialect_t *self, workphase_peer_t *peer,
     }
     (void)snprintf(text, sizeof text, "Checksum %u.",
                    (unsigned)answer_as_checksum(answer)->checksum);
-    igtl_tell_status(peer->outbox, list->word, &held, moment);
+    igtl_send_status(peer->outbox, list->word, &held, moment);
 }
 
 /* A refused item has its place behind the reason; it is sent when another array may come. */
@@ -390,7 +390,7 @@ static void release_end(workphase_peer_t *peer)
     peer->end.is_waiting = false;
 }
 
-void workphase_answer_tell(workphase_dialect_t *self, const igtl_request_t *request,
+void workphase_answer_send(workphase_dialect_t *self, const igtl_request_t *request,
                            const answer_t *answer, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[request->peer];
@@ -409,7 +409,7 @@ void workphase_answer_tell(workphase_dialect_t *self, const igtl_request_t *requ
     workphase_notifications_note(self, request, answer, moment);
 }
 
-void workphase_answer_tell_none(workphase_dialect_t *self, const igtl_request_t *request,
+void workphase_answer_send_none(workphase_dialect_t *self, const igtl_request_t *request,
                                 const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[request->peer];
@@ -417,7 +417,7 @@ void workphase_answer_tell_none(workphase_dialect_t *self, const igtl_request_t 
     if (workphase_array_has(&self->array, request) && !workphase_array_fail(&self->array)) {
         return; /* It was said of another row. */
     }
-    igtl_tell_refusal(peer->outbox, subject_of(peer, request), STATUS_NO_ANSWER, moment);
+    igtl_send_refusal(peer->outbox, subject_of(peer, request), STATUS_NO_ANSWER, moment);
     if (peer->pending == request->id) {
         peer->pending = 0U;
         release_end(peer);

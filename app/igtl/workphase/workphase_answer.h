@@ -17,11 +17,11 @@
  * @satisfies SWR-IGTL-030
  * @satisfies SWR-IGTL-031
  */
-void workphase_answer_tell(workphase_dialect_t *self, const igtl_request_t *request,
+void workphase_answer_send(workphase_dialect_t *self, const igtl_request_t *request,
                            const answer_t *answer, const igtl_moment_t *moment);
 
 /** Informs the peer of `request` that there is no answer. */
-void workphase_answer_tell_none(workphase_dialect_t *self, const igtl_request_t *request,
+void workphase_answer_send_none(workphase_dialect_t *self, const igtl_request_t *request,
                                 const igtl_moment_t *moment);
 
 #endif

@@ -232,7 +232,7 @@ const workphase_command_t *workphase_commands_find(const igtl_message_t *message
     return NULL;
 }
 
-void workphase_commands_tell_form(const robot_t *robot, status_t status,
+void workphase_commands_send_form(const robot_t *robot, status_t status,
                                   char text[IGTL_REASON_SIZE])
 {
     int used = snprintf(text, IGTL_REASON_SIZE, "%s: Send each length by its name, in mm: PROBE",

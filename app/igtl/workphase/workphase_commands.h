@@ -86,7 +86,7 @@ status_t workphase_commands_read(const workphase_command_t *word, const robot_t 
  *
  * @satisfies SWR-IGTL-073
  */
-void workphase_commands_tell_form(const robot_t *robot, status_t status,
+void workphase_commands_send_form(const robot_t *robot, status_t status,
                                   char text[IGTL_REASON_SIZE]);
 
 #endif

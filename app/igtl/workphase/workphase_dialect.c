@@ -121,7 +121,7 @@ void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
         break;
     case IGTL_KIND_POINT:
     case IGTL_KIND_TRAJECTORY: /* A commanding peer proposes nothing. */
-        igtl_tell_refusal(asker->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
+        igtl_send_refusal(asker->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
         break;
     default: /* A STATUS is how peers announce themselves. */
         answer_question(self, asker, message, moment);
@@ -141,7 +141,7 @@ bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
         if (answer->status == (uint32_t)STATUS_BUSY) {
             workphase_peer_forget(&self->peers[request->peer], request->id);
         }
-        workphase_answer_tell(self, request, answer, moment);
+        workphase_answer_send(self, request, answer, moment);
     } else if (request->command.kind == (uint32_t)COMMAND_RELEASE) {
         self->is_new = self->is_new && (answer->status != (uint32_t)STATUS_OK);
     } else {
@@ -197,7 +197,7 @@ static void stream_position(workphase_dialect_t *self, const igtl_moment_t *mome
 
         if (is_streamed(self, request)) {
             self->next_position_us = moment->now_us + IGTL_STREAM_US;
-            workphase_peer_tell_position(&self->peers[request->peer], moment);
+            workphase_peer_send_position(&self->peers[request->peer], moment);
         }
     }
 }
@@ -219,7 +219,7 @@ static void send_no_answer(workphase_dialect_t *self, const igtl_request_t *requ
                            const igtl_moment_t *moment)
 {
     if (request->peer != IGTL_NOBODY) {
-        workphase_answer_tell_none(self, request, moment);
+        workphase_answer_send_none(self, request, moment);
     }
 }
 

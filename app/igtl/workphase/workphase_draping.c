@@ -41,6 +41,6 @@ void workphase_draping_go_on(workphase_dialect_t *self, uint32_t peer, const igt
 
     self->peers[peer].motion = WORKPHASE_COMMAND_DRAPING;
     if (ask(self, peer, command, moment) == 0U) {
-        igtl_tell_refusal(self->peers[peer].outbox, WORKPHASE_COMMAND_DRAPING, STATUS_BUSY, moment);
+        igtl_send_refusal(self->peers[peer].outbox, WORKPHASE_COMMAND_DRAPING, STATUS_BUSY, moment);
     }
 }

@@ -45,13 +45,13 @@ static void send_verdict(const workphase_peer_t *peer, int32_t length_nm, const 
 
     (void)snprintf(text, sizeof text, "%sThe robot is set to a needle of %.3f mm.",
                    is_right ? "" : "CONFIG_ERROR: ", igtl_units_mm(length_nm));
-    igtl_tell_status(peer->outbox, "NEEDLE_LENGTH", &status, moment);
+    igtl_send_status(peer->outbox, "NEEDLE_LENGTH", &status, moment);
 }
 
-void workphase_needle_tell_length(workphase_peer_t *peer, const robot_t *robot,
+void workphase_needle_send_length(workphase_peer_t *peer, const robot_t *robot,
                                   const igtl_message_t *message, const igtl_moment_t *moment)
 {
-    const reported_length_t *told = find_length(robot);
+    const reported_length_t *reported = find_length(robot);
     igtl_packet_t packet;
     char said[IGTL_TEXT_MAX + 1U];
     const uint32_t length =
@@ -61,13 +61,13 @@ void workphase_needle_tell_length(workphase_peer_t *peer, const robot_t *robot,
     said[length] = '\0';
     igtl_encode_string(&packet, "ACK_NEEDLE_LENGTH", said, moment->timestamp);
     igtl_outbox_add(peer->outbox, &packet);
-    if (told == NULL) {
-        igtl_tell_refusal(peer->outbox, "NEEDLE_LENGTH", STATUS_UNKNOWN_COMMAND, moment);
+    if (reported == NULL) {
+        igtl_send_refusal(peer->outbox, "NEEDLE_LENGTH", STATUS_UNKNOWN_COMMAND, moment);
     } else if (moment->snapshot == NULL) {
-        igtl_tell_refusal(peer->outbox, "NEEDLE_LENGTH", STATUS_NO_ANSWER, moment);
+        igtl_send_refusal(peer->outbox, "NEEDLE_LENGTH", STATUS_NO_ANSWER, moment);
     } else if (moment->snapshot->has_probe == 0U) {
-        igtl_tell_refusal(peer->outbox, "NEEDLE_LENGTH", STATUS_NO_PROBE, moment);
+        igtl_send_refusal(peer->outbox, "NEEDLE_LENGTH", STATUS_NO_PROBE, moment);
     } else {
-        send_verdict(peer, probe_reported_nm(told, moment->snapshot->probe_nm), said, moment);
+        send_verdict(peer, probe_reported_nm(reported, moment->snapshot->probe_nm), said, moment);
     }
 }

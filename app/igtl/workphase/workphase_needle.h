@@ -15,7 +15,7 @@
  *
  * @satisfies SWR-IGTL-036
  */
-void workphase_needle_tell_length(workphase_peer_t *peer, const robot_t *robot,
+void workphase_needle_send_length(workphase_peer_t *peer, const robot_t *robot,
                                   const igtl_message_t *message, const igtl_moment_t *moment);
 
 #endif

@@ -136,13 +136,13 @@ static uint32_t doubt_of(uint32_t pose_status)
 }
 
 /* Messages that are due about its last command go first. */
-static void tell(workphase_dialect_t *self, uint32_t workphase, const igtl_status_t *status,
-                 const igtl_moment_t *moment)
+static void report(workphase_dialect_t *self, uint32_t workphase, const igtl_status_t *status,
+                   const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[self->controller];
 
     workphase_peer_send_deferred(peer, moment->now_us, true);
-    igtl_tell_status(peer->outbox, workphase_name((int32_t)workphase), status, moment);
+    igtl_send_status(peer->outbox, workphase_name((int32_t)workphase), status, moment);
 }
 
 static void send_failures(workphase_dialect_t *self, const workphase_facts_t *failures,
@@ -152,7 +152,7 @@ static void send_failures(workphase_dialect_t *self, const workphase_facts_t *fa
     const igtl_status_t status = {IGTL_STATUS_HARDWARE_FAILURE, "HARDWARE_FAILURE", text};
 
     write_failures(self->robot, failures, ROBOT_AXIS_MAX, moment->snapshot, text);
-    tell(self, workphase, &status, moment);
+    report(self, workphase, &status, moment);
 }
 
 static void send_doubt(workphase_dialect_t *self, const workphase_facts_t *now,
@@ -163,7 +163,7 @@ static void send_doubt(workphase_dialect_t *self, const workphase_facts_t *now,
     const igtl_status_t status = {igtl_reason_code((status_t)doubt), status_name(doubt), text};
 
     (void)snprintf(text, sizeof text, "%s: %s", status_name(doubt), status_text(doubt));
-    tell(self, now->workphase, &status, moment);
+    report(self, now->workphase, &status, moment);
 }
 
 static bool is_pulled(const workphase_facts_t *before, const workphase_facts_t *now)
@@ -198,11 +198,11 @@ static void send_stopped(workphase_dialect_t *self, const workphase_facts_t *bef
                                 "Another connection commanded it, or the console."};
 
     if (is_pulled(before, now)) {
-        tell(self, (uint32_t)WORKPHASE_EMERGENCY, &pulled, moment);
+        report(self, (uint32_t)WORKPHASE_EMERGENCY, &pulled, moment);
     } else if (has_changed && (now->workphase == (uint32_t)WORKPHASE_EMERGENCY)) {
-        tell(self, (uint32_t)WORKPHASE_EMERGENCY, &emergency, moment);
+        report(self, (uint32_t)WORKPHASE_EMERGENCY, &emergency, moment);
     } else if (has_changed && (now->workphase == (uint32_t)WORKPHASE_STOP)) {
-        tell(self, (uint32_t)WORKPHASE_STOP, &stop, moment);
+        report(self, (uint32_t)WORKPHASE_STOP, &stop, moment);
     } else {
         /* A peer that commands another workphase gets the answer. */
     }
@@ -304,7 +304,7 @@ void workphase_notifications_control_lost(workphase_dialect_t *self, bool is_rep
     workphase_notifications_t *watch = &self->watch;
 
     if (!is_reported && !watch->is_control_lost && (self->controller != IGTL_NOBODY)) {
-        igtl_tell_refusal(self->peers[self->controller].outbox,
+        igtl_send_refusal(self->peers[self->controller].outbox,
                           workphase_name((int32_t)watch->facts.workphase), STATUS_NO_ANSWER,
                           moment);
     }

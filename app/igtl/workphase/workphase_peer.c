@@ -149,26 +149,26 @@ void workphase_peer_cancel_deferred(workphase_peer_t *self)
     self->extra_count = 0U;
 }
 
-void workphase_peer_tell_position(workphase_peer_t *self, const igtl_moment_t *moment)
+void workphase_peer_send_position(workphase_peer_t *self, const igtl_moment_t *moment)
 {
     const status_t status = igtl_pose_status(moment);
 
     if (status != STATUS_OK) {
-        igtl_tell_refusal(self->outbox, "CURRENT_POSITION", status, moment);
+        igtl_send_refusal(self->outbox, "CURRENT_POSITION", status, moment);
         return;
     }
-    igtl_tell_pose(self->outbox, "CURRENT_POSITION", &moment->snapshot->scanner_treatment, moment);
+    igtl_send_pose(self->outbox, "CURRENT_POSITION", &moment->snapshot->scanner_treatment, moment);
 }
 
-void workphase_peer_tell_phase(workphase_peer_t *self, uint32_t code, uint32_t phase,
+void workphase_peer_send_phase(workphase_peer_t *self, uint32_t code, uint32_t phase,
                                const char *text, const igtl_moment_t *moment)
 {
     const igtl_status_t status = {code, workphase_name((int32_t)phase), text};
 
-    igtl_tell_status(self->outbox, "CURRENT_STATUS", &status, moment);
+    igtl_send_status(self->outbox, "CURRENT_STATUS", &status, moment);
 }
 
-void workphase_peer_tell_unit(workphase_peer_t *self, const char *word, const char *form,
+void workphase_peer_send_unit(workphase_peer_t *self, const char *word, const char *form,
                               const igtl_moment_t *moment)
 {
     char text[IGTL_REASON_SIZE];
@@ -176,7 +176,7 @@ void workphase_peer_tell_unit(workphase_peer_t *self, const char *word, const ch
     const igtl_status_t refusal = {igtl_reason_code(STATUS_WRONG_UNIT), name, text};
 
     (void)snprintf(text, sizeof text, "%s: Send each number with its unit: %s.", name, form);
-    igtl_tell_refused(self->outbox, word, &refusal, moment);
+    igtl_send_refused(self->outbox, word, &refusal, moment);
 }
 
 const char *workphase_peer_tip_subject(const workphase_peer_t *self)
@@ -184,7 +184,7 @@ const char *workphase_peer_tip_subject(const workphase_peer_t *self)
     return (self->language == IGTL_LANGUAGE_BRP_2021) ? "MOVE_TO_TARGET" : "NPOS";
 }
 
-void workphase_peer_tell_flag(workphase_peer_t *self, const char *name, bool value,
+void workphase_peer_send_flag(workphase_peer_t *self, const char *name, bool value,
                               const igtl_moment_t *moment)
 {
     igtl_packet_t packet;

@@ -54,14 +54,14 @@ void workphase_peer_cancel_deferred(workphase_peer_t *self);
  *
  * @satisfies SWR-IGTL-014
  */
-void workphase_peer_tell_position(workphase_peer_t *self, const igtl_moment_t *moment);
+void workphase_peer_send_position(workphase_peer_t *self, const igtl_moment_t *moment);
 
 /** Sends STATUS(CURRENT_STATUS, `code`, error name = present workphase). */
-void workphase_peer_tell_phase(workphase_peer_t *self, uint32_t code, uint32_t phase,
+void workphase_peer_send_phase(workphase_peer_t *self, uint32_t code, uint32_t phase,
                                const char *text, const igtl_moment_t *moment);
 
 /** Sends STATUS(`word`, WRONG_UNIT) with the form that is taken. */
-void workphase_peer_tell_unit(workphase_peer_t *self, const char *word, const char *form,
+void workphase_peer_send_unit(workphase_peer_t *self, const char *word, const char *form,
                               const igtl_moment_t *moment);
 
 /** The name under which a needle's tip is reported to the peer: in 2013 STATUS(MOVE_TO_TARGET, 1)
@@ -69,7 +69,7 @@ void workphase_peer_tell_unit(workphase_peer_t *self, const char *word, const ch
 const char *workphase_peer_tip_subject(const workphase_peer_t *self);
 
 /** Sends STRING(`name`, "1" or "0"). */
-void workphase_peer_tell_flag(workphase_peer_t *self, const char *name, bool value,
+void workphase_peer_send_flag(workphase_peer_t *self, const char *name, bool value,
                               const igtl_moment_t *moment);
 
 #endif

@@ -9,14 +9,14 @@
 #define PROGRESS_SIZE 64U
 #define US_PER_S 1e6
 
-void workphase_progress_tell(workphase_peer_t *peer, const igtl_moment_t *moment)
+void workphase_progress_send(workphase_peer_t *peer, const igtl_moment_t *moment)
 {
     const snapshot_t *shown = moment->snapshot;
     char text[PROGRESS_SIZE] = "0";
     igtl_packet_t packet;
 
     if (shown == NULL) {
-        igtl_tell_refusal(peer->outbox, WORKPHASE_PROGRESS, STATUS_NO_ANSWER, moment);
+        igtl_send_refusal(peer->outbox, WORKPHASE_PROGRESS, STATUS_NO_ANSWER, moment);
         return;
     }
     if (shown->program_steps != 0U) {
@@ -35,6 +35,6 @@ void workphase_progress_follow(workphase_peer_t *peer, const igtl_moment_t *mome
     if ((shown != NULL) && (shown->mode == (uint32_t)MODE_PROGRAM) &&
         (shown->program_step != peer->steps_reported)) {
         peer->steps_reported = shown->program_step;
-        workphase_progress_tell(peer, moment);
+        workphase_progress_send(peer, moment);
     }
 }

@@ -13,7 +13,7 @@
  *
  * @satisfies SWR-PROG-016
  */
-void workphase_progress_tell(workphase_peer_t *peer, const igtl_moment_t *moment);
+void workphase_progress_send(workphase_peer_t *peer, const igtl_moment_t *moment);
 
 /** The program that `peer` has armed runs: reports to it each step that is done.
  *

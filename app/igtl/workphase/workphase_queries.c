@@ -87,7 +87,7 @@ static void send_aligned(workphase_peer_t *peer, const igtl_moment_t *moment)
 {
     const snapshot_t *snapshot = moment->snapshot;
 
-    workphase_peer_tell_flag(peer, question_names[QUESTION_ALIGNED],
+    workphase_peer_send_flag(peer, question_names[QUESTION_ALIGNED],
                              is_target_judged(moment) && is_aligned(snapshot), moment);
 }
 
@@ -95,18 +95,18 @@ static void send_reached(workphase_peer_t *peer, const igtl_moment_t *moment)
 {
     const snapshot_t *snapshot = moment->snapshot;
 
-    workphase_peer_tell_flag(peer, question_names[QUESTION_REACHED],
+    workphase_peer_send_flag(peer, question_names[QUESTION_REACHED],
                              is_target_judged(moment) && is_reached(snapshot), moment);
 }
 
 static void send_phase(workphase_peer_t *peer, const igtl_moment_t *moment)
 {
     if (moment->snapshot == NULL) {
-        workphase_peer_tell_phase(peer, IGTL_STATUS_CONFIG_ERROR, (uint32_t)WORKPHASE_UNDEFINED,
+        workphase_peer_send_phase(peer, IGTL_STATUS_CONFIG_ERROR, (uint32_t)WORKPHASE_UNDEFINED,
                                   "The workphase is not known: control is silent.", moment);
         return;
     }
-    workphase_peer_tell_phase(peer, IGTL_STATUS_OK, moment->snapshot->workphase, "", moment);
+    workphase_peer_send_phase(peer, IGTL_STATUS_OK, moment->snapshot->workphase, "", moment);
 }
 
 bool workphase_queries_string(workphase_peer_t *peer, const igtl_message_t *message,
@@ -119,7 +119,7 @@ bool workphase_queries_string(workphase_peer_t *peer, const igtl_message_t *mess
     }
     switch (question) {
     case QUESTION_POSITION:
-        workphase_peer_tell_position(peer, moment);
+        workphase_peer_send_position(peer, moment);
         send_aligned(peer, moment);
         send_reached(peer, moment);
         return true;
@@ -133,7 +133,7 @@ bool workphase_queries_string(workphase_peer_t *peer, const igtl_message_t *mess
         send_reached(peer, moment);
         return true;
     case QUESTION_PROGRAM:
-        workphase_progress_tell(peer, moment);
+        workphase_progress_send(peer, moment);
         return true;
     case QUESTION_NONE:
     default:
@@ -145,12 +145,12 @@ void workphase_queries_transform(workphase_peer_t *peer, const igtl_message_t *m
                                  const igtl_moment_t *moment)
 {
     if ((message->name[0] == '\0') || (strcmp(message->name, "CURRENT_POSITION") == 0)) {
-        workphase_peer_tell_position(peer, moment);
+        workphase_peer_send_position(peer, moment);
     } else if ((strcmp(message->name, "TARGET") == 0) && (moment->snapshot != NULL) &&
                (moment->snapshot->has_target != 0U)) {
-        igtl_tell_pose(peer->outbox, "TARGET", &moment->snapshot->scanner_target, moment);
+        igtl_send_pose(peer->outbox, "TARGET", &moment->snapshot->scanner_target, moment);
     } else {
-        igtl_tell_not_found(peer->outbox, message->name, moment);
+        igtl_send_not_found(peer->outbox, message->name, moment);
     }
 }
 
@@ -162,6 +162,6 @@ void workphase_queries_status(workphase_peer_t *peer, const igtl_message_t *mess
     if ((message->name[0] == '\0') || (strcmp(message->name, "CURRENT_STATUS") == 0)) {
         send_phase(peer, moment);
     } else {
-        igtl_tell_status(peer->outbox, message->name, &alive, moment);
+        igtl_send_status(peer->outbox, message->name, &alive, moment);
     }
 }

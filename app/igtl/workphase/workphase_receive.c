@@ -66,10 +66,10 @@ static void refuse_text(workphase_peer_t *peer, const igtl_message_t *message,
 
     (void)memcpy(name, message->text, length);
     if (strcmp(name, ablation.name) == 0) {
-        igtl_tell_refused(peer->outbox, name, &ablation.refusal, moment);
+        igtl_send_refused(peer->outbox, name, &ablation.refusal, moment);
         return;
     }
-    igtl_tell_refusal(peer->outbox, (length > 0U) ? name : message->name, STATUS_UNKNOWN_COMMAND,
+    igtl_send_refusal(peer->outbox, (length > 0U) ? name : message->name, STATUS_UNKNOWN_COMMAND,
                       moment);
 }
 
@@ -92,7 +92,7 @@ static uint32_t request(workphase_dialect_t *self, uint32_t index, command_t *co
 /* Announces a workphase that is not entered, as if the controller had refused it. */
 static void announce(workphase_peer_t *peer, workphase_t phase, const igtl_moment_t *moment)
 {
-    workphase_peer_tell_phase(peer, IGTL_STATUS_OK, (uint32_t)phase, "", moment);
+    workphase_peer_send_phase(peer, IGTL_STATUS_OK, (uint32_t)phase, "", moment);
 }
 
 /* `id` is what was remembered of it, NULL for nothing. */
@@ -111,7 +111,7 @@ static void request_phase(workphase_dialect_t *self, uint32_t index, workphase_t
     }
     if (number == 0U) {
         announce(peer, phase, moment);
-        igtl_tell_refusal(peer->outbox, workphase_name((int32_t)phase), STATUS_BUSY, moment);
+        igtl_send_refusal(peer->outbox, workphase_name((int32_t)phase), STATUS_BUSY, moment);
     }
 }
 
@@ -124,7 +124,7 @@ static void receive_phase(workphase_dialect_t *self, uint32_t index, workphase_t
         request_phase(self, index, phase, id, moment);
     } else {
         announce(&self->peers[index], phase, moment);
-        igtl_tell_refusal(self->peers[index].outbox, workphase_name((int32_t)phase),
+        igtl_send_refusal(self->peers[index].outbox, workphase_name((int32_t)phase),
                           STATUS_NO_AUTHORITY, moment);
     }
 }
@@ -150,14 +150,14 @@ static void refuse_word(const workphase_dialect_t *self, workphase_peer_t *peer,
                          ((status == STATUS_PROBE_LENGTH) || (status == STATUS_OUT_OF_RANGE));
 
     if (is_form) {
-        workphase_commands_tell_form(self->robot, status, text);
+        workphase_commands_send_form(self->robot, status, text);
         const igtl_status_t refusal = {igtl_reason_code(status), status_name((int32_t)status),
                                        text};
-        igtl_tell_refused(peer->outbox, word->word, &refusal, moment);
+        igtl_send_refused(peer->outbox, word->word, &refusal, moment);
     } else if ((status == STATUS_WRONG_UNIT) && (word->form != NULL)) {
-        workphase_peer_tell_unit(peer, word->word, word->form, moment);
+        workphase_peer_send_unit(peer, word->word, word->form, moment);
     } else {
-        igtl_tell_refusal(peer->outbox, word->word, status, moment);
+        igtl_send_refusal(peer->outbox, word->word, status, moment);
     }
 }
 
@@ -204,9 +204,9 @@ static void receive_list(workphase_dialect_t *self, uint32_t index, const workph
         status = STATUS_BUSY;
     }
     if (status == STATUS_WRONG_UNIT) {
-        workphase_peer_tell_unit(peer, list->word, list->form(self->robot), moment);
+        workphase_peer_send_unit(peer, list->word, list->form(self->robot), moment);
     } else if (status != STATUS_OK) {
-        igtl_tell_refusal(peer->outbox, list->word, status, moment);
+        igtl_send_refusal(peer->outbox, list->word, status, moment);
     } else {
         /* It is on its way. */
     }
@@ -244,7 +244,7 @@ void workphase_receive_array(workphase_dialect_t *self, uint32_t index,
                                         : begin_array(self, index, list, message, moment);
     }
     if (status != STATUS_OK) {
-        igtl_tell_refusal(self->peers[index].outbox, message->name, status, moment);
+        igtl_send_refusal(self->peers[index].outbox, message->name, status, moment);
     }
 }
 
@@ -318,9 +318,9 @@ void workphase_receive_string(workphase_dialect_t *self, uint32_t index,
     }
     workphase_peer_send_deferred(peer, moment->now_us, true);
     if (strcmp(message->name, "NEEDLE_LENGTH") == 0) {
-        workphase_needle_tell_length(peer, self->robot, message, moment);
+        workphase_needle_send_length(peer, self->robot, message, moment);
     } else if (!receive_other(self, index, message, moment)) {
-        igtl_tell_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
+        igtl_send_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
     } else {
         /* It is answered, or will be. */
     }
@@ -367,12 +367,12 @@ static void receive_pose(workphase_dialect_t *self, uint32_t index, const pose_c
     workphase_peer_cancel_deferred(peer);
     workphase_peer_acknowledge_transform(peer, message, (uint32_t)strlen(what->prefix), moment);
     if (is_others(self, index)) {
-        igtl_tell_refusal(peer->outbox, subject_of(peer, what), STATUS_NO_AUTHORITY, moment);
+        igtl_send_refusal(peer->outbox, subject_of(peer, what), STATUS_NO_AUTHORITY, moment);
         return;
     }
     status = pass_pose(self, index, what, message, moment);
     if (status != STATUS_OK) {
-        igtl_tell_refusal(peer->outbox, subject_of(peer, what), status, moment);
+        igtl_send_refusal(peer->outbox, subject_of(peer, what), status, moment);
     }
 }
 
@@ -392,7 +392,7 @@ void workphase_receive_transform(workphase_dialect_t *self, uint32_t index,
         (strncmp(message->name, entry.prefix, strlen(entry.prefix)) == 0)) {
         receive_pose(self, index, &entry, message, moment);
     } else {
-        igtl_tell_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
+        igtl_send_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
     }
 }
 
@@ -402,7 +402,7 @@ void workphase_receive_go_on(workphase_dialect_t *self, const igtl_moment_t *mom
     workphase_peer_t *peer = &self->peers[array->peer];
 
     if (array->is_busy && is_others(self, array->peer) && workphase_array_fail(array)) {
-        igtl_tell_refusal(peer->outbox, array->list->word, STATUS_NO_AUTHORITY, moment);
+        igtl_send_refusal(peer->outbox, array->list->word, STATUS_NO_AUTHORITY, moment);
     }
     workphase_array_step(array, &self->requests, peer->number, moment->answer_clock_us);
     if (array->is_owed && !array->is_busy && (peer->outbox != NULL)) {
@@ -453,7 +453,7 @@ void workphase_receive_step(workphase_dialect_t *self, uint32_t index, const igt
     }
     if (is_others(self, index)) { /* Since it came. */
         peer->tip.is_waiting = false;
-        igtl_tell_refusal(peer->outbox, workphase_peer_tip_subject(peer), STATUS_NO_AUTHORITY,
+        igtl_send_refusal(peer->outbox, workphase_peer_tip_subject(peer), STATUS_NO_AUTHORITY,
                           moment);
         return;
     }

@@ -27,7 +27,7 @@ void black_box_open(black_box_t *self, const char *directory, exchange_t *exchan
     request_checkpoint(self, 1U);
 }
 
-static void tell(const black_box_t *self)
+static void report(const black_box_t *self)
 {
     exchange_note_recorder(self->exchange, self->is_failing, self->removed);
     exchange_note_recording_left(self->exchange, self->room.left_min);
@@ -60,7 +60,7 @@ static void fail(black_box_t *self, uint64_t now_us)
     self->is_failing = true;
     self->retry_us = now_us + BLACK_BOX_RETRY_US;
     go_back(self);
-    tell(self);
+    report(self);
 }
 
 /* A block has reached the disk. */
@@ -71,7 +71,7 @@ static void recover(black_box_t *self)
     if (self->is_failing && run_files_is_open(files) && (files->writer.blocks > 0U)) {
         (void)fprintf(stderr, "recorder: recording goes on in %s.\n", files->path);
         self->is_failing = false;
-        tell(self);
+        report(self);
     }
 }
 
@@ -90,7 +90,7 @@ static void look_for_earlier(black_box_t *self, uint64_t now_us)
                       " cycles were removed, moved or shortened.\n",
                       cycles);
         self->removed += cycles;
-        tell(self);
+        report(self);
     }
     self->looked_us = now_us;
 }
@@ -311,7 +311,7 @@ void black_box_drain(black_box_t *self, uint64_t now_us)
         recording_room_look(&self->room, self->files.directory, self->files.others_bytes,
                             self->files.writer.size, now_us);
     }
-    tell(self); /* Again: a neighbour may have damaged it. */
+    report(self); /* Again: a neighbour may have damaged it. */
 }
 
 /* The last cycle of control may not have found room in the lane. */

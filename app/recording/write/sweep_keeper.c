@@ -37,20 +37,21 @@ static bool end(sweep_keeper_t *self, const exchange_event_t *event)
 
 bool sweep_keeper_hear(sweep_keeper_t *self, const exchange_event_t *event, uint32_t lost)
 {
-    const event_t *told = &event->event;
+    const event_t *reported = &event->event;
     bool is_kept = true;
     self->is_gathering = self->is_gathering && (lost == 0U);
-    if ((told->id == (uint32_t)EVENT_SWEEP_BEGUN) && (told->subject < self->robot->axis_count)) {
-        begin(self, told->subject);
+    if ((reported->id == (uint32_t)EVENT_SWEEP_BEGUN) &&
+        (reported->subject < self->robot->axis_count)) {
+        begin(self, reported->subject);
     } else if (!self->is_gathering) {
         /* It is of no sweep that was heard from its beginning. */
-    } else if (told->id == (uint32_t)EVENT_SWEEP_WORD) {
-        self->point.hertz = told->value;
-    } else if (told->id == (uint32_t)EVENT_SWEEP_UPWARDS) {
-        self->point.up_ticks = told->value;
-    } else if (told->id == (uint32_t)EVENT_SWEEP_DOWNWARDS) {
-        add_point(self, told->value);
-    } else if (told->id == (uint32_t)EVENT_SWEEP_ENDED) {
+    } else if (reported->id == (uint32_t)EVENT_SWEEP_WORD) {
+        self->point.hertz = reported->value;
+    } else if (reported->id == (uint32_t)EVENT_SWEEP_UPWARDS) {
+        self->point.up_ticks = reported->value;
+    } else if (reported->id == (uint32_t)EVENT_SWEEP_DOWNWARDS) {
+        add_point(self, reported->value);
+    } else if (reported->id == (uint32_t)EVENT_SWEEP_ENDED) {
         is_kept = end(self, event);
     } else {
         /* Something else. */

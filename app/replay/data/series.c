@@ -191,8 +191,8 @@ static void report_array(reporter_t *self, const uint8_t *from)
     }
 }
 
-void series_tell(const field_t *fields, const void *from, const axis_config_t *axis,
-                 series_sink_t *sink, void *to)
+void series_report(const field_t *fields, const void *from, const axis_config_t *axis,
+                   series_sink_t *sink, void *to)
 {
     reporter_t self = {.axis = axis, .sink = sink, .to = to};
 

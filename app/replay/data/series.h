@@ -31,8 +31,8 @@ typedef void series_sink_t(void *to, const series_t *series);
  * Gives `sink` each series of the structure at `from`, without those of arrays of structures. With
  * `axis` positions and speeds are given in its unit as well.
  */
-void series_tell(const field_t *fields, const void *from, const axis_config_t *axis,
-                 series_sink_t *sink, void *to);
+void series_report(const field_t *fields, const void *from, const axis_config_t *axis,
+                   series_sink_t *sink, void *to);
 
 /** Writes what it is now, "none" for no word. */
 void series_write(const series_t *self, char *text, size_t size);

@@ -53,11 +53,11 @@ uint32_t source_find(const robot_t *robot, source_t sources[SOURCES])
     return count;
 }
 
-void source_tell(const source_t *self, const snapshot_t *snapshot, series_sink_t *sink, void *to)
+void source_report(const source_t *self, const snapshot_t *snapshot, series_sink_t *sink, void *to)
 {
     const uint8_t *const from = (const uint8_t *)snapshot + self->offset;
 
-    series_tell(self->fields, from, self->axis, sink, to);
+    series_report(self->fields, from, self->axis, sink, to);
     if (self->axis != NULL) {
         snapshot_axis_t axis;
         (void)memcpy(&axis, from, sizeof axis);

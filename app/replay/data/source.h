@@ -23,6 +23,6 @@ typedef struct {
 uint32_t source_find(const robot_t *robot, source_t sources[SOURCES]);
 
 /** Gives `sink` its series in `snapshot`, for an axis also its output in percent. */
-void source_tell(const source_t *self, const snapshot_t *snapshot, series_sink_t *sink, void *to);
+void source_report(const source_t *self, const snapshot_t *snapshot, series_sink_t *sink, void *to);
 
 #endif

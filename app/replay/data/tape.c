@@ -16,8 +16,8 @@ typedef struct {
     tape_t *tape;
     bytes_t *row;
     double cycles;
-    uint32_t place; /* Place of the value that is looked at. */
-    uint32_t told;  /* The last value that was given. */
+    uint32_t place;    /* Place of the value that is looked at. */
+    uint32_t reported; /* The last value that was given. */
     bool with_numbers;
     bool is_reported;
     bool is_rebuilt;
@@ -67,8 +67,8 @@ static bool are_equal(const cJSON *one, const cJSON *other)
 
 static void report_place(reporter_t *self, uint32_t place)
 {
-    bytes_print(self->row, ",%u,", (unsigned)(place - self->told));
-    self->told = place;
+    bytes_print(self->row, ",%u,", (unsigned)(place - self->reported));
+    self->reported = place;
     self->is_reported = true;
 }
 
@@ -117,7 +117,7 @@ static void report_other(reporter_t *self, uint32_t place, cJSON *parent, cJSON 
     cJSON_free(text);
 }
 
-static void tell(reporter_t *self, cJSON *parent, cJSON *shown, const cJSON *now)
+static void report(reporter_t *self, cJSON *parent, cJSON *shown, const cJSON *now)
 {
     const uint32_t place = self->place;
 
@@ -128,7 +128,7 @@ static void tell(reporter_t *self, cJSON *parent, cJSON *shown, const cJSON *now
         const cJSON *inner = now->child;
         for (cJSON *part = shown->child; part != NULL; inner = inner->next) {
             cJSON *const next = part->next;
-            tell(self, shown, part, inner);
+            report(self, shown, part, inner);
             part = next;
         }
     } else if (!are_equal(shown, now)) {
@@ -158,20 +158,20 @@ bool tape_take(tape_t *self, uint32_t cycle, bool with_numbers, const cJSON *now
         self->shown = cJSON_CreateNull();
         rebuild(self);
     }
-    reporter_t teller = {.tape = self,
-                         .row = row,
-                         .cycles = (double)(cycle - self->counted),
-                         .with_numbers = with_numbers};
+    reporter_t reporter = {.tape = self,
+                           .row = row,
+                           .cycles = (double)(cycle - self->counted),
+                           .with_numbers = with_numbers};
     bytes_print(row, "[%s%u", with_numbers ? "" : "-", (unsigned)(cycle - self->cycle));
-    tell(&teller, NULL, self->shown, now);
+    report(&reporter, NULL, self->shown, now);
     bytes_put8(row, (uint8_t)']');
-    if (!with_numbers && !teller.is_reported) {
+    if (!with_numbers && !reporter.is_reported) {
         row->used = used;
         return false;
     }
     self->cycle = cycle;
     self->counted = with_numbers ? cycle : self->counted;
-    if (teller.is_rebuilt) {
+    if (reporter.is_rebuilt) {
         rebuild(self);
     }
     return true;

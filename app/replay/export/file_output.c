@@ -43,7 +43,7 @@ int file_output_csv(walk_t *walk, const char *path)
         return EXIT_REFUSED;
     }
     motion_csv_begin(&csv, file, walk->robot);
-    const int code = walk_tell(walk, report_csv, &csv);
+    const int code = walk_report(walk, report_csv, &csv);
     motion_csv_end(&csv);
     return end_file(walk, file, path, true, code);
 }
@@ -58,7 +58,7 @@ int file_output_mcap(walk_t *walk, const char *path)
     if (!motion_mcap_begin(&mcap, file, walk->robot)) {
         return end_file(walk, file, path, false, EXIT_REFUSED);
     }
-    const int code = walk_tell(walk, report_mcap, &mcap);
+    const int code = walk_report(walk, report_mcap, &mcap);
     const recording_reader_t *const reader = &walk->reader;
     const bool is_made =
         motion_mcap_end(&mcap, &reader->header, walk->is_cut_short, reader->cycles_lost);
@@ -76,7 +76,7 @@ int file_output_html(walk_t *walk, const char *path)
     const char *const rest = &strstr(page, REPLAY_PAGE_MARK)[strlen(REPLAY_PAGE_MARK)];
     (void)fwrite(page, 1U, (size_t)(rest - page), file);
     motion_json_begin(&html, file, walk);
-    const int code = walk_tell(walk, motion_json_take, &html);
+    const int code = walk_report(walk, motion_json_take, &html);
     motion_json_end(&html, walk, code);
     (void)fputs(rest, file);
     return end_file(walk, file, path, true, code);

@@ -31,7 +31,7 @@ static void write_row(motion_csv_t *self, const snapshot_t *snapshot, series_sin
 {
     for (uint32_t i = 0U; i < self->count; i++) {
         cell_t cell = {&self->row, self->sources[i].prefix};
-        source_tell(&self->sources[i], snapshot, sink, &cell);
+        source_report(&self->sources[i], snapshot, sink, &cell);
     }
     bytes_put8(&self->row, (uint8_t)'\n');
     (void)fwrite(self->row.at, 1U, self->row.used, self->file);

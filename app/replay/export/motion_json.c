@@ -66,14 +66,14 @@ static void take_events(motion_json_t *self, const controller_outputs_t *outputs
         log_entry_t entry = {.event = event.event, .utc_us = event.utc_us};
         alarms_take(&self->view.alarms, &event);
         event_text_sentence(self->robot, &entry.event, NULL, entry.text, sizeof entry.text);
-        cJSON *const told = telemetry_json_event(self->robot, &entry);
-        char *const text = cJSON_PrintUnformatted(told);
+        cJSON *const reported = telemetry_json_event(self->robot, &entry);
+        char *const text = cJSON_PrintUnformatted(reported);
         if (text == NULL) {
             abort();
         }
         bytes_print(&self->events, "%s\n%s", (self->events.used > 0U) ? "," : "", text);
         cJSON_free(text);
-        cJSON_Delete(told);
+        cJSON_Delete(reported);
     }
 }
 
@@ -141,7 +141,7 @@ static cJSON *new_frames(const controller_outputs_t *shown)
         const bool is_sent = find_frame(shown, slot, &command);
         cJSON *const frame = is_sent ? cJSON_CreateObject() : cJSON_CreateNull();
         if (is_sent) {
-            series_tell(fields_card_command, &command, NULL, put_field, frame);
+            series_report(fields_card_command, &command, NULL, put_field, frame);
         }
         (void)cJSON_AddItemToArray(frames, frame);
     }

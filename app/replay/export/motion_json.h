@@ -52,7 +52,7 @@ void motion_json_begin(motion_json_t *self, FILE *file, const walk_t *walk);
 void motion_json_take(walk_t *walk, void *to, const controller_outputs_t *shown);
 
 /**
- * Ends the document. `code` is what walk_tell() said.
+ * Ends the document. `code` is what walk_report() said.
  *
  * @satisfies SWR-REPLAY-017
  */

@@ -81,7 +81,7 @@ static uint16_t add_source(motion_mcap_t *self, const source_t *source)
     static const snapshot_t nothing;
 
     begin_schema(self, source->says);
-    source_tell(source, &nothing, put_property, &self->message);
+    source_report(source, &nothing, put_property, &self->message);
     return end_schema(self, source->topic);
 }
 
@@ -92,7 +92,7 @@ static uint16_t add_frames(motion_mcap_t *self, uint32_t slot)
 
     (void)snprintf(topic, sizeof topic, "/frames/%u", (unsigned)slot);
     begin_schema(self, "What leaves to a card.");
-    series_tell(fields_card_command, &nothing, NULL, put_property, &self->message);
+    series_report(fields_card_command, &nothing, NULL, put_property, &self->message);
     return end_schema(self, topic);
 }
 
@@ -178,7 +178,7 @@ static void write_frames(motion_mcap_t *self, const controller_outputs_t *shown)
         if (((shown->frames_to_send & (1U << slot)) != 0U) && (self->frames[slot] != 0U) &&
             (card_frame_decode_command(shown->frames[slot], slot, &command) == CARD_FRAME_OK)) {
             begin_message(self);
-            series_tell(fields_card_command, &command, NULL, put_value, &self->message);
+            series_report(fields_card_command, &command, NULL, put_value, &self->message);
             end_message(self, self->frames[slot]);
         }
     }
@@ -194,7 +194,7 @@ void motion_mcap_take(motion_mcap_t *self, const recording_header_t *header,
     }
     for (uint32_t i = 0U; i < self->count; i++) {
         begin_message(self);
-        source_tell(&self->sources[i], &shown->snapshot, put_value, &self->message);
+        source_report(&self->sources[i], &shown->snapshot, put_value, &self->message);
         end_message(self, self->channels[i]);
     }
     write_frames(self, shown);

@@ -11,7 +11,7 @@ void coverage_begin(coverage_t *self, bool is_of_run)
 }
 
 /* Those before `next`. */
-static void tell(FILE *notes, uint32_t from, uint32_t next, const char *what)
+static void report(FILE *notes, uint32_t from, uint32_t next, const char *what)
 {
     (void)fprintf(notes, "Cycles %" PRIu32 " to %" PRIu32 " %s (%" PRIu32 ").\n", from, next - 1U,
                   what, next - from);
@@ -20,7 +20,7 @@ static void tell(FILE *notes, uint32_t from, uint32_t next, const char *what)
 static void end_undone(coverage_t *self, FILE *notes)
 {
     if (self->is_undone) {
-        tell(notes, self->undone_from, self->next, "follow no checkpoint and were not replayed");
+        report(notes, self->undone_from, self->next, "follow no checkpoint and were not replayed");
     }
     self->is_undone = false;
 }
@@ -28,7 +28,7 @@ static void end_undone(coverage_t *self, FILE *notes)
 static void note_gap(coverage_t *self, uint32_t cycle, FILE *notes)
 {
     end_undone(self, notes);
-    tell(notes, self->next, cycle, "are missing");
+    report(notes, self->next, cycle, "are missing");
     self->missing += cycle - self->next;
 }
 

@@ -30,7 +30,7 @@ int printed_motion(walk_t *walk)
     if (is_first(walk)) {
         table_print_names(walk->robot);
     }
-    return walk_tell_part(walk, report_table, NULL);
+    return walk_report_part(walk, report_table, NULL);
 }
 
 int printed_board(walk_t *walk)
@@ -38,7 +38,7 @@ int printed_board(walk_t *walk)
     if (is_first(walk)) {
         board_table_print_names();
     }
-    return walk_tell_part(walk, report_board, NULL);
+    return walk_report_part(walk, report_board, NULL);
 }
 
 int printed_events(walk_t *walk)

@@ -6,11 +6,11 @@
 int verdict_take(walk_t *walk)
 {
     if (!walk->is_of_run) {
-        walk_tell_lost(walk);
+        walk_report_lost(walk);
     }
     while (walk_take(walk)) {
         if (!walk_replay(walk)) {
-            return walk_tell_difference(walk, stdout);
+            return walk_report_difference(walk, stdout);
         }
         (void)walk_count(walk, walk_is_done(walk));
     }
@@ -40,7 +40,7 @@ static void report_share(const walk_t *walk)
                                          : "their outputs equal; this is not the whole run");
 }
 
-int verdict_tell(walk_t *walk)
+int verdict_report(walk_t *walk)
 {
     const int code = walk_end(walk);
 

@@ -16,6 +16,6 @@ int verdict_take(walk_t *walk);
  * @satisfies SWR-REPLAY-031
  * @satisfies SWR-REPLAY-032
  */
-int verdict_tell(walk_t *walk);
+int verdict_report(walk_t *walk);
 
 #endif

@@ -142,7 +142,7 @@ static void look_further(walk_t *self, FILE *where)
     }
 }
 
-int walk_tell_difference(walk_t *self, FILE *where)
+int walk_report_difference(walk_t *self, FILE *where)
 {
     const uint64_t equal = self->replay.replayed;
     const bool is_named = find_difference(self, self->difference);
@@ -158,7 +158,7 @@ int walk_tell_difference(walk_t *self, FILE *where)
     return EXIT_DIFFERENT;
 }
 
-void walk_tell_lost(const walk_t *self)
+void walk_report_lost(const walk_t *self)
 {
     if (self->reader.cycles_lost > 0U) {
         (void)fprintf(self->notes, "%" PRIu32 " cycles before this file were lost.\n",
@@ -222,7 +222,7 @@ static const controller_outputs_t *find_shown(const walk_t *self)
 static int report_record(walk_t *self, walk_reporter_t *report, void *to)
 {
     if (!walk_replay(self)) {
-        return walk_tell_difference(self, stderr);
+        return walk_report_difference(self, stderr);
     }
     if (walk_count(self, walk_is_done(self))) {
         report(self, to, find_shown(self));
@@ -230,7 +230,7 @@ static int report_record(walk_t *self, walk_reporter_t *report, void *to)
     return WALK_GOES_ON;
 }
 
-int walk_tell_next(walk_t *self, walk_reporter_t *report, void *to)
+int walk_report_next(walk_t *self, walk_reporter_t *report, void *to)
 {
     if (walk_take(self)) {
         return report_record(self, report, to);
@@ -238,7 +238,7 @@ int walk_tell_next(walk_t *self, walk_reporter_t *report, void *to)
     return walk_check_end(self) ? walk_end(self) : EXIT_REFUSED;
 }
 
-int walk_tell_part(walk_t *self, walk_reporter_t *report, void *to)
+int walk_report_part(walk_t *self, walk_reporter_t *report, void *to)
 {
     int code = WALK_GOES_ON;
 
@@ -248,9 +248,9 @@ int walk_tell_part(walk_t *self, walk_reporter_t *report, void *to)
     return ((code == WALK_GOES_ON) && !walk_check_end(self)) ? EXIT_REFUSED : code;
 }
 
-int walk_tell(walk_t *self, walk_reporter_t *report, void *to)
+int walk_report(walk_t *self, walk_reporter_t *report, void *to)
 {
-    walk_tell_lost(self);
-    const int code = walk_tell_part(self, report, to);
+    walk_report_lost(self);
+    const int code = walk_report_part(self, report, to);
     return (code == WALK_GOES_ON) ? walk_end(self) : code;
 }

@@ -82,10 +82,10 @@ bool walk_is_whole_run(const walk_t *self);
 int walk_end(walk_t *self);
 
 /** Says where the outputs differ. The exit code. */
-int walk_tell_difference(walk_t *self, FILE *where);
+int walk_report_difference(walk_t *self, FILE *where);
 
 /** For a recording alone: prints the number of cycles that its recorder has lost before it. */
-void walk_tell_lost(const walk_t *self);
+void walk_report_lost(const walk_t *self);
 
 #define WALK_GOES_ON (-1) /**< There is no exit code yet. */
 
@@ -94,12 +94,12 @@ typedef int walk_part_t(walk_t *self);
 
 /** Replays the next record and calls `report` when it is a cycle that was not there before. The
  * exit code after the last one of a recording alone, else WALK_GOES_ON. */
-int walk_tell_next(walk_t *self, walk_reporter_t *report, void *to);
+int walk_report_next(walk_t *self, walk_reporter_t *report, void *to);
 
 /** Calls `report` for each cycle of the recording, alone, as it is replayed. The exit code. */
-int walk_tell(walk_t *self, walk_reporter_t *report, void *to);
+int walk_report(walk_t *self, walk_reporter_t *report, void *to);
 
 /** The same of the present one of several: WALK_GOES_ON at its end. */
-int walk_tell_part(walk_t *self, walk_reporter_t *report, void *to);
+int walk_report_part(walk_t *self, walk_reporter_t *report, void *to);
 
 #endif

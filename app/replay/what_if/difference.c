@@ -68,32 +68,32 @@ static uint32_t say_source(difference_t *self, uint32_t place, const snapshot_t 
                            bool are_numbers)
 {
     const source_t *const source = &self->sources[place];
-    uint32_t told = 0U;
+    uint32_t reported = 0U;
 
     self->was.count = 0U;
     self->now.count = 0U;
-    source_tell(source, both[0], keep, &self->was);
-    source_tell(source, both[1], keep, &self->now);
+    source_report(source, both[0], keep, &self->was);
+    source_report(source, both[1], keep, &self->now);
     for (uint32_t i = 0U; i < self->now.count; i++) {
         const series_t *const now = &self->now.series[i];
         if (((now->kind == SERIES_NUMBER) == are_numbers) && !self->is_reported[place][i] &&
             differs(&self->was.series[i], now)) {
             self->is_reported[place][i] = true;
             say_series(self, &source->topic[1], &self->was.series[i], now);
-            told++;
+            reported++;
         }
     }
-    return told;
+    return reported;
 }
 
 static uint32_t say_sources(difference_t *self, const snapshot_t *const both[2], bool are_numbers)
 {
-    uint32_t told = 0U;
+    uint32_t reported = 0U;
 
     for (uint32_t i = 0U; i < self->source_count; i++) {
-        told += say_source(self, i, both, are_numbers);
+        reported += say_source(self, i, both, are_numbers);
     }
-    return told;
+    return reported;
 }
 
 /* States only when those of either side are others than in the cycle before. */
@@ -132,7 +132,7 @@ static uint32_t say_events(difference_t *self, const controller_outputs_t *const
     const controller_outputs_t *const side = both[which];
     bool *const is_reported = self->is_event_reported[which];
     char sentence[EVENT_TEXT_SIZE];
-    uint32_t told = 0U;
+    uint32_t reported = 0U;
 
     for (uint32_t i = 0U; (i < side->event_count) && (i < CONTROLLER_EVENTS); i++) {
         const event_t *const event = &side->events[i];
@@ -142,10 +142,10 @@ static uint32_t say_events(difference_t *self, const controller_outputs_t *const
             event_text_sentence(self->robot, event, NULL, sentence, sizeof sentence);
             say(self, "%s %s: %s", (which == 1U) ? "event" : "no event",
                 event_id_name((int32_t)event->id), sentence);
-            told++;
+            reported++;
         }
     }
-    return told;
+    return reported;
 }
 
 /* The command that leaves to a card; a slot without a frame gets no drive. */
@@ -181,8 +181,8 @@ static uint32_t say_drive(difference_t *self, uint32_t slot,
     return 1U;
 }
 
-void difference_tell(difference_t *self, uint32_t cycle, const controller_outputs_t *was,
-                     const controller_outputs_t *now)
+void difference_report(difference_t *self, uint32_t cycle, const controller_outputs_t *was,
+                       const controller_outputs_t *now)
 {
     if (memcmp(was, now, sizeof *was) == 0) {
         return;
@@ -193,13 +193,13 @@ void difference_tell(difference_t *self, uint32_t cycle, const controller_output
 
     self->has_begun = true;
     self->cycle = cycle;
-    uint32_t told = say_states(self, snapshots);
-    told += say_events(self, both, 1U);
-    told += say_events(self, both, 0U);
+    uint32_t reported = say_states(self, snapshots);
+    reported += say_events(self, both, 1U);
+    reported += say_events(self, both, 0U);
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        told += say_drive(self, slot, both);
+        reported += say_drive(self, slot, both);
     }
-    if (is_first && (told == 0U)) {
+    if (is_first && (reported == 0U)) {
         (void)say_sources(self, snapshots, true);
     }
 }

@@ -48,7 +48,7 @@ void difference_init(difference_t *self, const robot_t *robot, difference_sink_t
  *
  * @satisfies SWR-SITE-018
  */
-void difference_tell(difference_t *self, uint32_t cycle, const controller_outputs_t *was,
-                     const controller_outputs_t *now);
+void difference_report(difference_t *self, uint32_t cycle, const controller_outputs_t *was,
+                       const controller_outputs_t *now);
 
 #endif

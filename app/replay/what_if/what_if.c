@@ -165,7 +165,7 @@ void what_if_take(what_if_t *self, const replay_t *replay, const cycle_record_t 
     self->compared++;
     if (memcmp(&self->outputs, &replay->outputs, sizeof self->outputs) != 0) {
         self->different++;
-        difference_tell(&self->difference, record->cycle, &replay->outputs, &self->outputs);
+        difference_report(&self->difference, record->cycle, &replay->outputs, &self->outputs);
     }
 }
 
@@ -173,7 +173,7 @@ bool what_if_end(const what_if_t *self)
 {
     if (!self->has_begun) {
         (void)printf("No cycle of this recording is changed: it has none of them, or none before "
-                     "them tells the state.\n");
+                     "them reports the state.\n");
         return false;
     }
     if (self->different == 0U) {

@@ -107,10 +107,10 @@ const sim_phantom_file_t sim_phantom_usual = {
 typedef struct {
     sim_phantom_file_t *phantom;
     part_kind_t kind;
-    void *place;         /* Of the part. */
-    uint32_t begun_at;   /* Its line. */
-    uint32_t told;       /* Bit n: field n has its number. */
-    uint32_t cells_told; /* Bit n: cell n has its part. */
+    void *place;             /* Of the part. */
+    uint32_t begun_at;       /* Its line. */
+    uint32_t reported;       /* Bit n: field n has its number. */
+    uint32_t cells_reported; /* Bit n: cell n has its part. */
     uint32_t line;
     char *reason;
     uint32_t reason_size;
@@ -134,7 +134,7 @@ static bool end_part(const reader_t *self)
     const part_t *const part = &parts[self->kind];
 
     for (uint32_t i = 0U; i < part->count; i++) {
-        if (((self->told >> i) & 1U) == 0U) {
+        if (((self->reported >> i) & 1U) == 0U) {
             return refuse(self, self->begun_at,
                           (self->kind == PART_WHOLE) ? "the phantom has no"
                                                      : "the part that begins here has no",
@@ -151,7 +151,7 @@ static bool begin_part(reader_t *self, part_kind_t kind, void *place)
     self->kind = kind;
     self->place = place;
     self->begun_at = self->line;
-    self->told = 0U;
+    self->reported = 0U;
     return is_ended;
 }
 
@@ -174,10 +174,10 @@ static bool begin_cell(reader_t *self, const char *name)
     for (uint32_t i = 0U; i < SIM_CELLS; i++) {
         const uint32_t bit = 1U << i;
         if (strcmp(name, sim_cell_words[i]) == 0) {
-            if ((self->cells_told & bit) != 0U) {
+            if ((self->cells_reported & bit) != 0U) {
                 return refuse(self, self->line, "there is a second part of the cell", name);
             }
-            self->cells_told |= bit;
+            self->cells_reported |= bit;
             return begin_part(self, PART_CELL, &self->phantom->cells[i]);
         }
     }
@@ -206,10 +206,10 @@ static bool take_field(reader_t *self, const char *key, const char *word)
     for (uint32_t i = 0U; i < part->count; i++) {
         const uint32_t bit = 1U << i;
         if (strcmp(key, part->fields[i].key) == 0) {
-            if ((self->told & bit) != 0U) {
+            if ((self->reported & bit) != 0U) {
                 return refuse(self, self->line, "a second time there is", key);
             }
-            self->told |= bit;
+            self->reported |= bit;
             return take_number(self, &part->fields[i], word);
         }
     }
@@ -285,7 +285,7 @@ bool sim_phantom_read(sim_phantom_file_t *self, const char *text, char *reason,
         return false;
     }
     for (uint32_t i = 0U; i < SIM_CELLS; i++) {
-        if (((reader.cells_told >> i) & 1U) == 0U) {
+        if (((reader.cells_reported >> i) & 1U) == 0U) {
             return refuse(&reader, reader.line, "there is no part of the cell", sim_cell_words[i]);
         }
     }

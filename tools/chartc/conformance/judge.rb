@@ -36,7 +36,7 @@ module Conformance
       end
     end
 
-    # The compiled chart does not tell the actions and transitions of its start.
+    # The compiled chart does not report the actions and transitions of its start.
     def same(steps, seen, interpreted)
       steps.each_index.flat_map do |index|
         fields = %i[leaves history data armed]

@@ -22,7 +22,7 @@ module Chart
       raise
     end
 
-    # Beside the message, which tells the same in words.
+    # Beside the message, which reports the same in words.
     def write(folder, shown)
       files = Compiled.new(shown.document, shown.walk).files
       Output.write(folder, files.merge(shown.file_name => shown.test))

@@ -35,7 +35,7 @@ class Scion
       @pipe.close
     end
 
-    # One outcome, as SCION tells it, for each of the inputs. before: a Snapshot, or nil to start the chart.
+    # One outcome, as SCION reports it, for each of the inputs. before: a Snapshot, or nil to start the chart.
     def outcomes(file, before, events, inputs)
       @pipe.puts(JSON.generate('chart' => File.expand_path(file), 'before' => before&.to_h, 'events' => events,
                                'inputs' => inputs))

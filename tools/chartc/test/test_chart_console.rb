@@ -2,7 +2,7 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-# The rule under test: the console is told of a chart what its walk has seen, and where it stands in its drawing.
+# The rule under test: the console is informed of a chart what its walk has seen, and where it stands in its drawing.
 
 require 'json'
 require 'minitest/autorun'
@@ -16,7 +16,7 @@ class TestChartConsole < Minitest::Test
   def setup
     @chart = Chart::Compiled.from(FILE, CHART, LIMITS)
     @svg = Chart::Diagram.svg(Chart::Diagram.new(@chart.document).dot)
-    @told = Chart::Console.new(@chart, @svg).to_h
+    @reported = Chart::Console.new(@chart, @svg).to_h
   end
 
   SHAPE = / (?:points|x|y|cx|cy|rx|ry)="([^"]*)"/.freeze
@@ -52,7 +52,7 @@ class TestChartConsole < Minitest::Test
   end
 
   def changes(region)
-    @told.fetch('regions').find { |one| one.fetch('name') == region }.fetch('changes')
+    @reported.fetch('regions').find { |one| one.fetch('name') == region }.fetch('changes')
   end
 
   def test_SWR_CON_031_each_change_has_the_transitions_of_its_region_that_may_make_it
@@ -62,37 +62,37 @@ class TestChartConsole < Minitest::Test
   end
 
   def test_SWR_CON_031_a_transition_has_its_events_and_its_guard
-    told = @told.fetch('transitions').fetch('LAMP-T03')
-    assert_equal [['start'], "is_allowed && In('closed')"], told.values_at('events', 'guard')
+    reported = @reported.fetch('transitions').fetch('LAMP-T03')
+    assert_equal [['start'], "is_allowed && In('closed')"], reported.values_at('events', 'guard')
   end
 
   def test_SWR_CON_031_a_leaf_has_all_that_is_active_with_it
     assert_equal %w[lamp-off lamp-power lamp-all],
-                 @told.fetch('regions').find { |one| one.fetch('name') == 'power' }.fetch('leaves').fetch('off')
+                 @reported.fetch('regions').find { |one| one.fetch('name') == 'power' }.fetch('leaves').fetch('off')
   end
 
   def test_SWR_CON_031_the_corner_of_a_state_is_that_of_its_outline
     across, down = @svg[/translate\(([-\d.]+ [-\d.]+)\)/, 1].split.map(&:to_f)
     outline = @svg[/id="lamp-off".*?\n<path[^>]* d="([^"]*)"/, 1].scan(/-?[\d.]+/).map(&:to_f).each_slice(2)
     assert_equal [outline.map(&:first).min + across, outline.map(&:last).min + down].map { |one| one.round(2) },
-                 @told.fetch('corners').fetch('lamp-off')
+                 @reported.fetch('corners').fetch('lamp-off')
   end
 
   def test_SWR_CON_031_the_drawing_is_all_of_the_svg_but_its_frame_its_font_and_its_places
     font = / (?:text-anchor|font-family|font-size)="[^"]*"/
-    assert_equal without_places(@svg.gsub(font, '')), "#{@svg[/\A<svg .*?>\n/m]}#{without_places(@told.fetch('drawing'))}</svg>\n"
+    assert_equal without_places(@svg.gsub(font, '')), "#{@svg[/\A<svg .*?>\n/m]}#{without_places(@reported.fetch('drawing'))}</svg>\n"
   end
 
   def test_SWR_CON_031_lines_and_shapes_are_where_the_svg_has_them
-    svg, told = [@svg, @told.fetch('drawing')].map { |one| [one.scan(/ d="([^"]*)"/).flatten, one.scan(SHAPE).flatten] }
+    svg, reported = [@svg, @reported.fetch('drawing')].map { |one| [one.scan(/ d="([^"]*)"/).flatten, one.scan(SHAPE).flatten] }
     refute_empty svg.flatten
-    assert_equal(svg.first.map { |path| absolute(path) }, told.first.map { |path| relative(path) })
-    assert_equal(svg.last.map { |places| tenths(places) }, told.last.map { |places| tenths(places) })
+    assert_equal(svg.first.map { |path| absolute(path) }, reported.first.map { |path| relative(path) })
+    assert_equal(svg.last.map { |places| tenths(places) }, reported.last.map { |places| tenths(places) })
   end
 
   def test_SWR_CON_031_the_script_names_every_chart
     script = Chart::Console.emit([@chart], 'lamp' => @svg)
     assert_includes script, 'export type ChartName = "lamp";'
-    assert_equal({ 'lamp' => @told }, JSON.parse(script[/= (\{.*\});\n\z/m, 1]))
+    assert_equal({ 'lamp' => @reported }, JSON.parse(script[/= (\{.*\});\n\z/m, 1]))
   end
 end

@@ -181,7 +181,7 @@ class TestChartDifference < Minitest::Test
     end
   end
 
-  # What a version of another time lacks, or has besides, or how else it is refused; and what is told of it.
+  # What a version of another time lacks, or has besides, or how else it is refused; and what is reported of it.
   REFUSED = {
     'without_ignores' => [/ bs:ignores="push"/, '', 'CHART-R25', '~ state shut ignores: + push'],
     'without_rounding' => [' bs:kind="watchdog"', '', 'CHART-R32', '~ timer wait rounds: none -> down'],

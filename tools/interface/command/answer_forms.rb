@@ -99,10 +99,10 @@ module Interface
 
     def unused
       header = @structures.values.first.header
-      stranger = @model.structures.find do |one|
+      unknown = @model.structures.find do |one|
         one.header == header && one.name.start_with?(PREFIX) && !@structures.value?(one)
       end
-      raise Refused.new(FROM, stranger.name, 'is the form of no answer') if stranger
+      raise Refused.new(FROM, unknown.name, 'is the form of no answer') if unknown
     end
 
     def about(name)

@@ -43,10 +43,10 @@ class TestThesisPage < Minitest::Test
 
   def test_SWR_THESIS_001_what_has_no_row_or_two_is_named
     rows = ['| Figures 1 to 22, 24: x | ours | - |', '| Figures 25 to 37: x | ours | - |', '| Figure 2: again | ours | - |']
-    told = ThesisPage.new(ROOT, rows.join("\n"), sources: SOURCES).complaints
+    reported = ThesisPage.new(ROOT, rows.join("\n"), sources: SOURCES).complaints
     assert_equal ['Figure 2 has 2 rows', 'Figure 23 has no row', 'Figure 38 has no row'],
-                 told.filter_map { |line| line[/Figure .*/] }.sort
-    assert_equal [17, 2, 5, 16], %w[Listing Table Mode Test].map { |kind| told.count { |line| line.match?(/: #{kind} .* no row/) } }
+                 reported.filter_map { |line| line[/Figure .*/] }.sort
+    assert_equal [17, 2, 5, 16], %w[Listing Table Mode Test].map { |kind| reported.count { |line| line.match?(/: #{kind} .* no row/) } }
   end
 
   private

@@ -46,7 +46,7 @@ namespace
 {
 
 // A bound against hanging, where none is given.
-const int kPatienceMs = 120000;
+const int kTimeoutMs = 120000;
 
 typedef std::chrono::steady_clock Clock;
 typedef std::vector<std::string> Words;
@@ -136,7 +136,7 @@ class Client
                     << "; start boresight first";
             throw std::runtime_error(message.str());
         }
-        channel_->SetReceiveTimeout(kPatienceMs);
+        channel_->SetReceiveTimeout(kTimeoutMs);
     }
 
     void Run(const std::string &line)
@@ -215,7 +215,7 @@ class Client
             }
         } else if (verb == "wait") {
             Need(words, 3, "wait TYPE NAME [MS]");
-            Await(words[1], words[2], Patience(words, 3));
+            Await(words[1], words[2], TimeoutOf(words, 3));
         } else if (verb == "expect") {
             Need(words, 4, "expect STATUS NAME CODE [MS]");
             Expect(words);
@@ -242,9 +242,9 @@ class Client
         }
     }
 
-    static int Patience(const Words &words, std::size_t place)
+    static int TimeoutOf(const Words &words, std::size_t place)
     {
-        return words.size() > place ? std::atoi(words[place].c_str()) : kPatienceMs;
+        return words.size() > place ? std::atoi(words[place].c_str()) : kTimeoutMs;
     }
 
     static std::string After(const std::string &line, int words)
@@ -368,7 +368,7 @@ class Client
         Begin();
         const double sent_ms = Now();
         SendString("CMD_" + id, phase);
-        ReportAcknowledgement(Await("STRING", "ACK_" + id, kPatienceMs), sent_ms);
+        ReportAcknowledgement(Await("STRING", "ACK_" + id, kTimeoutMs), sent_ms);
     }
 
     void SendPose(const std::string &prefix, const Words &words)
@@ -377,7 +377,7 @@ class Client
         Begin();
         const double sent_ms = Now();
         SendTransform(prefix + id, words, 1);
-        const Received echo = Await("TRANSFORM", "ACK_" + id, kPatienceMs);
+        const Received echo = Await("TRANSFORM", "ACK_" + id, kTimeoutMs);
         ReportAcknowledgement(echo, sent_ms);
         for (std::size_t i = 0; i < 12; i++) {
             const float sent = std::strtof(words[1 + i].c_str(), NULL);
@@ -440,7 +440,7 @@ class Client
 
     void Expect(const Words &words)
     {
-        const Received received = Await(words[1], words[2], Patience(words, 4));
+        const Received received = Await(words[1], words[2], TimeoutOf(words, 4));
         if (received.code != std::atoi(words[3].c_str())) {
             std::ostringstream message;
             message << words[1] << " " << words[2] << " has code " << received.code << " ("
@@ -457,13 +457,13 @@ class Client
             message->SetDeviceName(name.c_str());
             message->Pack();
             Send(message);
-            Await("STATUS", name, kPatienceMs);
+            Await("STATUS", name, kTimeoutMs);
         } else {
             igtl::GetTransformMessage::Pointer message = igtl::GetTransformMessage::New();
             message->SetDeviceName(name.c_str());
             message->Pack();
             Send(message);
-            Await("TRANSFORM", name, kPatienceMs);
+            Await("TRANSFORM", name, kTimeoutMs);
         }
     }
 

@@ -43,7 +43,7 @@ static const snapshot_card_t *shown(uint32_t slot)
 }
 
 /* Number of times that `id` was reported of the card in `slot`. */
-static uint32_t told(event_id_t id, uint32_t slot)
+static uint32_t reported(event_id_t id, uint32_t slot)
 {
     uint32_t count = 0U;
     for (uint32_t i = 0U; i < rig.event_count; i++) {
@@ -80,13 +80,13 @@ static void begin_jog(void)
 
 void test_SWR_LINK_009_a_card_without_an_axis_is_judged_and_shown(void)
 {
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_LIVE, SENSOR));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_CARD_LIVE, SENSOR));
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LIVE, shown(SENSOR)->link);
     TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_SENSOR, shown(SENSOR)->card_type);
     TEST_ASSERT_EQUAL_UINT32(0U, shown(SENSOR)->age_cycles);
     rig_box(&rig, "card 8 corrupt");
     rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_FRAME_REFUSED, SENSOR));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FRAME_REFUSED, SENSOR));
     TEST_ASSERT_EQUAL_UINT32(1U, shown(SENSOR)->frame_errors);
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LATE, shown(SENSOR)->link);
 }
@@ -120,7 +120,7 @@ void test_SWR_LINK_010_it_is_reported_as_lost_and_no_axis_stops_for_it(void)
     rig_box(&rig, "card 8 silent");
     rig_cycles(&rig, SILENT_CYCLES);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_LOST, SENSOR));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_CARD_LOST, SENSOR));
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, shown(SENSOR)->link);
     TEST_ASSERT_EQUAL_HEX32(CARD_CONTROL_CLEAR_FAULT, sent_to_sensor().control);
     TEST_ASSERT_TRUE(rig_is_driving(&rig));
@@ -150,7 +150,7 @@ void test_SWR_LINK_010_damaged_memory_of_it_is_reported_and_no_axis_stops_for_it
         ((uint8_t *)&rig.controller.links[SENSOR].sealed)[i] ^= 0x10U;
         rig_cycle(&rig);
         TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
-        TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_LOST, SENSOR));
+        TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_CARD_LOST, SENSOR));
         TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_MEMORY, rig.events[0].value);
         TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, shown(SENSOR)->link);
         TEST_ASSERT_TRUE(rig_is_driving(&rig));
@@ -168,7 +168,7 @@ static void answer(uint32_t heartbeat)
 }
 
 /* The next cycle, but that the board hands over a frame from that slot as well. */
-static void cycle_with_stranger(void)
+static void cycle_with_unexpected_card(void)
 {
     static uint8_t frame[CARD_FRAME_BYTES];
     (void)memcpy(frame, rig.inputs.frames[STRANGER], sizeof frame);
@@ -190,11 +190,11 @@ void test_SWR_LINK_011_a_card_that_the_robot_does_not_name_is_reported_of_once_a
     begin_jog();
     for (uint32_t i = 1U; i <= 20U; i++) {
         answer(i);
-        cycle_with_stranger();
+        cycle_with_unexpected_card();
         TEST_ASSERT_EQUAL_HEX32(0U, rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].permit_reasons);
     }
     TEST_ASSERT_EQUAL_UINT32(1U, rig.event_count);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_UNEXPECTED_CARD, STRANGER));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_UNEXPECTED_CARD, STRANGER));
     TEST_ASSERT_EQUAL_INT32(CARD_TYPE_PWM, rig.events[0].value);
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, shown(STRANGER)->link);
     TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_PWM, shown(STRANGER)->card_type);
@@ -212,7 +212,7 @@ void test_SWR_LINK_011_noise_from_an_empty_slot_is_no_card(void)
     for (uint32_t i = 1U; i <= 20U; i++) {
         answer(i);
         rig.inputs.frames[STRANGER][30] ^= 1U;
-        cycle_with_stranger();
+        cycle_with_unexpected_card();
     }
     TEST_ASSERT_EQUAL_UINT32(0U, rig.event_count);
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_ABSENT, shown(STRANGER)->link);
@@ -223,12 +223,12 @@ void test_SWR_LINK_011_noise_from_an_empty_slot_is_no_card(void)
 void test_SWR_LINK_011_start_up_does_not_make_it_one_of_the_robot(void)
 {
     answer(1U);
-    cycle_with_stranger();
+    cycle_with_unexpected_card();
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     answer(2U);
-    cycle_with_stranger();
+    cycle_with_unexpected_card();
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, shown(STRANGER)->link);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_UNEXPECTED_CARD, STRANGER));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_UNEXPECTED_CARD, STRANGER));
 }
 
 /* Slots without a named card that this cycle sends to. */
@@ -267,7 +267,7 @@ void test_SWR_DRIVE_011_a_card_that_is_plugged_in_is_found_and_stays_shown(void)
 {
     plug("plug 9 analog");
     rig_cycles(&rig, (LIMIT_PROBE_CYCLES * CARD_SLOT_COUNT) + 1U);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_UNEXPECTED_CARD, STRANGER));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_UNEXPECTED_CARD, STRANGER));
     TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_ANALOG, shown(STRANGER)->card_type);
     begin_jog();
     for (uint32_t i = 0U; i < 100U; i++) {
@@ -287,7 +287,7 @@ void test_SWR_DRIVE_011_no_slot_is_looked_at_while_an_axis_is_driven(void)
         rig_cycle(&rig);
         TEST_ASSERT_TRUE(!rig_is_driving(&rig) || (looked_at() == 0U));
     }
-    TEST_ASSERT_EQUAL_UINT32(0U, told(EVENT_UNEXPECTED_CARD, STRANGER));
+    TEST_ASSERT_EQUAL_UINT32(0U, reported(EVENT_UNEXPECTED_CARD, STRANGER));
 }
 
 void test_SWR_DRIVE_012_a_card_that_is_taken_out_is_reported_and_another_found(void)
@@ -298,12 +298,12 @@ void test_SWR_DRIVE_012_a_card_that_is_taken_out_is_reported_and_another_found(v
     rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES - 1U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.event_count);
     rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_LOST, STRANGER));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_CARD_LOST, STRANGER));
     TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_AGE, rig.events[0].value);
     TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_NONE, shown(STRANGER)->card_type);
     plug("plug 9 high_frequency");
     rig_cycles(&rig, (LIMIT_PROBE_CYCLES * CARD_SLOT_COUNT) + 1U);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_UNEXPECTED_CARD, STRANGER));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_UNEXPECTED_CARD, STRANGER));
     TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_HIGH_FREQUENCY, shown(STRANGER)->card_type);
 }
 

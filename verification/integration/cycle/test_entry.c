@@ -103,22 +103,22 @@ typedef struct {
 static reported_t reported_of(command_kind_t kind)
 {
     const snapshot_t *const shown = &rig.outputs.snapshot;
-    reported_t told = {shown->registration_proposer_peer, shown->registration_proposed_cycle};
+    reported_t reported = {shown->registration_proposer_peer, shown->registration_proposed_cycle};
     if (kind == COMMAND_PROPOSE_ENTRY) {
-        told = (reported_t){shown->entry_proposer_peer, shown->entry_proposed_cycle};
+        reported = (reported_t){shown->entry_proposer_peer, shown->entry_proposed_cycle};
     } else if (kind == COMMAND_PROPOSE_TARGET) {
-        told = (reported_t){shown->target_proposer_peer, shown->target_proposed_cycle};
+        reported = (reported_t){shown->target_proposer_peer, shown->target_proposed_cycle};
     } else {
         /* The registration. */
     }
-    return told;
+    return reported;
 }
 
 static void expect_reported(command_kind_t kind, reported_t expected)
 {
-    const reported_t told = reported_of(kind);
-    TEST_ASSERT_EQUAL_UINT32(expected.peer, told.peer);
-    TEST_ASSERT_EQUAL_UINT32(expected.cycle, told.cycle);
+    const reported_t reported = reported_of(kind);
+    TEST_ASSERT_EQUAL_UINT32(expected.peer, reported.peer);
+    TEST_ASSERT_EQUAL_UINT32(expected.cycle, reported.cycle);
 }
 
 /* One that is not for the log counts as well; one that is refused does not, and no other changes.

@@ -300,11 +300,12 @@ void test_SWR_PLAN_022_a_registration_is_shown_with_its_sender_and_its_cycle(voi
         at++;
     }
     TEST_ASSERT_LESS_THAN_UINT32(rig.event_count, at);
-    const event_t *const told = &rig.events[at];
-    TEST_ASSERT_EQUAL_UINT32(told->cycle, shown->registered_cycle);
-    TEST_ASSERT_EQUAL_UINT32(told->peer, shown->registered_peer);
-    TEST_ASSERT_EQUAL_UINT32((told->cause == (uint32_t)EVENT_CAUSE_CONSOLE) ? COMMAND_SOURCE_HTTP
-                                                                            : COMMAND_SOURCE_IGTL,
+    const event_t *const reported = &rig.events[at];
+    TEST_ASSERT_EQUAL_UINT32(reported->cycle, shown->registered_cycle);
+    TEST_ASSERT_EQUAL_UINT32(reported->peer, shown->registered_peer);
+    TEST_ASSERT_EQUAL_UINT32((reported->cause == (uint32_t)EVENT_CAUSE_CONSOLE)
+                                 ? COMMAND_SOURCE_HTTP
+                                 : COMMAND_SOURCE_IGTL,
                              shown->registered_source);
     TEST_ASSERT_NOT_EQUAL_UINT32(0U, shown->registered_peer);
 }

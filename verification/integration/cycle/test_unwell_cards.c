@@ -44,7 +44,7 @@ static const snapshot_card_t *shown(uint32_t slot)
     return &rig.outputs.snapshot.cards[slot];
 }
 
-static uint32_t told(event_id_t id, uint32_t slot, card_trouble_t trouble)
+static uint32_t reported(event_id_t id, uint32_t slot, card_trouble_t trouble)
 {
     uint32_t count = 0U;
 
@@ -62,12 +62,12 @@ void test_SWR_CARD_011_a_bad_supply_is_reported_and_shown_of_any_card(void)
 {
     rig_box(&rig, "card 8 low");
     rig_cycles(&rig, ROUND + (LIMIT_CARD_SUPPLY_LOOKS * CARD_SLOT_COUNT));
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_UNWELL, SENSOR, CARD_TROUBLE_SUPPLY_LOW));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_CARD_UNWELL, SENSOR, CARD_TROUBLE_SUPPLY_LOW));
     TEST_ASSERT_EQUAL_HEX32(BIT(CARD_TROUBLE_SUPPLY_LOW), shown(SENSOR)->troubles);
     TEST_ASSERT_LESS_THAN_UINT32(LIMIT_CARD_SUPPLY_LEAST_MV, shown(SENSOR)->supply_mv);
     rig_box(&rig, "card 8 normal");
     rig_cycles(&rig, ROUND);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_WELL, SENSOR, CARD_TROUBLE_SUPPLY_LOW));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_CARD_WELL, SENSOR, CARD_TROUBLE_SUPPLY_LOW));
     TEST_ASSERT_EQUAL_HEX32(0U, shown(SENSOR)->troubles);
 }
 
@@ -113,7 +113,7 @@ void test_SWR_CARD_012_a_driver_that_is_too_hot_is_not_driven_and_keeps_its_posi
     rig_cycles(&rig, ROUND);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_HOT));
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_UNWELL, slot, CARD_TROUBLE_DRIVER_HOT));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_CARD_UNWELL, slot, CARD_TROUBLE_DRIVER_HOT));
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED,
                              rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].power);
@@ -129,7 +129,7 @@ void test_SWR_CARD_012_a_card_without_an_axis_disables_none(void)
     rig_cycles(&rig, ROUND);
     TEST_ASSERT_TRUE(rig_is_driving(&rig));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_CARD_HOT));
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_UNWELL, SENSOR, CARD_TROUBLE_DRIVER_HOT));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_CARD_UNWELL, SENSOR, CARD_TROUBLE_DRIVER_HOT));
 }
 
 void test_SWR_CARD_012_of_an_axis_that_is_disabled_there_is_nothing_to_disable(void)
@@ -140,7 +140,7 @@ void test_SWR_CARD_012_of_an_axis_that_is_disabled_there_is_nothing_to_disable(v
                              rig.outputs.snapshot.axes[NEURO_AXIS_LATERAL].power);
     rig_box(&rig, "card lateral hot");
     rig_cycles(&rig, ROUND);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_UNWELL, slot, CARD_TROUBLE_DRIVER_HOT));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_CARD_UNWELL, slot, CARD_TROUBLE_DRIVER_HOT));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_CARD_HOT));
 }
 
@@ -177,7 +177,8 @@ void test_SWR_CARD_013_a_card_that_hears_nothing_trips_and_is_lost(void)
 {
     rig_box(&rig, "card 8 deaf");
     rig_cycles(&rig, LIMIT_CARD_WATCHDOG_US / LIMIT_CYCLE_US + ROUND);
-    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_UNWELL, SENSOR, CARD_TROUBLE_WATCHDOG_TRIPPED));
+    TEST_ASSERT_EQUAL_UINT32(1U,
+                             reported(EVENT_CARD_UNWELL, SENSOR, CARD_TROUBLE_WATCHDOG_TRIPPED));
     TEST_ASSERT_EQUAL_UINT32(1U, shown(SENSOR)->watchdog_trips);
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, shown(SENSOR)->link);
 }
@@ -191,7 +192,7 @@ static int32_t cause_of_loss(uint32_t slot)
     for (uint32_t i = 0U; i < rig.event_count; i++) {
         const event_t *const event = &rig.events[i];
         if ((event->id == (uint32_t)EVENT_CARD_LOST) && (event->subject == slot)) {
-            TEST_ASSERT_EQUAL_INT32_MESSAGE(-1, cause, "told twice");
+            TEST_ASSERT_EQUAL_INT32_MESSAGE(-1, cause, "reported twice");
             cause = event->value;
         }
     }

@@ -131,9 +131,11 @@ void test_SWR_SWEEP_001_the_published_curve_is_measured_up_to_the_speed_of_the_a
             const double low = published[(uint32_t)at][way];
             const double high = published[(uint32_t)at + 1U][way];
             const double due = low + ((high - low) * (at - (double)(uint32_t)at));
-            const int32_t told = nth((way == 0U) ? EVENT_SWEEP_UPWARDS : EVENT_SWEEP_DOWNWARDS, i);
+            const int32_t reported =
+                nth((way == 0U) ? EVENT_SWEEP_UPWARDS : EVENT_SWEEP_DOWNWARDS, i);
             /* Its directions differ by 3 %, and warm it is slower. */
-            TEST_ASSERT_DOUBLE_WITHIN(0.1, 0.94, (double)told / (due * TICKS_PER_TURN_A_MINUTE));
+            TEST_ASSERT_DOUBLE_WITHIN(0.1, 0.94,
+                                      (double)reported / (due * TICKS_PER_TURN_A_MINUTE));
             compared++;
         }
     }

@@ -74,7 +74,7 @@ void test_SWR_REC_021_the_event_says_whether_the_recorder_does_not_read_or_canno
 }
 
 /* The minutes that are left; @return whether it is reported that they are few. */
-static bool tells_of(uint32_t minutes)
+static bool reports_of(uint32_t minutes)
 {
     rig.recording_left_min = minutes;
     rig_cycle(&rig);
@@ -88,17 +88,17 @@ void test_SWR_REC_036_a_disk_that_is_full_soon_is_logged_once_until_there_is_twi
 {
     const uint32_t limit = LIMIT_RECORDING_LEFT_MIN;
 
-    TEST_ASSERT_FALSE(tells_of(0U));
-    TEST_ASSERT_FALSE(tells_of(limit));
-    TEST_ASSERT_TRUE(tells_of(limit - 1U));
+    TEST_ASSERT_FALSE(reports_of(0U));
+    TEST_ASSERT_FALSE(reports_of(limit));
+    TEST_ASSERT_TRUE(reports_of(limit - 1U));
     rig_cycles(&rig, 10U);
-    TEST_ASSERT_FALSE(tells_of(1U));
-    TEST_ASSERT_FALSE(tells_of((2U * limit) - 1U));
-    TEST_ASSERT_FALSE(tells_of(limit - 1U));
-    TEST_ASSERT_FALSE(tells_of(2U * limit));
-    TEST_ASSERT_TRUE(tells_of(limit - 1U));
-    TEST_ASSERT_FALSE(tells_of(0U));
-    TEST_ASSERT_TRUE(tells_of(1U));
+    TEST_ASSERT_FALSE(reports_of(1U));
+    TEST_ASSERT_FALSE(reports_of((2U * limit) - 1U));
+    TEST_ASSERT_FALSE(reports_of(limit - 1U));
+    TEST_ASSERT_FALSE(reports_of(2U * limit));
+    TEST_ASSERT_TRUE(reports_of(limit - 1U));
+    TEST_ASSERT_FALSE(reports_of(0U));
+    TEST_ASSERT_TRUE(reports_of(1U));
     TEST_ASSERT_EQUAL_UINT32(3U, rig_count(&rig, EVENT_RECORDING_ENDS_SOON));
 }
 

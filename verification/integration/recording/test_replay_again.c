@@ -97,7 +97,7 @@ static int replay_both(void)
     for (uint32_t i = 0U; (i < 2U) && (code == EXIT_EQUAL); i++) {
         TEST_ASSERT_TRUE(walk_open(&walk, paths[i]));
         while ((code == EXIT_EQUAL) && walk_take(&walk)) {
-            code = walk_replay(&walk) ? EXIT_EQUAL : walk_tell_difference(&walk, to);
+            code = walk_replay(&walk) ? EXIT_EQUAL : walk_report_difference(&walk, to);
             (void)walk_count(&walk, walk_is_done(&walk));
         }
         walk_close(&walk);

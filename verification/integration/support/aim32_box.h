@@ -61,13 +61,13 @@ static inline uint32_t aim32_box_exchange(box_t *box, const controller_outputs_t
 {
     uint8_t own[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        const uint8_t *const told = outputs->frames[slot];
-        const bool is_on = aim32_word(told, 14U) != 0U;
+        const uint8_t *const reported = outputs->frames[slot];
+        const bool is_on = aim32_word(reported, 14U) != 0U;
         const card_command_t command = {
             .slot = slot,
             .sequence = sequence,
             .control = is_on ? CARD_CONTROL_AMPLIFIER : CARD_CONTROL_CLEAR_FAULT,
-            .drive = aim32_drive(told, robot_cards_type(box->robot, slot)),
+            .drive = aim32_drive(reported, robot_cards_type(box->robot, slot)),
             .watchdog_us = LIMIT_CARD_WATCHDOG_US,
             .overspeed_ticks_per_s = INT32_MAX,
             .guard_minimum_ticks = INT32_MIN,

@@ -27,9 +27,9 @@ class ComposedChart
 
   # Everything but the stimuli of the world and the timers.
   def internal
-    told = @documents.flat_map { |member, document| document.events.map { |event| "#{member.name}.#{event}" } }
+    reported = @documents.flat_map { |member, document| document.events.map { |event| "#{member.name}.#{event}" } }
     expired = @documents.flat_map { |member, document| document.timers.map { |timer| "#{member.name}.#{timer.event}" } }
-    told - expired + conditional.map { |number| "told.#{number}" } + %w[world.settle world.end]
+    reported - expired + conditional.map { |number| "reported.#{number}" } + %w[world.settle world.end]
   end
 
   def conditional
@@ -54,8 +54,8 @@ class ComposedChart
      state.substates.map { |one| state(member, one) }, "</#{kind}>"]
   end
 
-  def block(name, member, content, told)
-    lines = content.map { |one| piece(member, one) } + raises(told)
+  def block(name, member, content, reported)
+    lines = content.map { |one| piece(member, one) } + raises(reported)
     lines.empty? ? [] : ["<#{name}>", lines, "</#{name}>"]
   end
 
@@ -73,13 +73,13 @@ class ComposedChart
   # An event with a condition goes by the world, which decides when it is heard.
   def raises(reactions)
     reactions.map do |reaction|
-      event = reaction.condition ? "told.#{@composition.reactions.index(reaction)}" : told(reaction)
+      event = reaction.condition ? "reported.#{@composition.reactions.index(reaction)}" : reported(reaction)
       %(<raise event="#{event}"/>)
     end
   end
 
-  def told(reaction)
-    member, event = reaction.told
+  def reported(reaction)
+    member, event = reaction.reported
     "#{member.name}.#{member.stimuli[event]}"
   end
 
@@ -92,12 +92,12 @@ class ComposedChart
   end
 
   def transition(member, one)
-    told = reactions(member, 'does') { |what| one.actions.include?(what) } +
-           reactions(member, 'hears') { |what| one.events.include?(what) }
+    reported = reactions(member, 'does') { |what| one.actions.include?(what) } +
+               reactions(member, 'hears') { |what| one.events.include?(what) }
     target = one.targets.empty? ? '' : %( target="#{one.targets.map { |state| id(member, state) }.join(' ')}")
     events = one.events.map { |event| "#{member.name}.#{event}" }.join(' ')
     [%(<transition event="#{events}"#{target}#{guard(member, one)}#{' type="internal"' if one.internal}>),
-     one.content.map { |content| piece(member, content) }, raises(told), '</transition>']
+     one.content.map { |content| piece(member, content) }, raises(reported), '</transition>']
   end
 
   def guard(member, transition)
@@ -157,8 +157,8 @@ class ComposedChart
   def reaction(reaction, number)
     return [] unless reaction.condition
 
-    [%(<transition event="told.#{number}" cond="#{text(reaction.condition)}">),
-     %(<raise event="#{told(reaction)}"/>), '</transition>']
+    [%(<transition event="reported.#{number}" cond="#{text(reaction.condition)}">),
+     %(<raise event="#{reported(reaction)}"/>), '</transition>']
   end
 
   def data

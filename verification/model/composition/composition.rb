@@ -20,7 +20,7 @@ class Composition
   # number: of the member's stimulus; condition: expression or nil; free: names "member.input" that it may come to read.
   Stimulus = Struct.new(:name, :member, :number, :condition, :free)
   # trigger: one of TRIGGERS; what: the id of a state, an action or an event; of: the axis whose it is alone, or nil.
-  Reaction = Struct.new(:member, :trigger, :what, :told, :condition, :of)
+  Reaction = Struct.new(:member, :trigger, :what, :reported, :condition, :of)
   # kind as in Chart::Property; stimuli: numbers.
   Property = Struct.new(:id, :kind, :stimuli, :from, :expression, :steps)
 
@@ -194,10 +194,10 @@ class Composition
 
     source = member(place)
     row.fetch('send').flat_map { |name| name.include?('_N') ? (1..@axes).map { |axis| [name, axis] } : [[name, nil]] }
-       .map { |name, axis| told(row, source, trigger, what, name, axis) }
+       .map { |name, axis| reported(row, source, trigger, what, name, axis) }
   end
 
-  def told(row, source, trigger, what, name, axis)
+  def reported(row, source, trigger, what, name, axis)
     text = axis && row['when'] ? number(row['when'], axis) : row['when']
     member, event = resolve(axis ? number(name, axis) : name)
     internal = member.chart.document.internal_events.include?(member.stimuli[event])
@@ -221,7 +221,7 @@ class Composition
       next if known.include?(step)
 
       known << step
-      waiting += @reactions.select { |one| may_cause?(step, one) }.map(&:told)
+      waiting += @reactions.select { |one| may_cause?(step, one) }.map(&:reported)
     end
     known.flat_map { |place, what| inputs_read(place, what) }.uniq & @free
   end

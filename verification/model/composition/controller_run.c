@@ -218,16 +218,16 @@ static void command(void)
     rig.command_count = 1U;
 }
 
-static void run_episode(uint32_t patience)
+static void run_episode(uint32_t cycles_between)
 {
     for (uint32_t i = 0U; i < CYCLES; i++) {
-        if (random_below(patience) == 0U) {
+        if (random_below(cycles_between) == 0U) {
             disturb();
         }
-        if (random_below(patience) == 0U) {
+        if (random_below(cycles_between) == 0U) {
             command();
         }
-        rig.elapsed_us = (random_below(patience * 2U) < 3U) ? 2000U : 1000U;
+        rig.elapsed_us = (random_below(cycles_between * 2U) < 3U) ? 2000U : 1000U;
         rig_cycle(&rig);
         for (uint32_t axis = 0U; axis < robot_neuro.axis_count; axis++) {
             note(axis);

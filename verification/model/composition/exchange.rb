@@ -45,8 +45,8 @@ class Exchange
   end
 
   def reaction_row(one)
-    told, event = one.told
-    [one.member.name, one.trigger, one.what, told.name, told.stimuli[event], one.condition]
+    reported, event = one.reported
+    [one.member.name, one.trigger, one.what, reported.name, reported.stimuli[event], one.condition]
   end
 
   def property_row(one)

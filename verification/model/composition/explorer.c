@@ -170,25 +170,25 @@ static void fill_cells(uint32_t member)
     }
 }
 
-static uint32_t queued(uint8_t queue[QUEUE], uint32_t told, uint64_t triggered)
+static uint32_t queued(uint8_t queue[QUEUE], uint32_t reported, uint64_t triggered)
 {
     for (; triggered != 0U; triggered &= triggered - 1U) {
-        if (told == QUEUE) {
-            puts("the charts tell each other more than the queue holds");
+        if (reported == QUEUE) {
+            puts("the charts send each other more than the queue holds");
             exit(2);
         }
-        queue[told] = (uint8_t)__builtin_ctzll(triggered);
-        told++;
+        queue[reported] = (uint8_t)__builtin_ctzll(triggered);
+        reported++;
     }
-    longest_queue = (told > longest_queue) ? told : longest_queue;
-    return told;
+    longest_queue = (reported > longest_queue) ? reported : longest_queue;
+    return reported;
 }
 
 static result_t step(config_t before, uint32_t stimulus, uint32_t free)
 {
     result_t result = {.after = before, .can_happen = true, .is_same = true};
     uint8_t queue[QUEUE];
-    uint32_t told = 0U;
+    uint32_t reported = 0U;
     uint32_t member = stimuli[stimulus].member;
     uint32_t event = stimuli[stimulus].event;
     for (uint32_t next = 0U;; next++) {
@@ -202,11 +202,11 @@ static result_t step(config_t before, uint32_t stimulus, uint32_t free)
         result.actions = mixed(
             result.actions ^ (((uint64_t)member << 40) | ((uint64_t)event << 32) | cell->actions));
         result.is_same = result.is_same && cell->is_same;
-        told = queued(queue, told, cell->reactions);
-        while ((next < told) && !does_react(result.after, queue[next])) {
+        reported = queued(queue, reported, cell->reactions);
+        while ((next < reported) && !does_react(result.after, queue[next])) {
             next++;
         }
-        if (next >= told) {
+        if (next >= reported) {
             return result;
         }
         const reaction_t *const reaction = &reactions[queue[next]];

@@ -11,7 +11,7 @@ require_relative 'program'
 class Explorer
   # explored, explored_pairs: so many stood for all. findings: differences, violated properties, and what of the asked
   # differs.
-  Report = Struct.new(:configurations, :explored, :pairs, :explored_pairs, :told, :digest, :findings)
+  Report = Struct.new(:configurations, :explored, :pairs, :explored_pairs, :reported, :digest, :findings)
 
   ROOT = CompiledChart::ROOT
   HERE = "#{ROOT}/verification/model/composition".freeze
@@ -77,8 +77,8 @@ class Explorer
     return Report.new(*[nil] * 6, lines) unless exit_code
     raise CompiledChart::Failed, lines.join("\n") unless [0, 1].include?(exit_code)
 
-    *findings, configurations, explored, pairs, explored_pairs, told, digest = lines
-    numbers = [configurations, explored, pairs, explored_pairs, told].map { |line| line.split.last.to_i }
+    *findings, configurations, explored, pairs, explored_pairs, reported, digest = lines
+    numbers = [configurations, explored, pairs, explored_pairs, reported].map { |line| line.split.last.to_i }
     Report.new(*numbers, digest.split.last, findings)
   end
 end

@@ -98,8 +98,8 @@ class CompositionProgram
   end
 
   def reaction(one)
-    told, event = one.told
-    numbers = [@numbers.fetch(told), event].map { |number| "#{number}U" }
+    reported, event = one.reported
+    numbers = [@numbers.fetch(reported), event].map { |number| "#{number}U" }
     trigger = "TRIGGER_#{one.trigger.upcase}, #{what(one)}U"
     "{#{@numbers.fetch(one.member)}U, #{trigger}, #{numbers.join(', ')}, #{@composition.exchange.alone?(one)}}"
   end

@@ -6,7 +6,7 @@
 #include "axis/edge_spacing.h"
 #include "limits/requirement_limits.h"
 
-/* What each cycle leaves: below what is told, a row of even ways may follow. */
+/* What each cycle leaves: below what is reported, a row of even ways may follow. */
 #define MOST_UNEVEN (LIMIT_UNEVEN_MOST + LIMIT_UNEVEN_WEIGHT)
 
 void prove_SWR_AXIS_027_uneven_counts_are_reported_when_their_sum_is_reached(void)
@@ -19,7 +19,7 @@ void prove_SWR_AXIS_027_uneven_counts_are_reported_when_their_sum_is_reached(voi
     const bool is_uneven = edge_spacing_step(&self, &view);
 
     PROVE(SAME(is_uneven, self.uneven >= LIMIT_UNEVEN_MOST),
-          "SWR-AXIS-027: told when it is reached");
+          "SWR-AXIS-027: reported when it is reached");
     PROVE(self.uneven <= (before.uneven + LIMIT_UNEVEN_WEIGHT),
           "SWR-AXIS-027: a way adds its weight at most");
     PROVE((self.uneven + 1U) >= before.uneven, "SWR-AXIS-027: an even way gives back one at most");

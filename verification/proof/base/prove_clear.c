@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Memory that is cleared, of every length up to 148 bytes: each loop of clear_words() goes round. */
+/* Memory that is cleared, of every length up to 148 bytes: each loop of clear_words() goes round.
+ */
 #include "prove.h"
 
 #include "base/clear.h"

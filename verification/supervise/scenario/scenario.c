@@ -245,7 +245,7 @@ static void let_rivals_play(scenario_t *self, rig_t *rig)
     }
 }
 
-static void let_foe_play(scenario_t *self, rig_t *rig)
+static void let_adversary_play(scenario_t *self, rig_t *rig)
 {
     if ((self->play == PLAY_TAPS) && adversary_play(&self->adversary, rig)) {
         self->has_fault = 1U;
@@ -372,7 +372,7 @@ void scenario_play(scenario_t *self, rig_t *rig)
     play_operator(self, rig);
     let_watch(self, rig);
     let_rivals_play(self, rig);
-    let_foe_play(self, rig);
+    let_adversary_play(self, rig);
     if (self->play == PLAY_LATE) {
         lateness_play(&self->lateness, rig);
     }

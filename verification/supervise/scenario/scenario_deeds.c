@@ -7,9 +7,9 @@
 #include "supervise/scenario/hand_deeds.h"
 #include "supervise/scenario/scenario_sends.h"
 
-#define OTHER_PARTS 6U     /* One of so many orders is not of the theme of the play. */
-#define NEEDLE_PARTS 12    /* Part of its way that the needle goes in before a sweep. */
-#define SWEEP_PATIENCE 32U /* A sweep is given so much longer than any other order. */
+#define OTHER_PARTS 6U   /* One of so many orders is not of the theme of the play. */
+#define NEEDLE_PARTS 12  /* Part of its way that the needle goes in before a sweep. */
+#define SWEEP_FACTOR 32U /* A sweep is given so much longer than any other order. */
 
 void scenario_do_anything(scenario_t *self, rig_t *rig)
 {
@@ -308,7 +308,7 @@ static void do_order(scenario_t *self, rig_t *rig)
 void scenario_do_mode(scenario_t *self, rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
-    const uint32_t patience = (self->play == PLAY_SWEEPS) ? SWEEP_PATIENCE : 1U;
+    const uint32_t rarer = (self->play == PLAY_SWEEPS) ? SWEEP_FACTOR : 1U;
     if (self->orders.rows != 0U) {
         return;
     }
@@ -319,11 +319,11 @@ void scenario_do_mode(scenario_t *self, rig_t *rig)
         scenario_send_order(self, rig, WORKPHASE_MOVE_TO_TARGET);
     } else if (shown->order == (uint32_t)ARMING_STATE_WAITING) {
         rig_box(rig, scenario_has_whim(self, 8U) ? "pedal release" : "pedal press");
-    } else if (scenario_has_whim(self, 24U * patience)) {
+    } else if (scenario_has_whim(self, 24U * rarer)) {
         rig_box(rig, "pedal release");
-    } else if (scenario_has_whim(self, 80U * patience)) {
+    } else if (scenario_has_whim(self, 80U * rarer)) {
         scenario_send_order(self, rig, WORKPHASE_COUNT);
-    } else if (scenario_has_whim(self, 160U * patience)) {
+    } else if (scenario_has_whim(self, 160U * rarer)) {
         scenario_send_phase(self, rig, WORKPHASE_STOP);
     } else {
         /* It goes on. */

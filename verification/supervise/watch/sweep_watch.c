@@ -56,10 +56,10 @@ static void follow_run(sweep_watch_t *self, const rig_t *rig, bool is_driven, do
     }
 }
 
-static bool is_untrue(const sweep_watch_t *self, double told, double at, bool is_disturbed)
+static bool is_untrue(const sweep_watch_t *self, double reported, double at, bool is_disturbed)
 {
     const bool is_cut = fabs((double)self->run_us - RUN_US) > RUN_SLACK_US;
-    return is_cut || (!is_disturbed && (fabs(told - fabs(at - self->from)) > WAY_SLACK_TICKS));
+    return is_cut || (!is_disturbed && (fabs(reported - fabs(at - self->from)) > WAY_SLACK_TICKS));
 }
 
 static uint32_t judge_reported(sweep_watch_t *self, const event_t *event, double at,

@@ -34,7 +34,7 @@ class TestHttp < Minitest::Test
   def test_SWR_SUP_005_status_says_how_fast_time_passes
     time = -> { fetch_json('/api/v1/status').fetch('time') }
     assert_equal [true, 1], time.call.values_at('is_elastic', 'slowness')
-    wait_until('a second without a pause is told') { (0.1..101.0).cover?(time.call.fetch('speed_percent')) }
+    wait_until('a second without a pause is reported') { (0.1..101.0).cover?(time.call.fetch('speed_percent')) }
   end
 
   def test_SWR_CON_098_the_stages_of_each_cycle_are_counted
@@ -169,7 +169,7 @@ class TestHttp < Minitest::Test
     streams.each { |stream| stream.next_of('state') }
     post('/api/v1/stop', '{}')
     streams.each do |stream|
-      wait_until('the client is told') { stream.next_of('state').dig('status', 'workphase', 'name') == 'STOP' }
+      wait_until('the client is informed') { stream.next_of('state').dig('status', 'workphase', 'name') == 'STOP' }
     end
   ensure
     streams&.each(&:close)

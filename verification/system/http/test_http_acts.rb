@@ -38,8 +38,8 @@ class TestHttpActs < Minitest::Test
     anna.act('workphase', { workphase: 'PLANNING' })
     assert_answer '409', 'WRONG_WORKPHASE', anna.act('motors/yaw/jog', { position: 0, unit: 'deg' })
     anna.act('workphase', { workphase: 'MANUAL' })
-    told = assert_answer '409', 'AXIS_LIMIT', anna.act('motors/yaw/jog', { position: 1000, unit: 'deg' })
-    assert_equal %w[yaw upper], told.values_at('axis', 'limit')
+    reported = assert_answer '409', 'AXIS_LIMIT', anna.act('motors/yaw/jog', { position: 1000, unit: 'deg' })
+    assert_equal %w[yaw upper], reported.values_at('axis', 'limit')
     assert_described '/api/v1/motors/{axis}/jog', 'POST', anna.last
   end
 
@@ -119,11 +119,11 @@ class TestHttpActs < Minitest::Test
     stream = open_stream
     anna.act('workphase', { workphase: 'MANUAL' })
     begun = assert_answer '202', 'accepted', anna.act('motors/yaw/jog', { position: -3, unit: 'deg' })
-    assert_equal ['OK', 'Accepted; its end is told later.'], begun.values_at('code', 'message')
+    assert_equal ['OK', 'Accepted; its end is reported later.'], begun.values_at('code', 'message')
     anna.give_up
-    told = stream.next_of('act')
-    assert_equal [anna.page, anna.id, 'failed', 'NO_AUTHORITY'], told.values_at('page', 'id', 'state', 'code')
-    assert_nil openapi.message_fault('Act', told)
+    reported = stream.next_of('act')
+    assert_equal [anna.page, anna.id, 'failed', 'NO_AUTHORITY'], reported.values_at('page', 'id', 'state', 'code')
+    assert_nil openapi.message_fault('Act', reported)
   ensure
     stream&.close
   end
@@ -200,8 +200,8 @@ class TestHttpActs < Minitest::Test
     axis = head.delete(:axis)
     lines = head.map { |name, value| "#{name}: #{value}\r\n" }.join
     _, answer = send_raw("POST /api/v1/motors/#{axis}/jog HTTP/1.1\r\n#{lines}Content-Length: #{body.bytesize}\r\n\r\n#{body}").split("\r\n\r\n", 2)
-    told = JSON.parse(answer)
-    told['code'] unless told['code'] == 'OK'
+    reported = JSON.parse(answer)
+    reported['code'] unless reported['code'] == 'OK'
   end
 
   def test_SWR_HTTP_026_a_page_must_say_which_it_is
@@ -237,13 +237,13 @@ class TestHttpActs < Minitest::Test
     anna.act('workphase', { workphase: 'CALIBRATION' })
     { 0 => 1.1, 3 => 2000.1, 12 => 0.1, 15 => 0, 6 => -1.5 }.each do |place, number|
       matrix = IDENTITY.dup.tap { |one| one[place] = number }
-      told = assert_answer '422', 'OUT_OF_RANGE', anna.act('targeting/registration', { matrix: })
-      assert_equal "/matrix/#{place}", told['pointer']
-      assert_equal "This is outside its range. Expected is #{range_at(place)}.", told['detail']
+      reported = assert_answer '422', 'OUT_OF_RANGE', anna.act('targeting/registration', { matrix: })
+      assert_equal "/matrix/#{place}", reported['pointer']
+      assert_equal "This is outside its range. Expected is #{range_at(place)}.", reported['detail']
     end
     assert_answer '409', 'NOT_RIGID', anna.act('targeting/registration', { matrix: IDENTITY.dup.tap { |one| one[0] = 0.9 } })
-    told = assert_answer '400', 'BAD_BODY', anna.act('targeting/registration', { matrix: IDENTITY.first(15) })
-    assert_equal '/matrix', told['pointer']
+    reported = assert_answer '400', 'BAD_BODY', anna.act('targeting/registration', { matrix: IDENTITY.first(15) })
+    assert_equal '/matrix', reported['pointer']
   end
 
   def test_SWR_HTTP_031_what_is_taken_is_shown_to_the_nanometre
@@ -323,8 +323,8 @@ class TestHttpActs < Minitest::Test
     assert_described '/api/v1/targeting/probe', 'POST', anna.last
     assert_equal PROBE.zip([12.5, 6, 7, 46]), probe
     assert_equal [nil, nil], fetch_json('/api/v1/targeting').values_at('target', 'entry_mm')
-    told = assert_answer '422', 'OUT_OF_RANGE', send_probe(anna, [12.5, 6, 60.5, 46])
-    assert_equal '/lengths/2/length_mm', told['pointer']
+    reported = assert_answer '422', 'OUT_OF_RANGE', send_probe(anna, [12.5, 6, 60.5, 46])
+    assert_equal '/lengths/2/length_mm', reported['pointer']
     assert_answer '409', 'PROBE_ORDER', send_probe(anna, [10, 42, 5, 41])
     assert_answer '409', 'PROBE_LENGTH', send_probe(anna, [10, 5, 5])
     assert_equal PROBE.zip([12.5, 6, 7, 46]), probe
@@ -341,9 +341,9 @@ class TestHttpActs < Minitest::Test
     assert_equal '/lengths/3/name', assert_answer('422', 'OUT_OF_RANGE', anna.act('targeting/probe', { lengths: twice }))['pointer']
     foreign = [{ name: 'needle_tip', length_mm: 200 }]
     assert_equal '/lengths/0/name', assert_answer('422', 'OUT_OF_RANGE', anna.act('targeting/probe', { lengths: foreign }))['pointer']
-    told = assert_answer '400', 'BAD_BODY', anna.act('targeting/probe', { lengths_mm: [10, 5, 5, 41] })
+    reported = assert_answer '400', 'BAD_BODY', anna.act('targeting/probe', { lengths_mm: [10, 5, 5, 41] })
     assert_equal ['/lengths_mm', 'Nothing of this name is expected. Expected are id, lengths.'],
-                 told.values_at('pointer', 'detail')
+                 reported.values_at('pointer', 'detail')
     assert_equal PROBE.zip([10, 5, 6, 41]), probe
   end
 
@@ -353,12 +353,12 @@ class TestHttpActs < Minitest::Test
     anna.act('workphase', { workphase: 'CALIBRATION' })
     turned = [0, -1, 0, 7, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
     assert_answer '200', 'done', anna.act('targeting/registration', { matrix: turned, ignore_rotation: true })
-    told = fetch_json('/api/v1/targeting')
-    assert_equal [true, [1, 0, 0, 7]], [told['ignores_registration_rotation'], told['registration'].first(4)]
+    reported = fetch_json('/api/v1/targeting')
+    assert_equal [true, [1, 0, 0, 7]], [reported['ignores_registration_rotation'], reported['registration'].first(4)]
     assert fetch_json('/api/v1/status')['ignores_registration_rotation']
     assert_answer '200', 'done', anna.act('targeting/registration', { matrix: turned })
-    told = fetch_json('/api/v1/targeting')
-    assert_equal [false, turned], [told['ignores_registration_rotation'], told['registration']]
+    reported = fetch_json('/api/v1/targeting')
+    assert_equal [false, turned], [reported['ignores_registration_rotation'], reported['registration']]
   end
 
   def test_SWR_HTTP_033_a_preview_needs_no_authority_and_changes_nothing
@@ -367,8 +367,8 @@ class TestHttpActs < Minitest::Test
     anna.act('targeting/entry', { point_mm: [0, 246, 50] })
     olga = client('olga')
     before = fetch_json('/api/v1/targeting').slice('registration', 'entry_mm', 'target')
-    told = JSON.parse(preview(olga, { point_mm: [0, 200, 50] }).body)
-    assert_equal [true, 'OK', nil], told.values_at('is_reachable', 'code', 'limit')
+    reported = JSON.parse(preview(olga, { point_mm: [0, 200, 50] }).body)
+    assert_equal [true, 'OK', nil], reported.values_at('is_reachable', 'code', 'limit')
     far = preview(olga, { matrix: [-1, 0, 0, 0, 0, 0, -1, 200, 0, -1, 0, 900, 0, 0, 0, 1] })
     assert_equal false, JSON.parse(far.body)['is_reachable'], far.body
     assert_described '/api/v1/targeting/preview', 'POST', far

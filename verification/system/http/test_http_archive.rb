@@ -110,7 +110,7 @@ class TestHttpArchive < Minitest::Test
   end
 
   def test_SWR_HTTP_041_the_time_of_an_event_is_that_of_the_machine
-    assert_in_delta Time.now.to_f, Time.parse(log('?limit=1')['entries'].last['utc']).to_f, Boresight::PATIENCE_SECONDS
+    assert_in_delta Time.now.to_f, Time.parse(log('?limit=1')['entries'].last['utc']).to_f, Boresight::TIMEOUT_SECONDS
   end
 
   def test_SWR_HTTP_041_what_cannot_be_read_is_refused_by_its_name
@@ -128,8 +128,8 @@ class TestHttpArchive < Minitest::Test
     assert_equal 'text/csv', response['Content-Type'].split(';').first
     assert_equal 'attachment; filename="events.csv"', response['Content-Disposition']
     rows = CSV.parse(response.body, headers: true).map(&:to_h)
-    told = log('?after=0')['entries'].map { |entry| entry.transform_values(&:to_s) }
-    assert_equal(told, rows.map { |row| row.transform_values(&:to_s) })
+    reported = log('?after=0')['entries'].map { |entry| entry.transform_values(&:to_s) }
+    assert_equal(reported, rows.map { |row| row.transform_values(&:to_s) })
     assert_equal 200, get('/api/v1/log.csv?limit=10000').code.to_i
     assert_operator CSV.parse(get('/api/v1/log.csv').body, headers: true).size, :>, 2 * MEMORY
   end
@@ -287,21 +287,21 @@ class TestHttpArchive < Minitest::Test
   def test_SWR_HTTP_049_an_engineer_sets_the_level_and_the_log_says_by_whom
     egon = client('egon')
     assert_equal '200', set_level(egon, { level: 'WARNING' }).code
-    assert_equal ['WARNING', 'egon', nil], level_told(egon).values_at('level', 'by', 'reason')
+    assert_equal ['WARNING', 'egon', nil], level_reported(egon).values_at('level', 'by', 'reason')
     said = 'LOG_LEVEL value=1 From here on events from WARNING on are written, set by egon.'
     wait_until('the log says so') { boresight.event_lines.any? { |line| line.end_with?(said) } }
     assert_equal '200', set_level(egon, { level: 'INFORMATION' }).code
     wait_until('the log says so') { boresight.event_lines.any? { |line| line.include?('LOG_LEVEL value=0') } }
   end
 
-  def level_told(who)
+  def level_reported(who)
     JSON.parse(assert_described('/api/v1/log/level', 'GET', who.request('get', '/api/v1/log/level')).body)
   end
 
   def test_SWR_HTTP_049_it_is_reported_why_somebody_may_not_set_it
-    assert_nil level_told(client('egon'))['reason']
-    assert_equal 'The role of this account does not allow it.', level_told(client('anna'))['reason']
-    assert_equal 'Log in first; there is no session, or it has ended.', level_told(client)['reason']
+    assert_nil level_reported(client('egon'))['reason']
+    assert_equal 'The role of this account does not allow it.', level_reported(client('anna'))['reason']
+    assert_equal 'Log in first; there is no session, or it has ended.', level_reported(client)['reason']
   end
 
   def test_SWR_HTTP_049_nobody_else_sets_it

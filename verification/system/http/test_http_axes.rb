@@ -134,10 +134,10 @@ class TestHttpAxes < Minitest::Test
     run_act(anna, 'align')
     refused = JSON.parse(assert_described(PROGRAM, 'POST', send_program(anna, [2, 0, 1, false], [5, 0, 1, false])).body)
     assert_equal ['PROGRAM_DEPTH', '/steps/1'], refused.values_at('code', 'pointer')
-    told = JSON.parse(assert_described(PROGRAM, 'POST', send_program(anna, [2, 20, 0.1, false], [2.9, 0, 600, true])).body)
-    assert_equal [2, 'HTTP'], told.values_at('steps', 'source')
+    reported = JSON.parse(assert_described(PROGRAM, 'POST', send_program(anna, [2, 20, 0.1, false], [2.9, 0, 600, true])).body)
+    assert_equal [2, 'HTTP'], reported.values_at('steps', 'source')
     anna.act('workphase', { workphase: 'MOVE_TO_TARGET' })
-    run_program(anna, told['checksum'])
+    run_program(anna, reported['checksum'])
     assert_in_delta 9667, ticks('insertion'), 40
     emptied = anna.request('delete', PROGRAM, nil, 'X-Boresight-Page' => anna.page.to_s)
     assert_equal [0, nil], JSON.parse(assert_described(PROGRAM, 'DELETE', emptied).body).values_at('steps', 'source')
@@ -169,12 +169,12 @@ class TestHttpAxes < Minitest::Test
   # The checksum that its end states.
   def send_steps(client, *steps)
     lines = ["BEGIN #{steps.size}", *steps.each_with_index.map { |step, index| "STEP #{index} #{step}" }, 'END']
-    told = lines.map do |line|
+    reported = lines.map do |line|
       client.run("string Text PROGRAM #{line}")
       client.status('PROGRAM').values_at('code', 'text')
     end
-    assert_equal [1], told.map(&:first).uniq
-    Integer(told.last.last[/\AChecksum (\d+)\.\z/, 1])
+    assert_equal [1], reported.map(&:first).uniq
+    Integer(reported.last.last[/\AChecksum (\d+)\.\z/, 1])
   end
 
   def test_SWR_PROG_013_a_client_of_openigtlink_sends_a_program_and_runs_it_to_its_dose
@@ -223,8 +223,8 @@ class TestHttpAxes < Minitest::Test
     assert_answer '200', 'done', egon.act('motors/feet/set-home')
     assert_equal 'unverified', reference('feet')
     assert_answer '200', 'done', egon.act('motors/feet/confirm')
-    told = authority
-    assert_equal ['CONFIRM_AXIS', 1], told.values_at('request', 'request_axis')
+    reported = authority
+    assert_equal ['CONFIRM_AXIS', 1], reported.values_at('request', 'request_axis')
     assert_equal 'unverified', reference('feet')
     boresight.simctl('button', 'press')
     wait_until('it is confirmed') { egon.keep && reference('feet') == 'verified' }
@@ -250,10 +250,10 @@ class TestHttpAxes < Minitest::Test
     assert_answer '202', 'accepted', one.act('velocity', fields)
     assert_described '/api/v1/velocity', 'POST', one.last
     boresight.simctl('pedal', 'press')
-    told = nil
-    wait_until('it has ended') { %w[done failed].include?((told = JSON.parse(one.act('velocity', fields, id: one.id).body))['state']) }
+    reported = nil
+    wait_until('it has ended') { %w[done failed].include?((reported = JSON.parse(one.act('velocity', fields, id: one.id).body))['state']) }
     boresight.simctl('pedal', 'release')
-    told
+    reported
   end
 
   def speed(axis, speed_per_s, unit = 'deg')
@@ -263,11 +263,11 @@ class TestHttpAxes < Minitest::Test
   def test_SWR_VEL_013_an_axis_runs_at_a_speed_for_a_way_and_up_to_its_limit
     anna = holder('anna')
     start = position('rotation')
-    told = run_at(anna, { speeds: [speed('rotation', -50)], way: 40, unit: 'deg' })
-    assert_equal 'done', told['state'], told
+    reported = run_at(anna, { speeds: [speed('rotation', -50)], way: 40, unit: 'deg' })
+    assert_equal 'done', reported['state'], reported
     assert_in_delta start - 40, position('rotation'), 0.1
-    told = run_at(anna, { speeds: [speed('pitch', 50), speed('rotation', 20)], time_s: 3 })
-    assert_equal %w[failed SWITCH_ZONE pitch], told.values_at('state', 'code', 'axis'), told
+    reported = run_at(anna, { speeds: [speed('pitch', 50), speed('rotation', 20)], time_s: 3 })
+    assert_equal %w[failed SWITCH_ZONE pitch], reported.values_at('state', 'code', 'axis'), reported
   end
 
   def test_SWR_VEL_013_what_is_no_speed_is_refused_by_its_place_or_name
@@ -280,8 +280,8 @@ class TestHttpAxes < Minitest::Test
       { speeds: [speed('yaw', 61)], time_s: 1 } => ['409', 'TOO_FAST', nil],
       { speeds: [speed('yaw', 0)], time_s: 1 } => ['409', 'OUT_OF_RANGE', nil] }.each do |fields, expected|
       refusal = anna.act('velocity', fields)
-      told = JSON.parse(refusal.body)
-      assert_equal expected, [refusal.code, *told.values_at('code', 'pointer')], refusal.body
+      reported = JSON.parse(refusal.body)
+      assert_equal expected, [refusal.code, *reported.values_at('code', 'pointer')], refusal.body
       assert_described '/api/v1/velocity', 'POST', refusal
     end
   end

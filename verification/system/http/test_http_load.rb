@@ -13,8 +13,8 @@ class CrowdedRun
   attr_reader :off_nm, :early_events, :stop_codes, :counts, :server_kb, :seen, :event_numbers, :replayed
 
   def initialize(accounts, counts)
-    @robot = Boresight.start(arguments: ['--robot', Errand::ROBOT, '--accounts', accounts])
-    @seen = Crowd.around(@robot.http_port, **counts) { act(Errand.new(@robot)) }
+    @robot = Boresight.start(arguments: ['--robot', TargetMove::ROBOT, '--accounts', accounts])
+    @seen = Crowd.around(@robot.http_port, **counts) { act(TargetMove.new(@robot)) }
     look
   ensure
     @robot&.kill_all
@@ -23,12 +23,12 @@ class CrowdedRun
   private
 
   # The first stop ends a motion and comes by the port for stops, the second one by the console's.
-  def act(errand)
-    errand.prepare
+  def act(target_move)
+    target_move.prepare
     @early_events = @robot.status['counts']['events']
-    errand.move
-    @off_nm = errand.off_nm
-    errand.begin_move
+    target_move.move
+    @off_nm = target_move.off_nm
+    target_move.begin_move
     @stop_codes = [@robot.post_stop(@robot.stop_port).code]
     @robot.wait_until('nothing is driven') { !@robot.moving? }
     @stop_codes << @robot.post_stop.code
@@ -119,7 +119,7 @@ class TestHttpLoad < SystemTest
   def test_SWR_LOAD_006_who_comes_waits_for_a_worker_in_turn
     boresight.while_stopped('http') do
       waiting = Array.new(LIMITS.fetch('waiting_clients')) do
-        Socket.tcp('127.0.0.1', boresight.http_port, connect_timeout: Boresight::PATIENCE_SECONDS)
+        Socket.tcp('127.0.0.1', boresight.http_port, connect_timeout: Boresight::TIMEOUT_SECONDS)
       end
       assert(waiting.all? { |socket| socket.remote_address.ip_port == boresight.http_port })
       waiting.each(&:close)

@@ -55,11 +55,11 @@ class TestHttpPositions < Minitest::Test
 
   # Those that were to be are where they were saved, as old lists have it; the others were homed there.
   def assert_restored(shown, ticks)
-    restored, stayed = shown['axes'].zip(axes).partition { |told, _| told['is_restored'] }
+    restored, stayed = shown['axes'].zip(axes).partition { |reported, _| reported['is_restored'] }
     refute_empty restored
     assert_equal [['old_list', 'unverified', 'unverified', ticks]],
-                 restored.map { |told, axis| told.values_at('why', 'grade') + axis.values_at('reference', 'position_ticks') }.uniq
-    assert_empty(stayed.map { |told, _| told['why'] }.uniq - ['stands_there'])
+                 restored.map { |reported, axis| reported.values_at('why', 'grade') + axis.values_at('reference', 'position_ticks') }.uniq
+    assert_empty(stayed.map { |reported, _| reported['why'] }.uniq - ['stands_there'])
   end
 
   # As an older control program saves them.
@@ -185,8 +185,8 @@ class TestHttpPositions < Minitest::Test
 
   def test_SWR_STORE_023_the_axis_that_cannot_stand_there_is_named
     strange = motors(0).each_with_index.map { |motor, index| index == 4 ? motor.merge(current_ticks: 1_000_000) : motor }
-    told = restore(preview({ motors: strange })['token'])
-    assert_equal ['OUT_OF_RANGE', axes[4]['name']], told.values_at('code', 'axis')
+    reported = restore(preview({ motors: strange })['token'])
+    assert_equal ['OUT_OF_RANGE', axes[4]['name']], reported.values_at('code', 'axis')
     assert_described "#{PATH}/restore", 'POST', engineer.last
   end
 

@@ -109,9 +109,9 @@ class TestHttpSessions < Minitest::Test
     { {} => '/password', { name: 'anna' } => '/password', { password: 'x' } => '/name',
       { name: 'anna', password: 'x', code: 'y' } => '/code', { name: 'anna', user: 'x' } => '/user' }.each do |body, place|
       response = client.post_login(body)
-      told = JSON.parse(response.body)
-      assert_equal ['BAD_BODY', place], told.values_at('code', 'pointer')
-      assert_match(/\A(?:This is missing|Nothing of this name is expected)\./, told['detail'])
+      reported = JSON.parse(response.body)
+      assert_equal ['BAD_BODY', place], reported.values_at('code', 'pointer')
+      assert_match(/\A(?:This is missing|Nothing of this name is expected)\./, reported['detail'])
     end
   end
 

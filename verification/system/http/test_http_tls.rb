@@ -224,7 +224,7 @@ class TestHttpTls < Minitest::Test
     seen << stream.readpartial(1024) until seen.include?('event: hello')
     ask('DELETE', '/api/v1/session', headers: { 'Cookie' => cookie, SessionClient::TOKEN => token })
     rest = Thread.new { TlsFront.read_all(stream) }
-    assert rest.join(PATIENCE), 'the stream goes on'
+    assert rest.join(TIMEOUT), 'the stream goes on'
   ensure
     stream&.close
   end

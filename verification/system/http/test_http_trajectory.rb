@@ -37,21 +37,21 @@ class TestHttpTrajectory < Minitest::Test
   end
 
   def assert_refused(http, code, line, response)
-    told = JSON.parse(response.body)
-    assert_equal [http, code, line], [response.code, told['code'], told['pointer']], response.body
+    reported = JSON.parse(response.body)
+    assert_equal [http, code, line], [response.code, reported['code'], reported['pointer']], response.body
     assert_described PATH, 'POST', response
   end
 
   def test_SWR_TRAJ_015_a_table_is_held_run_and_emptied
     anna = holder
-    told = JSON.parse(assert_described(PATH, 'POST', put(anna, TABLE)).body)
-    assert_equal [4, 'HTTP'], told.values_at('rows', 'source')
-    assert_equal told, held
-    assert_answer '409', 'TRAJECTORY_SUM', anna.act('trajectory/run', { checksum: told['checksum'] ^ 1 })
-    assert_answer '202', 'accepted', anna.act('trajectory/run', { checksum: told['checksum'] })
+    reported = JSON.parse(assert_described(PATH, 'POST', put(anna, TABLE)).body)
+    assert_equal [4, 'HTTP'], reported.values_at('rows', 'source')
+    assert_equal reported, held
+    assert_answer '409', 'TRAJECTORY_SUM', anna.act('trajectory/run', { checksum: reported['checksum'] ^ 1 })
+    assert_answer '202', 'accepted', anna.act('trajectory/run', { checksum: reported['checksum'] })
     boresight.simctl('pedal', 'press')
     wait_until('it is done') do
-      anna.keep && JSON.parse(anna.act('trajectory/run', { checksum: told['checksum'] }, id: anna.id).body)['state'] == 'done'
+      anna.keep && JSON.parse(anna.act('trajectory/run', { checksum: reported['checksum'] }, id: anna.id).body)['state'] == 'done'
     end
     assert_equal [4, 3, 6.0], held.values_at('rows', 'row', 'time_s')
     emptied = anna.request('delete', PATH, nil, 'X-Boresight-Page' => anna.page.to_s)
@@ -114,12 +114,12 @@ class TestHttpTrajectory < Minitest::Test
   def test_SWR_TRAJ_021_the_longest_list_is_held_run_and_replayed
     anna = holder
     assert_refused '400', 'BAD_BODY', "line #{ROWS + 2}", put(anna, long_table(ROWS + 1))
-    told = JSON.parse(put(anna, long_table(ROWS)).body)
-    assert_equal ROWS, told['rows'], told
+    reported = JSON.parse(put(anna, long_table(ROWS)).body)
+    assert_equal ROWS, reported['rows'], reported
     files = boresight.recording_files.size
     boresight.kill('recorder', 'KILL')
     wait_until('there is another recording') { boresight.recording_files.size > files }
-    assert_answer '202', 'accepted', anna.act('trajectory/run', { checksum: told['checksum'] })
+    assert_answer '202', 'accepted', anna.act('trajectory/run', { checksum: reported['checksum'] })
     boresight.simctl('pedal', 'press')
     wait_until('it is on its way') { anna.keep && held['time_s'] > 1 }
     boresight.simctl('pedal', 'release')
@@ -180,9 +180,9 @@ class TestHttpTrajectory < Minitest::Test
     still = array(rows(0))
     { "32 #{columns} #{still.join(' ')} 200#{' 0' * (columns - 1)}" => 'TRAJECTORY_ORDER: .* Row 3\.',
       "64 #{columns} #{still.first(columns).join(' ')} 100 0.5#{' 0' * (columns - 2)}" => 'OUT_OF_RANGE: ',
-      "64 #{columns} 0 nan#{' 0' * (columns - 2)}" => 'NOT_FINITE: ', '64 3 0 0 0' => 'OUT_OF_RANGE: ' }.each do |words, told|
+      "64 #{columns} 0 nan#{' 0' * (columns - 2)}" => 'NOT_FINITE: ', '64 3 0 0 0' => 'OUT_OF_RANGE: ' }.each do |words, reported|
       client.run("array TRAJECTORY #{words}")
-      assert_match(/\A#{told}/, client.status('TRAJECTORY')['text'])
+      assert_match(/\A#{reported}/, client.status('TRAJECTORY')['text'])
     end
     assert_equal 0, held['rows']
   end
@@ -197,8 +197,8 @@ class TestHttpTrajectory < Minitest::Test
 
   def test_SWR_TRAJ_020_a_file_that_is_named_at_the_start_is_held_and_reported
     instance = Boresight.start(arguments: ['--trajectory', file(-5).path])
-    told = JSON.parse(Net::HTTP.get(URI("http://127.0.0.1:#{instance.http_port}#{PATH}")))
-    assert_equal [3, 'FILE'], told.values_at('rows', 'source')
+    reported = JSON.parse(Net::HTTP.get(URI("http://127.0.0.1:#{instance.http_port}#{PATH}")))
+    assert_equal [3, 'FILE'], reported.values_at('rows', 'source')
     assert(instance.log.any? { |event| event['name'] == 'TRAJECTORY_HELD' })
   ensure
     instance&.kill_all

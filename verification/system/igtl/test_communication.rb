@@ -13,7 +13,7 @@ class TestCommunication < Minitest::Test
   # Each test begins without connections, and without authority.
   def setup
     super
-    wait_until('nobody is told') { connections.empty? }
+    wait_until('nobody is informed') { connections.empty? }
   end
 
   def authority
@@ -23,35 +23,35 @@ class TestCommunication < Minitest::Test
   # A connection that has authority.
   def command_by_igtl
     boresight.command('START_UP')
-    wait_until('it has authority, and is told') { authority['state'] == 'held' && connections.any? }
+    wait_until('it has authority, and is reported') { authority['state'] == 'held' && connections.any? }
   end
 
   def test_SWR_AUTH_017_status_stream_and_route_report_who_commands_by_name
     assert_equal ['nobody', nil, nil, 0], authority.values_at('state', 'source', 'name', 'age_s')
     command_by_igtl
-    wait_until('its age is told') { authority['age_s'] > 0.5 }
-    told = authority
-    assert_equal %w[held IGTL], told.values_at('state', 'source')
-    assert_match(/\Aworkphases 127\.0\.0\.1:\d+\z/, told['name'])
-    assert_equal told['name'], fetch_json('/api/v1/authority')['name']
+    wait_until('its age is reported') { authority['age_s'] > 0.5 }
+    reported = authority
+    assert_equal %w[held IGTL], reported.values_at('state', 'source')
+    assert_match(/\Aworkphases 127\.0\.0\.1:\d+\z/, reported['name'])
+    assert_equal reported['name'], fetch_json('/api/v1/authority')['name']
     stream = open_stream
-    assert_equal told['name'], stream.next_of('state').dig('status', 'authority', 'name')
+    assert_equal reported['name'], stream.next_of('state').dig('status', 'authority', 'name')
   ensure
     stream&.close
   end
 
   def test_SWR_AUTH_017_a_page_is_reported_by_its_account
     page = holder
-    wait_until('it is told') { authority['name'] == 'page of anna' }
+    wait_until('it is reported') { authority['name'] == 'page of anna' }
     assert_equal ['HTTP', page.page], authority.values_at('source', 'peer')
-    told = communication['pages'].find { |one| one['number'] == page.page }
-    assert_equal ['anna', true], told.values_at('account', 'has_authority')
+    reported = communication['pages'].find { |one| one['number'] == page.page }
+    assert_equal ['anna', true], reported.values_at('account', 'has_authority')
   end
 
   # A navigation program that is refused shows its operator the text.
   def test_SWR_IGTL_055_a_connection_is_refused_with_the_name_of_the_page_that_commands
     page = holder
-    wait_until('it is told') { authority['name'] == 'page of anna' }
+    wait_until('it is reported') { authority['name'] == 'page of anna' }
     socket = TCPSocket.open('127.0.0.1', boresight.brp_port)
     socket.write(RawIgtl.string('CMD_1', 'PLANNING'))
     heard = +''
@@ -69,14 +69,14 @@ class TestCommunication < Minitest::Test
 
   def test_SWR_AUTH_018_the_line_of_status_reports_who_asks_for_the_button
     assert_equal '200', client('anna').act('authority/request', { what: 'TAKE' }).code
-    wait_until('it is told') { last_line.match?(/ \| page of anna asks for the button, \d+ s left/) }
+    wait_until('it is reported') { last_line.match?(/ \| page of anna asks for the button, \d+ s left/) }
     self.assertions += 1
   end
 
   def test_SWR_IGTL_059_each_connection_and_page_is_reported
     watcher = TCPSocket.open('127.0.0.1', boresight.igtl_port)
     command_by_igtl
-    wait_until('both are told') { connections.map { |one| one['messages_in'] }.sort == [0, 1] }
+    wait_until('both are reported') { connections.map { |one| one['messages_in'] }.sort == [0, 1] }
     assert_described '/api/v1/communication', 'GET', get('/api/v1/communication')
     other, commander = connections.sort_by { |one| one['port'] }
     assert_equal ['workphases', 'brp-2013', true, true, false, 0],
@@ -94,7 +94,7 @@ class TestCommunication < Minitest::Test
   # Code, subcode, error name, text.
   def test_SWR_IGTL_092_SWR_EVENT_022_the_status_of_an_imager_is_shown_and_logged
     imager = TCPSocket.open('127.0.0.1', boresight.igtl_port)
-    wait_until('it is told') { connections.size == 1 }
+    wait_until('it is reported') { connections.size == 1 }
     assert_nil connections.first['status']
     imager.write(RawIgtl.message('STATUS', 'IMAGER', [1, 0, 'OK', "Valid Target\0"].pack('nQ>a20a*')))
     wait_until('its status is shown') { connections.first['status'] == 'IMAGER 1 OK Valid Target' }
@@ -123,7 +123,7 @@ class TestCommunication < Minitest::Test
 
   def test_SWR_IGTL_060_who_has_authority_ends_a_connection
     watcher = TCPSocket.open('127.0.0.1', boresight.igtl_port)
-    wait_until('it is told') { connections.size == 1 }
+    wait_until('it is reported') { connections.size == 1 }
     number = connections.first['number']
     page = client('anna')
     assert_refused '423', 'NO_AUTHORITY', disconnect(page, number)
@@ -161,7 +161,7 @@ class TestCommunication < Minitest::Test
 
   def test_SWR_IGTL_061_who_has_authority_switches_keep_alive
     watcher = TCPSocket.open('127.0.0.1', boresight.igtl_port)
-    wait_until('it is told') { connections.size == 1 }
+    wait_until('it is reported') { connections.size == 1 }
     number = connections.first['number']
     page = client('anna')
     assert_refused '423', 'NO_AUTHORITY', keep_alive(page, number, on: false)

@@ -15,7 +15,7 @@ class TestIgtl < Minitest::Test
   IDENTITY = '1 0 0 0 0 1 0 0 0 0 1 0'
   NOT_RIGID = '1 0 0 0 0 1 0 0 0 0 0.5 0'
   CONNECTIONS = 8
-  PATIENCE = Boresight::PATIENCE_SECONDS
+  TIMEOUT = Boresight::TIMEOUT_SECONDS
 
   def self.boresight
     @boresight ||= Boresight.start.tap { |system| Minitest.after_run { system.stop } }
@@ -208,7 +208,7 @@ class TestIgtl < Minitest::Test
 
   def test_SWR_IGTL_026_nine_silent_displays_stay_and_a_tenth_that_speaks_is_served
     sockets = Array.new(CONNECTIONS + 1) { TCPSocket.new('127.0.0.1', boresight.igtl_port) }
-    sockets.first(CONNECTIONS).each { |socket| assert socket.wait_readable(PATIENCE), 'a seated peer is shown the state' }
+    sockets.first(CONNECTIONS).each { |socket| assert socket.wait_readable(TIMEOUT), 'a seated peer is shown the state' }
     boresight.wait_until('one waits') { displays.values_at('peers', 'waiting') == [CONNECTIONS, 1] }
     assert served_after_asking?(boresight.igtl_port), 'one that asks is served'
     lost = sockets.count { |socket| closed?(socket) }
@@ -341,7 +341,7 @@ class TestIgtl < Minitest::Test
 
   # Type and name of the next message, which is read whole.
   def label_of_next(socket)
-    assert socket.wait_readable(PATIENCE), 'an answer comes'
+    assert socket.wait_readable(TIMEOUT), 'an answer comes'
     header = socket.read(58)
     socket.read(header[42, 8].unpack1('Q>'))
     header[2, 32].unpack('A12A20').map { |text| text.delete("\0") }
@@ -349,13 +349,13 @@ class TestIgtl < Minitest::Test
 
   # Type and name of the next message.
   def header_of(socket)
-    assert socket.wait_readable(PATIENCE), 'an answer comes'
+    assert socket.wait_readable(TIMEOUT), 'an answer comes'
     socket.readpartial(58)[2, 32].unpack('A12A20').map { |text| text.delete("\0") }
   end
 
   def assert_closed(socket)
     loop do
-      assert socket.wait_readable(PATIENCE), 'the server closes'
+      assert socket.wait_readable(TIMEOUT), 'the server closes'
       socket.readpartial(4096)
     end
   rescue EOFError, Errno::ECONNRESET
@@ -387,7 +387,7 @@ class TestIgtl < Minitest::Test
   def read_all(socket, count)
     bytes = +''
     while bytes.bytesize < count
-      assert socket.wait_readable(PATIENCE), 'an answer comes'
+      assert socket.wait_readable(TIMEOUT), 'an answer comes'
       bytes << socket.readpartial(count - bytes.bytesize)
     end
     bytes

@@ -9,7 +9,7 @@ require_relative '../support/system_test'
 
 class TestIgtlPorts < SystemTest
   SAMPLE = File.expand_path('../../../docs/openigtlink-ports.ini', __dir__)
-  PATIENCE = Boresight::PATIENCE_SECONDS
+  TIMEOUT = Boresight::TIMEOUT_SECONDS
 
   # The sample with free ports in place of its own, in their order: called, workphases, displays.
   def with_file(text = File.read(SAMPLE))
@@ -31,7 +31,7 @@ class TestIgtlPorts < SystemTest
       boresight(arguments: ['--igtl-file', file])
       wait_until('the vain call is shown') { row('slicer')['state'] == 'waiting' }
       server = TCPServer.new('127.0.0.1', called)
-      assert server.wait_readable(PATIENCE), 'it is called again'
+      assert server.wait_readable(TIMEOUT), 'it is called again'
       slicer = server.accept
       wait_until('it is shown as connected') { row('slicer').values_at('state', 'peers') == ['connected', 1] }
       assert_nil boresight.status['authority']['source']
@@ -40,7 +40,7 @@ class TestIgtlPorts < SystemTest
       assert_equal '1', boresight.status['authority']['peer'].to_s[-1], 'its number ends with the place of its port'
       slicer.close
       wait_until('its end is shown') { row('slicer')['peers'].zero? }
-      assert server.wait_readable(PATIENCE), 'it is called again after its end'
+      assert server.wait_readable(TIMEOUT), 'it is called again after its end'
       server.close
     end
   end
@@ -62,7 +62,7 @@ class TestIgtlPorts < SystemTest
       missing = "slicer 127.0.0.1:#{called} not connected"
       wait_until('it is named') { boresight.output.lines.grep(/links/).last.to_s.include?(missing) }
       server = TCPServer.new('127.0.0.1', called)
-      assert server.wait_readable(PATIENCE), 'it is called again'
+      assert server.wait_readable(TIMEOUT), 'it is called again'
       wait_until('it is named no more') { !boresight.output.lines.grep(/links/).last.include?(missing) }
       server.close
     end
@@ -96,7 +96,7 @@ class TestIgtlPorts < SystemTest
     wait_until('its order has ended') { boresight.status['order'] == 'none' }
     wait_until('nothing moves under the pedal') { !boresight.moving? }
     refute boresight.status['is_homed'], 'it was stopped on the way'
-    wait_until('the reason is told') { boresight.output.include?('its order ran and it did not read') }
+    wait_until('the reason is reported') { boresight.output.include?('its order ran and it did not read') }
     client.close
   end
 

@@ -99,9 +99,9 @@ class TestReplayFiles < StoppedHoming
     content = mcap
     rows = csv
     { '/state' => '', '/axes/yaw' => 'yaw_', '/axes/insertion' => 'insertion_', '/cards/3' => 'card3_' }.each do |topic, prefix|
-      told = columns(content, topic, prefix)
-      assert_equal rows.size, told.size
-      told.zip(rows) do |message, row|
+      reported = columns(content, topic, prefix)
+      assert_equal rows.size, reported.size
+      reported.zip(rows) do |message, row|
         message.each { |name, value| assert_equal value, value.is_a?(String) ? row[name].to_s : row[name].to_f, name }
       end
     end
@@ -148,13 +148,13 @@ class TestReplayFiles < StoppedHoming
     bytes = recording[0, recording.bytesize - 100]
     short = written('mcap', bytes, code: 3) { |file| read(file) }
     assert_equal 'true', short['notes'].first.last['is_cut_short']
-    told = messages(short, '/state')
-    assert_operator told.size, :>, 0
-    assert_operator told.size, :<, messages(whole, '/state').size
-    assert_equal messages(whole, '/state').first(told.size), told
+    reported = messages(short, '/state')
+    assert_operator reported.size, :>, 0
+    assert_operator reported.size, :<, messages(whole, '/state').size
+    assert_equal messages(whole, '/state').first(reported.size), reported
     written('csv', bytes, code: 3) do |file, text|
       assert_includes text, "The recording is cut short: #{file} has what is before the cut."
-      assert_equal told.size + 1, File.foreach(file).count
+      assert_equal reported.size + 1, File.foreach(file).count
     end
   end
 

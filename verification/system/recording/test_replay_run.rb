@@ -107,9 +107,9 @@ class TestReplayRun < StoppedHoming
     assert_includes said, "Cycles #{to} to #{cycles - 1} follow no checkpoint and were not replayed (#{cycles - to}).\n"
     assert_includes said, "#{from} of #{cycles} cycles replayed, "
     %w[--table --loop].each do |option|
-      told, status = replay_folder(numbered([files.first, files.last]), option)
+      reported, status = replay_folder(numbered([files.first, files.last]), option)
       assert_equal 3, status
-      assert_includes told, "Cycles #{from} to #{to - 1} are missing (#{to - from}).\n"
+      assert_includes reported, "Cycles #{from} to #{to - 1} are missing (#{to - from}).\n"
     end
   end
 
@@ -175,8 +175,8 @@ class TestReplayRun < StoppedHoming
     said, code = replay_folder(numbered([files[0], files[0], *files.drop(1)]))
     assert_includes said, "#{cycles} of #{cycles} cycles replayed, "
     assert_whole(said, code, 4)
-    told, = replay_folder(numbered([files[0], files[0], *files.drop(1)]), '--loop')
-    assert told.sub(/^Cycles 0 to \d+ are there again in .*\n/, '') == printed('--loop'), 'a cycle is told twice'
+    reported, = replay_folder(numbered([files[0], files[0], *files.drop(1)]), '--loop')
+    assert reported.sub(/^Cycles 0 to \d+ are there again in .*\n/, '') == printed('--loop'), 'a cycle is reported twice'
   end
 
   def test_SWR_REPLAY_034_what_is_no_recording_is_named_and_left_out
@@ -221,9 +221,9 @@ class TestReplayRun < StoppedHoming
     assert_includes said, "Cycles #{second} to #{second} are missing (1).\n"
     assert_equal 3, code, said
     next_block = forged(second + 1 + cycle_of(blocks[1]))
-    told, status = replay_folder(numbered([*files[0, 2], next_block]))
-    assert_equal 1, status, told
-    assert_match(/^#{file_name(3)}: The checkpoint before cycle #{second + 1 + cycle_of(blocks[1])} is another state /, told)
+    reported, status = replay_folder(numbered([*files[0, 2], next_block]))
+    assert_equal 1, status, reported
+    assert_match(/^#{file_name(3)}: The checkpoint before cycle #{second + 1 + cycle_of(blocks[1])} is another state /, reported)
   end
 
   def test_SWR_REPLAY_038_what_is_there_again_is_named_by_both_ends_and_counted_once
@@ -341,11 +341,11 @@ class TestReplayRun < StoppedHoming
 
   def test_SWR_DEMO_003_SWR_CHECK_014_a_gap_is_red_wherever_a_run_is_read
     files, (_, from, to) = thirds
-    told, intervals = read_as_they_do(numbered(files))
-    assert_equal [[true, true, true], cycles], [told.map(&:first), intervals]
-    told, intervals = read_as_they_do(numbered([files.first, files.last]))
-    assert_equal [[false, false, false], cycles - (to - from)], [told.map(&:first), intervals]
-    told.each { |_, said| assert_includes said, "Cycles #{from} to #{to - 1} are missing (#{to - from})." }
+    reported, intervals = read_as_they_do(numbered(files))
+    assert_equal [[true, true, true], cycles], [reported.map(&:first), intervals]
+    reported, intervals = read_as_they_do(numbered([files.first, files.last]))
+    assert_equal [[false, false, false], cycles - (to - from)], [reported.map(&:first), intervals]
+    reported.each { |_, said| assert_includes said, "Cycles #{from} to #{to - 1} are missing (#{to - from})." }
   end
 
   def test_SWR_REPLAY_017_a_page_of_a_part_of_a_run_says_so

@@ -25,8 +25,8 @@ class TestRunWithoutRecording < Minitest::Test
   end
 
   def allowed?(who)
-    told = JSON.parse(who.request('get', '/api/v1/modes').body)
-    told.fetch('commands').find { |one| one['name'] == 'ACCEPT_NO_BLACK_BOX' }.fetch('is_allowed')
+    reported = JSON.parse(who.request('get', '/api/v1/modes').body)
+    reported.fetch('commands').find { |one| one['name'] == 'ACCEPT_NO_BLACK_BOX' }.fetch('is_allowed')
   end
 
   def refused_to_all

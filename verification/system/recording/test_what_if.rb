@@ -64,7 +64,7 @@ class TestWhatIf < StoppedHoming
 
   def test_SWR_REPLAY_013_cycles_that_are_not_there_are_refused
     text, code = in_file { |file| replay('--what-if', '4000000', 'pedal_a=0', file) }
-    assert_equal [2, "No cycle of this recording is changed: it has none of them, or none before them tells the state.\n"],
+    assert_equal [2, "No cycle of this recording is changed: it has none of them, or none before them has the state.\n"],
                  [code, text]
   end
 

@@ -20,7 +20,7 @@ class Boresight
   PROGRAMS = ENV.fetch('BORESIGHT_BIN', File.expand_path('../../../build/bin', __dir__))
   NAMES = %w[box control recorder igtl http].freeze
   # A bound against hanging, and no judgement: far above what any wait takes on a machine that is busy with other things.
-  PATIENCE_SECONDS = 120
+  TIMEOUT_SECONDS = 120
   POLL_SECONDS = 0.02
   # How often something is asked for in all.
   TRIES = 3
@@ -51,11 +51,11 @@ class Boresight
 
     # Polls the block until it is true, and returns what it returned.
     def wait_until(reason)
-      deadline = now + PATIENCE_SECONDS
+      deadline = now + TIMEOUT_SECONDS
       loop do
         result = yield
         return result if result
-        raise TimedOut, "waited #{PATIENCE_SECONDS} s in vain until #{reason}" if now > deadline
+        raise TimedOut, "waited #{TIMEOUT_SECONDS} s in vain until #{reason}" if now > deadline
 
         sleep POLL_SECONDS
       end
@@ -386,7 +386,7 @@ class Boresight
   end
 
   def http(port = @http_port, &)
-    Net::HTTP.start('127.0.0.1', port, open_timeout: PATIENCE_SECONDS, read_timeout: PATIENCE_SECONDS, &)
+    Net::HTTP.start('127.0.0.1', port, open_timeout: TIMEOUT_SECONDS, read_timeout: TIMEOUT_SECONDS, &)
   end
 
   # With a prefix (sh -c, setpriv ...) that executes it, the process is still the same.
@@ -426,7 +426,7 @@ class WorkphasePeer
   # Sends `text` as the message `name` and waits for the first answer's header.
   def command(name, text)
     @socket.write(WorkphasePeer.message(name, text))
-    raise 'no answer to the command' unless @socket.wait_readable(Boresight::PATIENCE_SECONDS)
+    raise 'no answer to the command' unless @socket.wait_readable(Boresight::TIMEOUT_SECONDS)
 
     @socket.readpartial(4096)
   end

@@ -6,9 +6,9 @@ require 'net/http'
 require 'socket'
 require_relative 'system_test'
 
-# Common parts of the tests: requests, raw bytes, and patience with a deadline.
+# Common parts of the tests: requests, raw bytes, and waits with a deadline.
 module HttpClient
-  PATIENCE = Boresight::PATIENCE_SECONDS
+  TIMEOUT = Boresight::TIMEOUT_SECONDS
   SAFETY_HEADERS = %w[Content-Security-Policy X-Content-Type-Options X-Frame-Options Referrer-Policy
                       Cache-Control].freeze
 
@@ -53,7 +53,7 @@ module HttpClient
   end
 
   def request(message, at: port)
-    Net::HTTP.start('127.0.0.1', at, open_timeout: PATIENCE, read_timeout: PATIENCE) { |http| http.request(message) }
+    Net::HTTP.start('127.0.0.1', at, open_timeout: TIMEOUT, read_timeout: TIMEOUT) { |http| http.request(message) }
   end
 
   def stop_port
@@ -91,8 +91,8 @@ module HttpClient
 
   def read_until_closed(socket)
     answer = +''
-    answer << socket.readpartial(65_536) while socket.wait_readable(PATIENCE)
-    flunk "the server did not close within #{PATIENCE} s"
+    answer << socket.readpartial(65_536) while socket.wait_readable(TIMEOUT)
+    flunk "the server did not close within #{TIMEOUT} s"
   rescue EOFError, Errno::ECONNRESET, Errno::EPIPE
     answer
   end
@@ -186,7 +186,7 @@ class EventStream
 
   def take(separator)
     until (text = @buffer.slice!(/\A.*?#{separator}/m))
-      raise 'nothing came' unless @socket.wait_readable(Boresight::PATIENCE_SECONDS)
+      raise 'nothing came' unless @socket.wait_readable(Boresight::TIMEOUT_SECONDS)
 
       @buffer << @socket.readpartial(65_536)
     end

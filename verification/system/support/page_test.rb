@@ -82,9 +82,9 @@ module PageTest
 
   # Outcome of an act.
   def assert_answer(code, state, response)
-    told = JSON.parse(response.body)
-    assert_equal [code, state], [response.code, told['state'] || told['code']], response.body
-    told
+    reported = JSON.parse(response.body)
+    assert_equal [code, state], [response.code, reported['state'] || reported['code']], response.body
+    reported
   end
 
   def openapi

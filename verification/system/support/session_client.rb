@@ -74,8 +74,8 @@ class SessionClient
   def request(method, path, body = nil, headers = {})
     message = Net::HTTP.const_get(method.capitalize).new(path, all_headers(method, body).merge(headers).compact)
     message.body = body
-    Net::HTTP.start('127.0.0.1', port, open_timeout: Boresight::PATIENCE_SECONDS,
-                                       read_timeout: Boresight::PATIENCE_SECONDS) { |http| http.request(message) }
+    Net::HTTP.start('127.0.0.1', port, open_timeout: Boresight::TIMEOUT_SECONDS,
+                                       read_timeout: Boresight::TIMEOUT_SECONDS) { |http| http.request(message) }
   end
 
   def post_login(body, headers = {})

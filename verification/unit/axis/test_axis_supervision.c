@@ -370,14 +370,14 @@ void test_SWR_STALL_002_what_moved_while_not_driven_is_no_progress(void)
 
 void test_SWR_STALL_003_a_stall_is_reported_exactly_once(void)
 {
-    uint32_t told = 0U;
+    uint32_t reported = 0U;
 
     setpoint_ticks = ABOVE;
     for (uint32_t i = 0U; i < 10U * STALL_CYCLES; i++) {
         const uint32_t notes = driven_cycle(0);
-        told += ((notes & AXIS_NOTE_STALLED) != 0U) ? 1U : 0U;
+        reported += ((notes & AXIS_NOTE_STALLED) != 0U) ? 1U : 0U;
     }
-    TEST_ASSERT_EQUAL_UINT32(1U, told);
+    TEST_ASSERT_EQUAL_UINT32(1U, reported);
 }
 
 void test_SWR_CORE_004_an_axis_with_a_damaged_stall_watchdog_is_not_driven_on(void)

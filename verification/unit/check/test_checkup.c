@@ -122,11 +122,11 @@ void test_SWR_CHECK_007_a_real_boards_computer_is_kept_awake_while_it_is_measure
     TEST_ASSERT_FALSE(facts.is_awake);
 }
 
-static int tell(void)
+static int report(void)
 {
     FILE *const out = fmemopen(text, sizeof text, "w");
     TEST_ASSERT_NOT_NULL(out);
-    const int code = checkup_tell(&facts, out);
+    const int code = checkup_report(&facts, out);
     (void)fclose(out);
     return code;
 }
@@ -143,7 +143,7 @@ static void expect_line(const char *mark, computer_check_t check, bool says_what
 
 void test_SWR_CHECK_001_all_are_good_and_it_ends_with_0(void)
 {
-    TEST_ASSERT_EQUAL_INT(0, tell());
+    TEST_ASSERT_EQUAL_INT(0, report());
     for (uint32_t i = 0U; i < COMPUTER_CHECK_COUNT; i++) {
         expect_line("ok", (computer_check_t)i, false);
     }
@@ -155,7 +155,7 @@ void test_SWR_CHECK_001_each_that_is_not_good_says_what_to_do_and_it_ends_with_1
     for (uint32_t i = 0U; i < COMPUTER_CHECK_COUNT; i++) {
         const bool blocks = i <= (uint32_t)COMPUTER_CHECK_PAGE_FAULTS;
         bad = 1UL << i;
-        TEST_ASSERT_EQUAL_INT(1, tell());
+        TEST_ASSERT_EQUAL_INT(1, report());
         for (uint32_t k = 0U; k < COMPUTER_CHECK_COUNT; k++) {
             const char *const mark = blocks ? "!!" : "no";
             expect_line((k == i) ? mark : "ok", (computer_check_t)k, k == i);

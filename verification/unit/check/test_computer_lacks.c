@@ -64,7 +64,7 @@ void setUp(void)
     reported_rights = 0U;
     check_is_good_Stub(judge);
     realtime_count_faults_Stub(count_faults);
-    realtime_tell_Stub(report_rights);
+    realtime_report_Stub(report_rights);
 }
 
 void tearDown(void)

@@ -134,12 +134,12 @@ void test_SWR_RUN_001_version_says_program_version_and_build(void)
 {
     char version[32];
     char build[32];
-    char told[96];
+    char reported[96];
 
     TEST_ASSERT_EQUAL_INT(0, read_line(&line, "--version"));
     TEST_ASSERT_EQUAL_INT(2, sscanf(output, "any %31s (build %31[^)])", version, build));
-    (void)snprintf(told, sizeof told, "any %s (build %s)\n", version, build);
-    TEST_ASSERT_EQUAL_STRING(told, output);
+    (void)snprintf(reported, sizeof reported, "any %s (build %s)\n", version, build);
+    TEST_ASSERT_EQUAL_STRING(reported, output);
     TEST_ASSERT_EQUAL_STRING("", errors);
 }
 

@@ -140,12 +140,12 @@ void test_SWR_REC_022_what_is_recorded_again_begins_with_the_state_and_reports_o
 
 static void expect_reported(uint32_t lacks)
 {
-    loop_figures_t told = {0};
+    loop_figures_t reported = {0};
     const int status = control_ends(BY_SIGNAL, SIGTERM);
     TEST_ASSERT_EQUAL_INT(0, WEXITSTATUS(status));
     TEST_ASSERT_EQUAL_HEX32(lacks, record->unfit);
-    TEST_ASSERT_TRUE(exchange_read_loop(segment, &told));
-    TEST_ASSERT_EQUAL_HEX32(LACKS, told.computer); /* Which is shown in both cases. */
+    TEST_ASSERT_TRUE(exchange_read_loop(segment, &reported));
+    TEST_ASSERT_EQUAL_HEX32(LACKS, reported.computer); /* Which is shown in both cases. */
 }
 
 void test_SWR_LOOP_007_on_a_real_board_the_controller_is_informed_what_the_computer_lacks(void)
@@ -188,11 +188,11 @@ void test_SWR_BOX_043_only_in_fast_time_control_gives_its_priority_back(void)
 
 void test_SWR_BOX_044_the_figures_have_the_speedup(void)
 {
-    loop_figures_t told = {0};
+    loop_figures_t reported = {0};
     speedup = SPEEDUP;
     (void)control_ends(BY_SIGNAL, SIGTERM);
-    TEST_ASSERT_TRUE(exchange_read_loop(segment, &told));
-    TEST_ASSERT_EQUAL_UINT32(SPEEDUP, told.speedup);
+    TEST_ASSERT_TRUE(exchange_read_loop(segment, &reported));
+    TEST_ASSERT_EQUAL_UINT32(SPEEDUP, reported.speedup);
 }
 
 static void expect_accepted(const char *person, uint32_t is_accepted, const char *expected)
@@ -227,19 +227,20 @@ void test_SWR_LOOP_005_cycles_are_counted_by_how_long_each_stage_took(void)
     static figures_t counted;
     static const uint64_t steps_us[] = {0U, 1U, 2U, 3U, 4U, 2047U, 2048U, 5000U};
     static const uint32_t bars[] = {0U, 1U, 2U, 2U, 3U, 11U, 12U, 12U};
-    loop_figures_t told = {0};
+    loop_figures_t reported = {0};
     uint32_t expected[LIMIT_LOOP_BARS] = {0};
     (void)memset(&counted, 0, sizeof counted);
     for (uint32_t i = 0U; i < (sizeof bars / sizeof bars[0]); i++) {
         const uint64_t took_ns[LOOP_STAGE_COUNT] = {[LOOP_STAGE_STEP] = steps_us[i] * 1000U};
         expected[bars[i]]++;
         figures_add(&counted, took_ns);
-        figures_publish(&counted, &told);
+        figures_publish(&counted, &reported);
     }
-    TEST_ASSERT_EQUAL_UINT32_ARRAY(expected, told.stages[LOOP_STAGE_STEP].counts, LIMIT_LOOP_BARS);
-    TEST_ASSERT_EQUAL_UINT32(5000U, told.stages[LOOP_STAGE_STEP].worst_us);
-    TEST_ASSERT_EQUAL_UINT32(8U, told.stages[LOOP_STAGE_WAKE].counts[0]);
-    TEST_ASSERT_EQUAL_UINT32(0U, told.stages[LOOP_STAGE_PUBLISH].worst_us);
+    TEST_ASSERT_EQUAL_UINT32_ARRAY(expected, reported.stages[LOOP_STAGE_STEP].counts,
+                                   LIMIT_LOOP_BARS);
+    TEST_ASSERT_EQUAL_UINT32(5000U, reported.stages[LOOP_STAGE_STEP].worst_us);
+    TEST_ASSERT_EQUAL_UINT32(8U, reported.stages[LOOP_STAGE_WAKE].counts[0]);
+    TEST_ASSERT_EQUAL_UINT32(0U, reported.stages[LOOP_STAGE_PUBLISH].worst_us);
 }
 
 /* Each second one is late, and what comes after waking up takes as long in each. */

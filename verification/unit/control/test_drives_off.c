@@ -27,7 +27,7 @@ static uint32_t driving; /* Go on, whatever they are sent. */
 /* Acts of control. */
 static uint32_t exchanges;
 static card_command_t heard[CARD_SLOT_COUNT]; /* The last ones. */
-static uint32_t told[LIMIT_OFF_EXCHANGES];
+static uint32_t sent[LIMIT_OFF_EXCHANGES];
 static uint32_t finished;
 static uint8_t reports[CARD_SLOT_COUNT][CARD_FRAME_BYTES]; /* On their way back. */
 
@@ -51,7 +51,7 @@ static void start(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAM
 {
     TEST_ASSERT_EQUAL_INT((int)exchanges, calls);
     TEST_ASSERT_EQUAL_UINT32(exchanges + 1U, finished); /* Nothing is under way. */
-    told[exchanges] = send;
+    sent[exchanges] = send;
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if ((send & answering & (1U << slot)) != 0U) {
             answer(slot, reports[slot]);
@@ -72,7 +72,7 @@ static void finish(uint64_t deadline_ns, uint8_t received[CARD_SLOT_COUNT][CARD_
     (void)calls;
     (void)memcpy(received, reports, sizeof reports);
     *result =
-        (bsp_exchange_t){.received = (exchanges > 0U) ? (told[exchanges - 1U] & answering) : 0U};
+        (bsp_exchange_t){.received = (exchanges > 0U) ? (sent[exchanges - 1U] & answering) : 0U};
     finished++;
 }
 
@@ -90,7 +90,7 @@ static drives_off_t run(void)
 static void expect_text(const drives_off_t *done, const char *expected)
 {
     char text[DRIVES_OFF_TEXT_SIZE];
-    drives_off_tell(done, text);
+    drives_off_report(done, text);
     TEST_ASSERT_EQUAL_STRING(expected, text);
 }
 
@@ -100,7 +100,7 @@ static void start_aim32(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CAR
                         int calls)
 {
     (void)calls;
-    told[exchanges] = send;
+    sent[exchanges] = send;
     exchanges++;
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const uint32_t slot = robot_neuro.axes[i].slot;
@@ -128,8 +128,8 @@ void tearDown(void)
 void test_SWR_CTRL_004_every_card_of_the_robot_is_sent_off(void)
 {
     const drives_off_t done = run();
-    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, told[0]);
-    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, done.told);
+    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, sent[0]);
+    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, done.sent);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const card_command_t *const command = &heard[robot_neuro.axes[i].slot];
         TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, command->drive.mode);
@@ -146,7 +146,7 @@ void test_SWR_CTRL_022_a_card_without_an_axis_is_sent_off_as_well(void)
     robot.sensor_slots = 0x100U;
     answering = ALL_SLOTS | 0x100U;
     const drives_off_t done = drives_off(&robot, CARD_DIALECT_OWN, SEQUENCE, TIME_US);
-    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS | 0x100U, told[0]);
+    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS | 0x100U, sent[0]);
     TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS | 0x100U, done.confirmed);
     TEST_ASSERT_EQUAL_HEX32(CARD_NO_AXIS, heard[8].axis_id);
     expect_text(&done, "all 8 cards confirm that their drive is off.\n");
@@ -166,7 +166,7 @@ void test_SWR_CTRL_004_a_board_that_does_not_answer_is_informed_again_and_nothin
     const drives_off_t done = run();
     TEST_ASSERT_EQUAL_UINT32(LIMIT_OFF_EXCHANGES, exchanges);
     for (uint32_t i = 0U; i < LIMIT_OFF_EXCHANGES; i++) {
-        TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, told[i]);
+        TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, sent[i]);
     }
     TEST_ASSERT_EQUAL_HEX32(0U, done.confirmed);
     expect_text(&done, "\"off\" was sent to all 7 cards, 0 confirm it; the others' own watchdogs "
@@ -190,7 +190,7 @@ void test_SWR_NI_007_cards_that_cannot_confirm_are_reported_each_time_and_nothin
     bsp_start_Stub(start_aim32);
     const drives_off_t done = drives_off(&robot_neuro, CARD_DIALECT_AIM32, SEQUENCE, TIME_US);
     TEST_ASSERT_EQUAL_UINT32(LIMIT_OFF_EXCHANGES, exchanges);
-    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, done.told);
+    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, done.sent);
     TEST_ASSERT_EQUAL_HEX32(0U, done.confirmed);
     expect_text(&done,
                 "\"off\" was sent to all 7 cards, which can neither confirm it nor switch off "

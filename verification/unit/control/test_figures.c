@@ -10,12 +10,12 @@
 #define NS_PER_US 1000U
 
 static figures_t counted;
-static loop_figures_t told;
+static loop_figures_t reported;
 
 void setUp(void)
 {
     (void)memset(&counted, 0, sizeof counted);
-    (void)memset(&told, 0, sizeof told);
+    (void)memset(&reported, 0, sizeof reported);
 }
 
 void tearDown(void)
@@ -35,23 +35,23 @@ static void count_thousand(void)
 void test_SWR_LOOP_005_each_figure_is_of_the_cycles_that_were_counted(void)
 {
     count_thousand();
-    figures_publish(&counted, &told);
-    TEST_ASSERT_EQUAL_UINT64(1000U, told.cycles);
-    TEST_ASSERT_EQUAL_UINT32(500U, told.wake_p50_us);
-    TEST_ASSERT_EQUAL_UINT32(990U, told.wake_p99_us);
-    TEST_ASSERT_EQUAL_UINT32(999U, told.wake_p999_us);
-    TEST_ASSERT_EQUAL_UINT32(1000U, told.wake_worst_us);
-    TEST_ASSERT_EQUAL_UINT32(1980U, told.step_p99_us);
-    TEST_ASSERT_EQUAL_UINT32(2000U, told.step_worst_us);
-    TEST_ASSERT_EQUAL_UINT32(2000U, told.stages[LOOP_STAGE_STEP].worst_us);
+    figures_publish(&counted, &reported);
+    TEST_ASSERT_EQUAL_UINT64(1000U, reported.cycles);
+    TEST_ASSERT_EQUAL_UINT32(500U, reported.wake_p50_us);
+    TEST_ASSERT_EQUAL_UINT32(990U, reported.wake_p99_us);
+    TEST_ASSERT_EQUAL_UINT32(999U, reported.wake_p999_us);
+    TEST_ASSERT_EQUAL_UINT32(1000U, reported.wake_worst_us);
+    TEST_ASSERT_EQUAL_UINT32(1980U, reported.step_p99_us);
+    TEST_ASSERT_EQUAL_UINT32(2000U, reported.step_worst_us);
+    TEST_ASSERT_EQUAL_UINT32(2000U, reported.stages[LOOP_STAGE_STEP].worst_us);
 }
 
 void test_SWR_LOOP_005_the_worst_of_a_second_is_of_that_second(void)
 {
     count_thousand();
-    figures_publish(&counted, &told);
-    TEST_ASSERT_EQUAL_UINT32(1000U, told.second_worst_us);
-    figures_publish(&counted, &told);
-    TEST_ASSERT_EQUAL_UINT32(0U, told.second_worst_us);
-    TEST_ASSERT_EQUAL_UINT32(1000U, told.wake_worst_us);
+    figures_publish(&counted, &reported);
+    TEST_ASSERT_EQUAL_UINT32(1000U, reported.second_worst_us);
+    figures_publish(&counted, &reported);
+    TEST_ASSERT_EQUAL_UINT32(0U, reported.second_worst_us);
+    TEST_ASSERT_EQUAL_UINT32(1000U, reported.wake_worst_us);
 }

@@ -66,7 +66,7 @@ void test_SWR_EXCH_002_each_source_has_a_lane_of_its_own(void)
     const command_t nobody = {.source = COMMAND_SOURCE_COUNT, .kind = COMMAND_JOG};
     const command_t connection = {.source = COMMAND_SOURCE_IGTL, .kind = COMMAND_RETRACT};
     const answer_t answer = {.source = COMMAND_SOURCE_HTTP, .id = 4U, .command = COMMAND_JOG};
-    answer_t told;
+    answer_t reported;
     command_t taken[2];
 
     TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &connection));
@@ -75,9 +75,9 @@ void test_SWR_EXCH_002_each_source_has_a_lane_of_its_own(void)
     TEST_ASSERT_EQUAL_UINT32(2U, exchange_take_commands(control, taken, 2U));
     TEST_ASSERT_NOT_EQUAL_UINT32(taken[0].source, taken[1].source);
     TEST_ASSERT_TRUE(exchange_push_answer(control, &answer));
-    TEST_ASSERT_FALSE(exchange_take_answer(reader, COMMAND_SOURCE_IGTL, &told));
-    TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_HTTP, &told));
-    TEST_ASSERT_EQUAL_UINT32(4U, told.id);
+    TEST_ASSERT_FALSE(exchange_take_answer(reader, COMMAND_SOURCE_IGTL, &reported));
+    TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_HTTP, &reported));
+    TEST_ASSERT_EQUAL_UINT32(4U, reported.id);
 }
 
 void test_SWR_EXCH_002_a_full_lane_keeps_no_other_waiting(void)
@@ -103,30 +103,30 @@ void test_SWR_EXCH_015_a_stop_in_one_lane_discards_what_waits_in_the_other(void)
     for (uint32_t i = 0U; i < 2U; i++) {
         const command_t stop = {.kind = COMMAND_WORKPHASE, .as.workphase = {.workphase = stops[i]}};
         const command_t move = {.source = COMMAND_SOURCE_HTTP, .kind = COMMAND_RETRACT};
-        answer_t told;
+        answer_t reported;
         command_t taken[4];
 
         TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &move));
         TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &stop));
         TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
         TEST_ASSERT_EQUAL_UINT32(stops[i], taken[0].as.workphase.workphase);
-        TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_HTTP, &told));
-        TEST_ASSERT_EQUAL_UINT32(STATUS_DISCARDED, told.status);
-        TEST_ASSERT_EQUAL_UINT32(stops[i], told.workphase);
+        TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_HTTP, &reported));
+        TEST_ASSERT_EQUAL_UINT32(STATUS_DISCARDED, reported.status);
+        TEST_ASSERT_EQUAL_UINT32(stops[i], reported.workphase);
     }
 }
 
 void test_SWR_HTTP_030_an_emergency_that_is_requested_refuses_what_waits(void)
 {
     const command_t move = {.kind = COMMAND_RETRACT};
-    answer_t told;
+    answer_t reported;
     command_t taken[4];
 
     TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &move));
     (void)exchange_request_stop(reader, WORKPHASE_EMERGENCY);
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
-    TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_IGTL, &told));
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, told.workphase);
+    TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_IGTL, &reported));
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, reported.workphase);
 }
 
 void test_SWR_HTTP_030_an_emergency_among_stops_is_one_for_all(void)

@@ -115,30 +115,30 @@ static void check_command(exchange_t *asker, command_source_t source, workphase_
                                .kind = (uint32_t)COMMAND_WORKPHASE,
                                .as.workphase = {.workphase = (uint32_t)workphase}};
     command_t taken[2];
-    answer_t told;
+    answer_t reported;
 
     TEST_ASSERT_EQUAL_MESSAGE(STATUS_OK, exchange_send_command(asker, &command), scene);
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(1U, exchange_take_commands(control, taken, 2U), scene);
     TEST_ASSERT_EQUAL_MEMORY_MESSAGE(&command, &taken[0], sizeof command, scene);
-    TEST_ASSERT_FALSE_MESSAGE(exchange_take_answer(asker, source, &told), scene);
+    TEST_ASSERT_FALSE_MESSAGE(exchange_take_answer(asker, source, &reported), scene);
     answer(&taken[0]);
-    TEST_ASSERT_TRUE_MESSAGE(exchange_take_answer(asker, source, &told), scene);
-    TEST_ASSERT_EQUAL_UINT32_MESSAGE(command.id, told.id, scene);
-    TEST_ASSERT_FALSE_MESSAGE(exchange_take_answer(asker, source, &told), scene);
+    TEST_ASSERT_TRUE_MESSAGE(exchange_take_answer(asker, source, &reported), scene);
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(command.id, reported.id, scene);
+    TEST_ASSERT_FALSE_MESSAGE(exchange_take_answer(asker, source, &reported), scene);
 }
 
 static void check_stop(workphase_t workphase)
 {
     const uint32_t number = exchange_request_stop(http, workphase);
     command_t taken[2];
-    answer_t told;
+    answer_t reported;
 
-    TEST_ASSERT_FALSE_MESSAGE(exchange_read_stop_answer(http, number, &told), scene);
+    TEST_ASSERT_FALSE_MESSAGE(exchange_read_stop_answer(http, number, &reported), scene);
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(1U, exchange_take_commands(control, taken, 2U), scene);
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(workphase, taken[0].as.workphase.workphase, scene);
     answer(&taken[0]);
-    TEST_ASSERT_TRUE_MESSAGE(exchange_read_stop_answer(http, number, &told), scene);
-    TEST_ASSERT_EQUAL_UINT32_MESSAGE(workphase, told.workphase, scene);
+    TEST_ASSERT_TRUE_MESSAGE(exchange_read_stop_answer(http, number, &reported), scene);
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(workphase, reported.workphase, scene);
 }
 
 static void check_note(void)
@@ -261,7 +261,7 @@ static void check_all(void)
 static void check_turn(void)
 {
     command_t taken[4];
-    answer_t told;
+    answer_t reported;
     exchange_order_t order;
 
     for (uint32_t i = 0U; i < 2U; i++) {
@@ -273,8 +273,10 @@ static void check_turn(void)
             TEST_ASSERT_EQUAL_UINT32_MESSAGE(COMMAND_SOURCE_HTTP, taken[j].source, scene);
             answer(&taken[j]);
         }
-        TEST_ASSERT_FALSE_MESSAGE(exchange_take_answer(igtl, COMMAND_SOURCE_IGTL, &told), scene);
-        TEST_ASSERT_FALSE_MESSAGE(exchange_take_answer(http, COMMAND_SOURCE_HTTP, &told), scene);
+        TEST_ASSERT_FALSE_MESSAGE(exchange_take_answer(igtl, COMMAND_SOURCE_IGTL, &reported),
+                                  scene);
+        TEST_ASSERT_FALSE_MESSAGE(exchange_take_answer(http, COMMAND_SOURCE_HTTP, &reported),
+                                  scene);
         TEST_ASSERT_FALSE_MESSAGE(exchange_take_end_request(control), scene);
         (void)exchange_take_checkpoint_request(control);
     }

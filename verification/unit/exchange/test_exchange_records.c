@@ -339,20 +339,20 @@ void test_SWR_EVENT_010_an_event_is_reported_in_the_words_of_its_note(void)
     char text[256];
     event_t event = {.id = EVENT_NOTE, .subject = NOTE_LOGIN, .value = 1};
 
-    TEST_ASSERT_FALSE(exchange_tell_note(control, &event, text, sizeof text));
+    TEST_ASSERT_FALSE(exchange_send_note(control, &event, text, sizeof text));
     (void)exchange_write_note(reader, NOTE_LOGIN, "anna", "logged in as operator.");
     (void)exchange_write_note(reader, NOTE_LOGIN_REFUSED, "?", "was refused.");
     (void)exchange_write_note(reader, NOTE_OPERATOR, "anna", "logged out.");
-    TEST_ASSERT_TRUE(exchange_tell_note(control, &event, text, sizeof text));
+    TEST_ASSERT_TRUE(exchange_send_note(control, &event, text, sizeof text));
     TEST_ASSERT_EQUAL_STRING("anna: logged in as operator.", text);
     event = (event_t){.id = EVENT_LOGIN_REFUSED, .subject = NOTE_LOGIN_REFUSED, .value = 2};
-    TEST_ASSERT_TRUE(exchange_tell_note(control, &event, text, sizeof text));
+    TEST_ASSERT_TRUE(exchange_send_note(control, &event, text, sizeof text));
     TEST_ASSERT_EQUAL_STRING("?: was refused.", text);
     event = (event_t){.id = EVENT_NOTE, .subject = NOTE_OPERATOR, .value = 3};
-    TEST_ASSERT_TRUE(exchange_tell_note(control, &event, text, sizeof text));
+    TEST_ASSERT_TRUE(exchange_send_note(control, &event, text, sizeof text));
     TEST_ASSERT_EQUAL_STRING("Note of anna: logged out.", text);
     event.subject = (uint32_t)NOTE_LOGOUT;
-    TEST_ASSERT_FALSE(exchange_tell_note(control, &event, text, sizeof text));
+    TEST_ASSERT_FALSE(exchange_send_note(control, &event, text, sizeof text));
     event = (event_t){.id = EVENT_AXIS_HOMED, .subject = NOTE_OPERATOR, .value = 3};
-    TEST_ASSERT_FALSE(exchange_tell_note(control, &event, text, sizeof text));
+    TEST_ASSERT_FALSE(exchange_send_note(control, &event, text, sizeof text));
 }

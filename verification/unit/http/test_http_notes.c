@@ -11,7 +11,7 @@
 #include "http/pages/command_client.h"
 #include "http/pages/http_notes.h"
 #include "http/pages/page_table.h"
-#include "http/gate/patience.h"
+#include "http/gate/answer_timeout.h"
 #include "http/login/account.h"
 #include "http/login/device_mark.h"
 #include "http/login/login_delay.h"
@@ -30,7 +30,7 @@ static exchange_t *control;
 static exchange_t *server;
 static char name[32];
 static char error[256];
-static command_client_t desk;
+static command_client_t client;
 static http_notes_t notes;
 static command_t taken[COMMANDS];
 static uint32_t events;
@@ -43,8 +43,8 @@ void setUp(void)
     server = exchange_open(name, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(server, error);
     (void)exchange_write_note(server, NOTE_LOGIN, "earlier", "logged in.");
-    command_client_init(&desk, server);
-    http_notes_init(&notes, server, &desk);
+    command_client_init(&client, server);
+    http_notes_init(&notes, server, &client);
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, COMMANDS));
     events = 0U;
 }
@@ -110,11 +110,11 @@ void test_SWR_SESS_020_what_a_stop_has_refused_is_asked_for_again(void)
 void test_SWR_LIFE_002_who_was_replaced_is_logged_once(void)
 {
     exchange_note_t note;
-    http_notes_tell_replaced(&notes);
+    http_notes_report_replaced(&notes);
     expect_asked(0U);
     exchange_note_replaced(control, EXCHANGE_IGTL);
-    http_notes_tell_replaced(&notes);
-    http_notes_tell_replaced(&notes);
+    http_notes_report_replaced(&notes);
+    http_notes_report_replaced(&notes);
     expect_asked(2U);
     TEST_ASSERT_EQUAL_UINT32(NOTE_REPLACED, taken[0].as.note.note);
     TEST_ASSERT_TRUE(exchange_read_note(server, 2U, &note));
@@ -143,30 +143,30 @@ static void expect_damage(uint32_t number, const char *text)
 
 void test_SWR_EXCH_024_a_damaged_lane_is_reported_at_once_and_then_in_sums(void)
 {
-    http_notes_tell_damage(&notes, NOW_MS);
+    http_notes_report_damage(&notes, NOW_MS);
     expect_asked(0U);
     damage_lane();
-    http_notes_tell_damage(&notes, NOW_MS);
+    http_notes_report_damage(&notes, NOW_MS);
     expect_damage(2U, "command lane damaged 1 time since the start; commands in it were dropped.");
     damage_lane();
     damage_lane();
-    http_notes_tell_damage(&notes, NOW_MS + LIMIT_DAMAGE_PAUSE_MS - 1U);
+    http_notes_report_damage(&notes, NOW_MS + LIMIT_DAMAGE_PAUSE_MS - 1U);
     expect_asked(0U);
-    http_notes_tell_damage(&notes, NOW_MS + LIMIT_DAMAGE_PAUSE_MS);
+    http_notes_report_damage(&notes, NOW_MS + LIMIT_DAMAGE_PAUSE_MS);
     expect_damage(3U, "command lane damaged 3 times since the start; commands in it were dropped.");
-    http_notes_tell_damage(&notes, NOW_MS + (2U * LIMIT_DAMAGE_PAUSE_MS));
+    http_notes_report_damage(&notes, NOW_MS + (2U * LIMIT_DAMAGE_PAUSE_MS));
     expect_asked(0U);
 }
 
 void test_SWR_EXCH_024_a_note_of_damage_that_was_damaged_itself_is_written_again(void)
 {
     damage_lane();
-    http_notes_tell_damage(&notes, NOW_MS);
+    http_notes_report_damage(&notes, NOW_MS);
     control->segment->others.notes[2].note.text[0] = 'x';
     expect_asked(0U);
-    http_notes_tell_damage(&notes, NOW_MS + LIMIT_DAMAGE_PAUSE_MS);
+    http_notes_report_damage(&notes, NOW_MS + LIMIT_DAMAGE_PAUSE_MS);
     expect_damage(3U, "command lane damaged 1 time since the start; commands in it were dropped.");
-    http_notes_tell_damage(&notes, NOW_MS + (2U * LIMIT_DAMAGE_PAUSE_MS));
+    http_notes_report_damage(&notes, NOW_MS + (2U * LIMIT_DAMAGE_PAUSE_MS));
     expect_asked(0U);
 }
 

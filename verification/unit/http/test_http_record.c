@@ -7,7 +7,7 @@
 #include "exchange/exchange.h"
 #include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
-#include "http/gate/patience.h"
+#include "http/gate/answer_timeout.h"
 #include "http/pages/command_client.h"
 #include "http/pages/http_notes.h"
 #include "http/pages/http_record.h"
@@ -32,7 +32,7 @@ static exchange_t *control;
 static exchange_t *server;
 static char name[32];
 static char error[256];
-static command_client_t desk;
+static command_client_t client;
 static http_notes_t notes;
 static http_record_t record;
 static http_peers_log_t statuses;
@@ -59,8 +59,8 @@ void setUp(void)
     TEST_ASSERT_NOT_NULL_MESSAGE(control, error);
     server = exchange_open(name, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(server, error);
-    command_client_init(&desk, server);
-    http_notes_init(&notes, server, &desk);
+    command_client_init(&client, server);
+    http_notes_init(&notes, server, &client);
     http_record_init(&record, &notes, NOW_MS);
     http_peers_log_init(&statuses, &notes);
     own_data = NULL;

@@ -22,7 +22,7 @@
 
 static char file[] = "/tmp/accounts-XXXXXX";
 static char said[4096];
-static session_store_t desk;
+static session_store_t sessions;
 static session_t session;
 static uint32_t wait_s;
 static uint64_t now_ms;
@@ -67,7 +67,7 @@ void setUp(void)
     (void)memcpy(&file[sizeof file - 7U], "XXXXXX", 6U);
     TEST_ASSERT_NOT_EQUAL(-1, close(mkstemp(file)));
     TEST_ASSERT_TRUE(accounts_write(&accounts, file, error, sizeof error));
-    session_store_init(&desk, file, witness, said);
+    session_store_init(&store, file, witness, said);
     said[0] = '\0';
     now_ms = 1000000U;
 }
@@ -86,7 +86,7 @@ static void write_accounts(const accounts_t *accounts)
 static login_verdict_t enter(const char *name, const char *password)
 {
     const login_t login = {.name = name, .password = password};
-    return session_store_log_in(&desk, &login, now_ms, &session, &wait_s);
+    return session_store_log_in(&store, &login, now_ms, &session, &wait_s);
 }
 
 /* From somewhere, with what the browser says of itself. */
@@ -94,7 +94,7 @@ static login_verdict_t enter_from(const char *name, const char *password, const 
                                   const char *mark)
 {
     const login_t login = {.name = name, .password = password, .address = address, .mark = mark};
-    return session_store_log_in(&desk, &login, now_ms, &session, &wait_s);
+    return session_store_log_in(&store, &login, now_ms, &session, &wait_s);
 }
 
 /* Until logins of that name from there are not judged. */
@@ -107,13 +107,13 @@ static void guess(const char *name, const char *address)
 static login_verdict_t enter_by_code(const char *code)
 {
     const login_t login = {.code = code};
-    return session_store_log_in(&desk, &login, now_ms, &session, &wait_s);
+    return session_store_log_in(&store, &login, now_ms, &session, &wait_s);
 }
 
 static bool is_live(void)
 {
     session_t found;
-    return session_store_find(&desk, session.id, now_ms, &found);
+    return session_store_find(&store, session.id, now_ms, &found);
 }
 
 void test_SWR_SESS_003_a_password_is_kept_as_a_hash_with_a_salt_of_its_own(void)
@@ -141,12 +141,12 @@ void test_SWR_SESS_003_nobodys_hash_takes_as_long_as_any(void)
 
 void test_SWR_SESS_003_one_password_at_a_time_is_looked_at(void)
 {
-    desk.is_looking = true;
+    store.is_looking = true;
     TEST_ASSERT_EQUAL_INT(LOGIN_BUSY, enter("anna", "correct horse"));
     TEST_ASSERT_EQUAL_UINT32(1U, wait_s);
-    desk.is_looking = false;
+    store.is_looking = false;
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
-    TEST_ASSERT_FALSE(desk.is_looking);
+    TEST_ASSERT_FALSE(store.is_looking);
 }
 
 void test_SWR_SESS_001_who_was_removed_logs_in_no_more(void)
@@ -165,15 +165,15 @@ void test_SWR_SESS_001_who_was_removed_logs_in_no_more(void)
 void test_SWR_SESS_005_the_code_opens_one_session_of_an_engineer(void)
 {
     char code[SESSION_CODE_SIZE];
-    session_store_init(&desk, NULL, witness, said);
+    session_store_init(&store, NULL, witness, said);
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_by_code(""));
-    TEST_ASSERT_TRUE(session_store_make_code(&desk));
-    (void)memcpy(code, desk.code, sizeof code);
+    TEST_ASSERT_TRUE(session_store_make_code(&store));
+    (void)memcpy(code, store.code, sizeof code);
     TEST_ASSERT_EQUAL_UINT(14U, strlen(code));
     TEST_ASSERT_EQUAL_CHAR('-', code[4]);
     code[13] = (code[13] == 'A') ? 'B' : 'A';
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_by_code(code));
-    (void)memcpy(code, desk.code, sizeof code);
+    (void)memcpy(code, store.code, sizeof code);
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter_by_code(code));
     TEST_ASSERT_EQUAL_INT(ROLE_ENGINEER, session.account.role);
     TEST_ASSERT_EQUAL_STRING("code", session.account.name);
@@ -184,17 +184,17 @@ void test_SWR_SESS_005_the_code_opens_one_session_of_an_engineer(void)
 
 void test_SWR_SESS_007_further_logins_are_refused_until_a_session_ends(void)
 {
-    desk.compared_ms = now_ms;
+    store.compared_ms = now_ms;
     account_t other = {.name = "0", .role = ROLE_OPERATOR};
     for (unsigned i = 0U; i < LIMIT_SESSIONS; i++) {
         other.name[0]++;
-        TEST_ASSERT_NOT_NULL(session_table_open(&desk.table, &other, now_ms));
+        TEST_ASSERT_NOT_NULL(session_table_open(&store.table, &other, now_ms));
     }
-    const session_t first = desk.table.sessions[0];
-    session = desk.table.sessions[1];
+    const session_t first = store.table.sessions[0];
+    session = store.table.sessions[1];
     TEST_ASSERT_EQUAL_INT(LOGIN_FULL, enter("anna", "correct horse"));
     TEST_ASSERT_TRUE(is_live());
-    session_store_log_out(&desk, first.id, now_ms);
+    session_store_log_out(&store, first.id, now_ms);
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
     now_ms += IDLE_MS;
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
@@ -209,8 +209,8 @@ void test_SWR_SESS_027_one_account_takes_no_more_than_its_share(void)
     TEST_ASSERT_EQUAL_INT(LOGIN_FULL, enter("anna", "correct horse"));
     TEST_ASSERT_TRUE(is_live());
     const account_t other = {.name = "ann", .role = ROLE_OPERATOR};
-    TEST_ASSERT_NOT_NULL(session_table_open(&desk.table, &other, now_ms));
-    session_store_log_out(&desk, session.id, now_ms);
+    TEST_ASSERT_NOT_NULL(session_table_open(&store.table, &other, now_ms));
+    session_store_log_out(&store, session.id, now_ms);
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
 }
 
@@ -225,17 +225,17 @@ static void fill_share(void)
 static bool is_open(const session_t *of)
 {
     session_t found;
-    return session_store_find(&desk, of->id, now_ms, &found);
+    return session_store_find(&store, of->id, now_ms, &found);
 }
 
 void test_SWR_SESS_029_of_the_sessions_that_were_left_the_oldest_gives_way(void)
 {
     fill_share();
-    const session_t first = desk.table.sessions[0];
-    const session_t second = desk.table.sessions[1];
+    const session_t first = store.table.sessions[0];
+    const session_t second = store.table.sessions[1];
     now_ms = first.opened_ms + (LIMIT_SESSION_LEFT_S * SECOND) - 1U;
     TEST_ASSERT_EQUAL_INT(LOGIN_FULL, enter("anna", "correct horse"));
-    now_ms = desk.table.sessions[3].opened_ms + (LIMIT_SESSION_LEFT_S * SECOND);
+    now_ms = store.table.sessions[3].opened_ms + (LIMIT_SESSION_LEFT_S * SECOND);
     said[0] = '\0';
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
     TEST_ASSERT_FALSE(is_open(&first));
@@ -248,18 +248,18 @@ void test_SWR_SESS_029_what_is_written_renewed_or_kept_is_not_left(void)
     static const session_use_t uses[] = {SESSION_ACTS, SESSION_RUNS};
     for (unsigned i = 0U; i < 2U; i++) {
         fill_share();
-        const session_t first = desk.table.sessions[0];
-        const session_t second = desk.table.sessions[1];
+        const session_t first = store.table.sessions[0];
+        const session_t second = store.table.sessions[1];
         now_ms += LIMIT_SESSION_LEFT_S * SECOND;
-        TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_store_judge(&desk, first.id, first.csrf,
+        TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_store_judge(&store, first.id, first.csrf,
                                                                 uses[i], ROLE_OBSERVER, now_ms));
         TEST_ASSERT_EQUAL_INT(
             SESSION_PASS,
-            session_store_judge(&desk, second.id, NULL, SESSION_READS, ROLE_OBSERVER, now_ms));
+            session_store_judge(&store, second.id, NULL, SESSION_READS, ROLE_OBSERVER, now_ms));
         TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
         TEST_ASSERT_TRUE(is_open(&first));
         TEST_ASSERT_FALSE(is_open(&second));
-        (void)memset(&desk.table, 0, sizeof desk.table);
+        (void)memset(&store.table, 0, sizeof store.table);
     }
 }
 
@@ -268,10 +268,10 @@ void test_SWR_SESS_029_nobody_elses_gives_way(void)
     account_t other = {.name = "0", .role = ROLE_OPERATOR};
     for (unsigned i = 0U; i < LIMIT_SESSIONS; i++) {
         other.name[0]++;
-        TEST_ASSERT_NOT_NULL(session_table_open(&desk.table, &other, now_ms));
+        TEST_ASSERT_NOT_NULL(session_table_open(&store.table, &other, now_ms));
     }
     now_ms += LIMIT_SESSION_LEFT_S * SECOND;
-    desk.compared_ms = now_ms;
+    store.compared_ms = now_ms;
     TEST_ASSERT_EQUAL_INT(LOGIN_FULL, enter("anna", "correct horse"));
 }
 
@@ -279,12 +279,12 @@ void test_SWR_SESS_030_who_is_refused_keeps_the_session(void)
 {
     const account_t other = {.name = "olga", .role = ROLE_OBSERVER};
     fill_share();
-    desk.compared_ms = now_ms;
-    const session_t had = *session_table_open(&desk.table, &other, now_ms);
+    store.compared_ms = now_ms;
+    const session_t had = *session_table_open(&store.table, &other, now_ms);
     const login_t login = {.name = "anna", .password = "correct horse", .id = had.id};
     said[0] = '\0';
     TEST_ASSERT_EQUAL_INT(LOGIN_FULL,
-                          session_store_log_in(&desk, &login, now_ms, &session, &wait_s));
+                          session_store_log_in(&store, &login, now_ms, &session, &wait_s));
     TEST_ASSERT_TRUE(is_open(&had));
     TEST_ASSERT_EQUAL_UINT(0U, count_said("session ended"));
 }
@@ -294,12 +294,12 @@ void test_SWR_SESS_030_both_that_give_way_to_a_login_are_informed(void)
     const account_t other = {.name = "olga", .role = ROLE_OBSERVER};
     fill_share();
     now_ms += LIMIT_SESSION_LEFT_S * SECOND;
-    desk.compared_ms = now_ms;
-    const session_t had = *session_table_open(&desk.table, &other, now_ms);
+    store.compared_ms = now_ms;
+    const session_t had = *session_table_open(&store.table, &other, now_ms);
     const login_t login = {.name = "anna", .password = "correct horse", .id = had.id};
     said[0] = '\0';
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED,
-                          session_store_log_in(&desk, &login, now_ms, &session, &wait_s));
+                          session_store_log_in(&store, &login, now_ms, &session, &wait_s));
     TEST_ASSERT_FALSE(is_open(&had));
     TEST_ASSERT_TRUE(is_open(&session));
     TEST_ASSERT_EQUAL_UINT(2U, count_said("session ended: another login took its place."));
@@ -314,10 +314,10 @@ void test_SWR_SESS_008_a_login_gets_a_new_identifier_and_ends_the_old_session(vo
     TEST_ASSERT_EQUAL_UINT(2U * LIMIT_SESSION_ID_BYTES, strlen(old.id));
     TEST_ASSERT_EQUAL_UINT(2U * LIMIT_SESSION_ID_BYTES, strlen(old.csrf));
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED,
-                          session_store_log_in(&desk, &login, now_ms, &session, &wait_s));
+                          session_store_log_in(&store, &login, now_ms, &session, &wait_s));
     TEST_ASSERT_NOT_EQUAL(0, strcmp(old.id, session.id));
     TEST_ASSERT_NOT_EQUAL(0, strcmp(old.csrf, session.csrf));
-    TEST_ASSERT_FALSE(session_store_find(&desk, old.id, now_ms, &found));
+    TEST_ASSERT_FALSE(session_store_find(&store, old.id, now_ms, &found));
     TEST_ASSERT_EQUAL_UINT(1U, count_said("3 anna: session ended: another login took its place."));
 }
 
@@ -326,8 +326,8 @@ void test_SWR_SESS_008_an_identifier_that_the_client_brings_is_never_taken(void)
     const login_t login = {.name = "anna", .password = "correct horse", .id = "0123456789abcdef"};
     session_t found;
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED,
-                          session_store_log_in(&desk, &login, now_ms, &session, &wait_s));
-    TEST_ASSERT_FALSE(session_store_find(&desk, login.id, now_ms, &found));
+                          session_store_log_in(&store, &login, now_ms, &session, &wait_s));
+    TEST_ASSERT_FALSE(session_store_find(&store, login.id, now_ms, &found));
 }
 
 void test_SWR_SESS_008_only_the_whole_identifier_counts(void)
@@ -335,18 +335,18 @@ void test_SWR_SESS_008_only_the_whole_identifier_counts(void)
     session_t found;
     char id[SESSION_TOKEN_SIZE + 1U];
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
-    TEST_ASSERT_FALSE(session_store_find(&desk, "", now_ms, &found));
-    TEST_ASSERT_FALSE(session_store_find(&desk, NULL, now_ms, &found));
+    TEST_ASSERT_FALSE(session_store_find(&store, "", now_ms, &found));
+    TEST_ASSERT_FALSE(session_store_find(&store, NULL, now_ms, &found));
     for (size_t i = 0U; i < (SESSION_TOKEN_SIZE - 1U); i++) {
         (void)snprintf(id, sizeof id, "%s", session.id);
         id[i] = (id[i] == '0') ? '1' : '0';
-        TEST_ASSERT_FALSE(session_store_find(&desk, id, now_ms, &found));
+        TEST_ASSERT_FALSE(session_store_find(&store, id, now_ms, &found));
         id[i] = '\0';
-        TEST_ASSERT_FALSE(session_store_find(&desk, id, now_ms, &found));
+        TEST_ASSERT_FALSE(session_store_find(&store, id, now_ms, &found));
     }
     (void)snprintf(id, sizeof id, "%s0", session.id);
-    TEST_ASSERT_FALSE(session_store_find(&desk, id, now_ms, &found));
-    TEST_ASSERT_TRUE(session_store_find(&desk, session.id, now_ms, &found));
+    TEST_ASSERT_FALSE(session_store_find(&store, id, now_ms, &found));
+    TEST_ASSERT_TRUE(session_store_find(&store, session.id, now_ms, &found));
 }
 
 void test_SWR_SESS_009_a_session_in_which_nothing_is_written_ends(void)
@@ -354,14 +354,14 @@ void test_SWR_SESS_009_a_session_in_which_nothing_is_written_ends(void)
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
     now_ms += IDLE_MS - 1U;
     TEST_ASSERT_EQUAL_UINT32(1U, session_left(&session, now_ms).idle_s);
-    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_store_judge(&desk, session.id, NULL, SESSION_READS,
+    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_store_judge(&store, session.id, NULL, SESSION_READS,
                                                             ROLE_OBSERVER, now_ms));
     TEST_ASSERT_TRUE(is_live());
     now_ms += 1U;
     TEST_ASSERT_FALSE(is_live());
-    TEST_ASSERT_EQUAL_INT(SESSION_NONE, session_store_judge(&desk, session.id, session.csrf,
+    TEST_ASSERT_EQUAL_INT(SESSION_NONE, session_store_judge(&store, session.id, session.csrf,
                                                             SESSION_ACTS, ROLE_OBSERVER, now_ms));
-    session_store_tick(&desk, now_ms);
+    session_store_tick(&store, now_ms);
     TEST_ASSERT_NOT_NULL(strstr(said, "3 anna: session ended: nothing was done in it."));
 }
 
@@ -371,14 +371,14 @@ void test_SWR_SESS_009_writing_keeps_it_awake_until_it_is_too_old(void)
     const uint64_t opened_ms = now_ms;
     for (now_ms += IDLE_MS - 1U; now_ms < (opened_ms + MOST_MS); now_ms += IDLE_MS - 1U) {
         TEST_ASSERT_EQUAL_INT(SESSION_PASS,
-                              session_store_judge(&desk, session.id, session.csrf, SESSION_ACTS,
+                              session_store_judge(&store, session.id, session.csrf, SESSION_ACTS,
                                                   ROLE_OBSERVER, now_ms));
     }
     now_ms = opened_ms + MOST_MS - 1U;
     TEST_ASSERT_TRUE(is_live());
     now_ms++;
     TEST_ASSERT_FALSE(is_live());
-    session_store_tick(&desk, now_ms);
+    session_store_tick(&store, now_ms);
     TEST_ASSERT_NOT_NULL(strstr(said, "it was too old"));
 }
 
@@ -387,7 +387,7 @@ void test_SWR_SESS_009_who_comes_with_an_earlier_time_ends_no_session(void)
 {
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
     now_ms -= 1U;
-    session_store_tick(&desk, now_ms);
+    session_store_tick(&store, now_ms);
     TEST_ASSERT_TRUE(is_live());
     TEST_ASSERT_EQUAL_UINT32(LIMIT_SESSION_IDLE_S, session_left(&session, now_ms).idle_s);
 }
@@ -408,9 +408,9 @@ void test_SWR_HTTP_035_what_a_page_does_by_itself_keeps_no_session_awake(void)
 {
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
     now_ms += IDLE_MS - 1U;
-    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_store_judge(&desk, session.id, NULL, SESSION_RUNS,
+    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_store_judge(&store, session.id, NULL, SESSION_RUNS,
                                                             ROLE_OBSERVER, now_ms));
-    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_store_judge(&desk, session.id, session.csrf,
+    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_store_judge(&store, session.id, session.csrf,
                                                             SESSION_RUNS, ROLE_OBSERVER, now_ms));
     now_ms++;
     TEST_ASSERT_FALSE(is_live());
@@ -419,9 +419,9 @@ void test_SWR_HTTP_035_what_a_page_does_by_itself_keeps_no_session_awake(void)
 void test_SWR_SESS_009_who_logs_out_is_out(void)
 {
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
-    session_store_log_out(&desk, session.id, now_ms);
+    session_store_log_out(&store, session.id, now_ms);
     TEST_ASSERT_FALSE(is_live());
-    session_store_log_out(&desk, session.id, now_ms);
+    session_store_log_out(&store, session.id, now_ms);
     TEST_ASSERT_EQUAL_STRING("0 anna: logged in as operator, by password.\n2 anna: logged out.\n",
                              said);
 }
@@ -429,15 +429,15 @@ void test_SWR_SESS_009_who_logs_out_is_out(void)
 void test_SWR_SESS_011_writing_needs_the_token_and_reading_does_not(void)
 {
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
-    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_store_judge(&desk, session.id, NULL, SESSION_ACTS,
+    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_store_judge(&store, session.id, NULL, SESSION_ACTS,
                                                             ROLE_SERVICE, now_ms));
-    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_store_judge(&desk, session.id, "", SESSION_ACTS,
+    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_store_judge(&store, session.id, "", SESSION_ACTS,
                                                             ROLE_OBSERVER, now_ms));
-    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_store_judge(&desk, session.id, session.id,
+    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_store_judge(&store, session.id, session.id,
                                                             SESSION_ACTS, ROLE_OBSERVER, now_ms));
-    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_store_judge(&desk, session.id, session.csrf,
+    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_store_judge(&store, session.id, session.csrf,
                                                             SESSION_ACTS, ROLE_OBSERVER, now_ms));
-    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_store_judge(&desk, session.id, NULL, SESSION_READS,
+    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_store_judge(&store, session.id, NULL, SESSION_READS,
                                                             ROLE_OBSERVER, now_ms));
 }
 
@@ -445,10 +445,10 @@ void test_SWR_SESS_013_a_role_may_what_those_before_it_may(void)
 {
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
     TEST_ASSERT_EQUAL_INT(
-        SESSION_PASS, session_store_judge(&desk, session.id, NULL, false, ROLE_OPERATOR, now_ms));
+        SESSION_PASS, session_store_judge(&store, session.id, NULL, false, ROLE_OPERATOR, now_ms));
     TEST_ASSERT_EQUAL_INT(
-        SESSION_ROLE, session_store_judge(&desk, session.id, NULL, false, ROLE_ENGINEER, now_ms));
-    TEST_ASSERT_EQUAL_INT(SESSION_ROLE, session_store_judge(&desk, session.id, session.csrf,
+        SESSION_ROLE, session_store_judge(&store, session.id, NULL, false, ROLE_ENGINEER, now_ms));
+    TEST_ASSERT_EQUAL_INT(SESSION_ROLE, session_store_judge(&store, session.id, session.csrf,
                                                             SESSION_ACTS, ROLE_SERVICE, now_ms));
 }
 
@@ -551,7 +551,7 @@ void test_SWR_SESS_031_guessing_elsewhere_does_not_keep_the_right_password_waiti
 void test_SWR_SESS_032_a_browser_that_has_logged_in_before_does_not_wait_for_guesses(void)
 {
     char mark[DEVICE_MARK_SIZE];
-    TEST_ASSERT_TRUE(session_store_write_mark(&desk, "anna", mark));
+    TEST_ASSERT_TRUE(session_store_write_mark(&store, "anna", mark));
     guess("anna", "127.0.0.1");
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter_from("anna", "correct horse", "127.0.0.1", mark));
     TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter_from("anna", "correct horse", "127.0.0.1", NULL));
@@ -560,7 +560,7 @@ void test_SWR_SESS_032_a_browser_that_has_logged_in_before_does_not_wait_for_gue
 void test_SWR_SESS_032_marked_browsers_that_guess_wait_as_well_and_keep_no_stranger_out(void)
 {
     char mark[DEVICE_MARK_SIZE];
-    TEST_ASSERT_TRUE(session_store_write_mark(&desk, "anna", mark));
+    TEST_ASSERT_TRUE(session_store_write_mark(&store, "anna", mark));
     for (unsigned i = 0U; i <= LIMIT_LOGIN_FREE_FAILURES; i++) {
         TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_from("anna", "wrong", "127.0.0.1", mark));
     }
@@ -575,8 +575,8 @@ void test_SWR_SESS_032_a_mark_is_good_for_its_name_and_its_process_alone(void)
     char his[DEVICE_MARK_SIZE];
     char old[DEVICE_MARK_SIZE];
     session_store_init(&other, file, witness, said);
-    TEST_ASSERT_TRUE(session_store_write_mark(&desk, "anna", hers));
-    TEST_ASSERT_TRUE(session_store_write_mark(&desk, "bert", his));
+    TEST_ASSERT_TRUE(session_store_write_mark(&store, "anna", hers));
+    TEST_ASSERT_TRUE(session_store_write_mark(&store, "bert", his));
     TEST_ASSERT_TRUE(session_store_write_mark(&other, "anna", old));
     TEST_ASSERT_EQUAL_UINT(DEVICE_MARK_SIZE - 1U, strlen(hers));
     guess("anna", "127.0.0.1");
@@ -597,12 +597,12 @@ void test_SWR_SESS_032_without_a_key_there_is_no_mark(void)
 
 void test_SWR_SESS_034_wrong_codes_do_not_keep_the_right_one_waiting(void)
 {
-    session_store_init(&desk, NULL, witness, said);
-    TEST_ASSERT_TRUE(session_store_make_code(&desk));
+    session_store_init(&store, NULL, witness, said);
+    TEST_ASSERT_TRUE(session_store_make_code(&store));
     for (unsigned i = 0U; i < (10U * LIMIT_LOGIN_FREE_FAILURES); i++) {
         TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_by_code("ABCD-EFGH-2345"));
     }
-    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter_by_code(desk.code));
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter_by_code(store.code));
 }
 
 void test_SWR_SESS_020_what_a_stranger_calls_himself_is_not_written(void)
@@ -632,7 +632,7 @@ void test_SWR_SESS_322_a_count_of_refusals_is_ascribed_to_no_name(void)
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("bert", "wrong"));
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("carl", "wrong"));
     said[0] = '\0';
-    session_store_tick(&desk, now_ms + (LIMIT_REFUSALS_LINE_S * SECOND));
+    session_store_tick(&store, now_ms + (LIMIT_REFUSALS_LINE_S * SECOND));
     TEST_ASSERT_EQUAL_STRING("1 http: logins refused that came too soon to be judged or logged, of "
                              "any name: 2; the last of carl.\n",
                              said);
@@ -649,7 +649,7 @@ void test_SWR_SESS_322_the_longest_address_cuts_neither_cause_nor_count(void)
     static const char cause[] = "a listener in the clear takes no login unless it is that of the "
                                 "loopback address, which this one is not.";
     now_ms += LIMIT_REFUSALS_LINE_S * SECOND;
-    session_store_note_refusal(&desk, &login, cause, now_ms);
+    session_store_note_refusal(&store, &login, cause, now_ms);
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, address), said);
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, cause), said);
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, "of any name: 1.\n"), said);
@@ -662,13 +662,13 @@ void test_SWR_SESS_021_a_flood_that_is_not_looked_at_is_a_line_now_and_then(void
         TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "wrong"));
     }
     said[0] = '\0';
-    desk.is_looking = true;
+    store.is_looking = true;
     for (; now_ms < (begin_ms + (LIMIT_REFUSALS_LINE_S * SECOND)); now_ms += 10U) {
         TEST_ASSERT_NOT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "wrong"));
     }
     TEST_ASSERT_EQUAL_STRING("", said);
-    session_store_tick(&desk, now_ms);
-    session_store_tick(&desk, now_ms + SECOND);
+    session_store_tick(&store, now_ms);
+    session_store_tick(&store, now_ms + SECOND);
     char line[160];
     (void)snprintf(line, sizeof line,
                    "1 http: logins refused that came too soon to be judged or logged, of any name: "
@@ -692,17 +692,17 @@ void test_SWR_SESS_300_a_refusal_names_the_address_and_no_part_of_the_password(v
     said[0] = '\0';
     guess("anna", "TLS 10.0.0.8");
     now_ms += LIMIT_REFUSALS_LINE_S * SECOND;
-    session_store_tick(&desk, now_ms);
+    session_store_tick(&store, now_ms);
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, "the last of anna from TLS 10.0.0.8."), said);
 }
 
 void test_SWR_SESS_300_a_login_that_is_not_judged_is_logged_as_well(void)
 {
     const login_t login = {.name = "anna", .password = "secret", .address = "plain 10.0.0.9"};
-    session_store_note_refusal(&desk, &login, "not here.", now_ms);
+    session_store_note_refusal(&store, &login, "not here.", now_ms);
     TEST_ASSERT_EQUAL_STRING("1 anna: login refused from plain 10.0.0.9: not here.\n", said);
     for (unsigned i = 1U; i < (LIMIT_REFUSALS_LINE_S / 2U); i++) {
-        session_store_note_refusal(&desk, &login, "not here.", now_ms + (i * 2U * SECOND));
+        session_store_note_refusal(&store, &login, "not here.", now_ms + (i * 2U * SECOND));
     }
     TEST_ASSERT_EQUAL_UINT(1U, count_said("refused"));
 }
@@ -719,7 +719,7 @@ void test_SWR_SESS_022_whose_account_is_changed_is_out(void)
         TEST_ASSERT_TRUE(accounts_put(&accounts, &anna));
         write_accounts(&accounts);
         TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
-        session_store_tick(&desk, now_ms += SECOND);
+        session_store_tick(&store, now_ms += SECOND);
         TEST_ASSERT_TRUE(is_live());
         changed.role = (i == 0U) ? ROLE_OBSERVER : anna.role;
         if (i == 1U) {
@@ -728,7 +728,7 @@ void test_SWR_SESS_022_whose_account_is_changed_is_out(void)
         TEST_ASSERT_TRUE((i == 2U) ? accounts_remove(&accounts, "anna")
                                    : accounts_put(&accounts, &changed));
         write_accounts(&accounts);
-        session_store_tick(&desk, now_ms += SECOND);
+        session_store_tick(&store, now_ms += SECOND);
         TEST_ASSERT_FALSE_MESSAGE(is_live(), changes[i]);
     }
     TEST_ASSERT_EQUAL_UINT(3U, count_said("3 anna: session ended: the account was changed."));
@@ -738,15 +738,15 @@ void test_SWR_SESS_022_accounts_that_cannot_be_read_end_no_session(void)
 {
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
     (void)unlink(file);
-    session_store_tick(&desk, now_ms += SECOND);
+    session_store_tick(&store, now_ms += SECOND);
     TEST_ASSERT_TRUE(is_live());
 }
 
 void test_SWR_SESS_022_the_code_has_no_account(void)
 {
-    session_store_init(&desk, NULL, witness, said);
-    TEST_ASSERT_TRUE(session_store_make_code(&desk));
-    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter_by_code(desk.code));
-    session_store_tick(&desk, now_ms += SECOND);
+    session_store_init(&store, NULL, witness, said);
+    TEST_ASSERT_TRUE(session_store_make_code(&store));
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter_by_code(store.code));
+    session_store_tick(&store, now_ms += SECOND);
     TEST_ASSERT_TRUE(is_live());
 }

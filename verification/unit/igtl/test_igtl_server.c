@@ -103,9 +103,9 @@ void test_SWR_IGTL_056_row_of_a_connection_says_who_it_is_and_what_it_sent(void)
     TEST_ASSERT_TRUE(row_of(0U)->bytes_out > 58U);
 }
 
-static void send_status(uint32_t client, const char *error_name, const char *told)
+static void send_status(uint32_t client, const char *error_name, const char *reported)
 {
-    const igtl_status_t status = {1U, error_name, told};
+    const igtl_status_t status = {1U, error_name, reported};
     igtl_packet_t packet;
 
     igtl_encode_status(&packet, "IMAGER", &status, 0U);
@@ -128,11 +128,11 @@ void test_SWR_IGTL_092_the_last_status_of_a_client_is_shown_with_the_count_of_it
 
 void test_SWR_IGTL_092_a_long_status_is_cut(void)
 {
-    char told[IGTL_TEXT_MAX + 1U] = "";
+    char reported[IGTL_TEXT_MAX + 1U] = "";
 
     enter(0U);
-    (void)memset(told, 'x', sizeof told - 1U);
-    send_status(0U, "OK", told);
+    (void)memset(reported, 'x', sizeof reported - 1U);
+    send_status(0U, "OK", reported);
     TEST_ASSERT_EQUAL_size_t(EXCHANGE_PEER_STATUS_SIZE - 1U, strlen(row_of(0U)->status));
 }
 

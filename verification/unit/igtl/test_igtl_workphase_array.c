@@ -214,7 +214,7 @@ void test_SWR_TRAJ_023_numbers_that_no_row_has_are_refused_by_name(void)
     static const struct {
         uint32_t column;
         double number;
-        const char *told;
+        const char *reported;
     } cases[] = {{0U, -1.0, "STATUS TRAJECTORY 10 OUT_OF_RANGE|"},
                  {0U, 0.5, "STATUS TRAJECTORY 10 OUT_OF_RANGE|"},
                  {1U, 2147483648.0, "STATUS TRAJECTORY 10 OUT_OF_RANGE|"},
@@ -227,7 +227,7 @@ void test_SWR_TRAJ_023_numbers_that_no_row_has_are_refused_by_name(void)
     for (uint32_t i = 0U; i < (sizeof cases / sizeof cases[0]); i++) {
         make(3U);
         put_at(2U, cases[i].column, cases[i].number);
-        expect_refused(cases[i].told);
+        expect_refused(cases[i].reported);
     }
 }
 
@@ -304,10 +304,10 @@ void test_SWR_TRAJ_024_a_refused_row_is_reported_once_and_ends_it(void)
         answer_to(&command, ANSWER_REFUSED, STATUS_TRAJECTORY_ORDER, 1U);
     }
     pass_us(0U);
-    const char *const told = igtl_peer_next(&outboxes[0]);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, "STATUS TRAJECTORY 10 "), told);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, "|TRAJECTORY_SPEED: "), told);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, " Row 0."), told);
+    const char *const reported = igtl_peer_next(&outboxes[0]);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(reported, "STATUS TRAJECTORY 10 "), reported);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(reported, "|TRAJECTORY_SPEED: "), reported);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(reported, " Row 0."), reported);
     EXPECT(0U, "");
     hand_in(0U);
     pass_all(4U);

@@ -131,9 +131,9 @@ void test_SWR_PROG_013_steps_become_commands_and_the_end_reports_their_checksum(
 
     send_program();
     (void)snprintf(line, sizeof line, "Checksum %u.", (unsigned)sum_of_both());
-    const char *const told = igtl_peer_next(&outboxes[0]);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS PROGRAM 1 ", told, 17U);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, line), told);
+    const char *const reported = igtl_peer_next(&outboxes[0]);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS PROGRAM 1 ", reported, 17U);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(reported, line), reported);
 }
 
 void test_SWR_PROG_013_a_step_that_control_refuses_is_reported_by_name(void)
@@ -142,9 +142,9 @@ void test_SWR_PROG_013_a_step_that_control_refuses_is_reported_by_name(void)
     EXPECT(0U, "STRING ACK_7 " FIRST);
     expect_step(0U);
     answer_to(&command, ANSWER_REFUSED, STATUS_PROGRAM_DEPTH, 1U);
-    const char *const told = igtl_peer_next(&outboxes[0]);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS PROGRAM 10 ", told, 18U);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, "|PROGRAM_DEPTH: "), told);
+    const char *const reported = igtl_peer_next(&outboxes[0]);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS PROGRAM 10 ", reported, 18U);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(reported, "|PROGRAM_DEPTH: "), reported);
 }
 
 void test_SWR_PROG_013_a_text_that_is_no_step_is_refused_by_name(void)
@@ -208,8 +208,8 @@ void test_SWR_PROG_015_the_program_that_was_sent_is_run_or_the_one_that_is_named
     EXPECT_BEGIN(0U, "STATUS ACK_PROGRAM 1 ");
     TEST_ASSERT_TRUE(workphase_dialect_has_order(&dialect, 0U));
     answer_to(&command, ANSWER_ABORTED, STATUS_PROGRAM_STOPPED, 1U);
-    const char *const told = igtl_peer_next(&outboxes[0]);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, "|PROGRAM_STOPPED: "), told);
+    const char *const reported = igtl_peer_next(&outboxes[0]);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(reported, "|PROGRAM_STOPPED: "), reported);
     TEST_ASSERT_FALSE(workphase_dialect_has_order(&dialect, 0U));
 }
 
@@ -346,10 +346,10 @@ void test_SWR_PROG_014_a_refused_step_of_an_array_is_reported_once_with_its_inde
         answer_to(&command, ANSWER_REFUSED, STATUS_PROGRAM_ORDER, 1U);
     }
     pass_us(0U);
-    const char *const told = igtl_peer_next(&outboxes[0]);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS PROGRAM 10 ", told, 18U);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, "|PROGRAM_DEPTH: "), told);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, " Step 1."), told);
+    const char *const reported = igtl_peer_next(&outboxes[0]);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS PROGRAM 10 ", reported, 18U);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(reported, "|PROGRAM_DEPTH: "), reported);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(reported, " Step 1."), reported);
     EXPECT(0U, "");
 }
 
@@ -358,7 +358,7 @@ void test_SWR_PROG_014_numbers_that_no_step_has_are_refused_before_any_is_passed
     static const struct {
         uint32_t column;
         double number;
-        const char *told;
+        const char *reported;
     } cases[] = {{0U, NAN, "STATUS PROGRAM 10 NOT_FINITE|"},
                  {0U, -INFINITY, "STATUS PROGRAM 10 NOT_FINITE|"},
                  {0U, 1e300, "STATUS PROGRAM 10 OUT_OF_RANGE|"},
@@ -374,7 +374,7 @@ void test_SWR_PROG_014_numbers_that_no_step_has_are_refused_before_any_is_passed
         make(2U);
         put_at(0U, cases[i].column, cases[i].number);
         hand_in();
-        EXPECT_BEGIN(0U, cases[i].told);
+        EXPECT_BEGIN(0U, cases[i].reported);
         EXPECT(0U, "");
         expect_no_command();
     }

@@ -127,8 +127,8 @@ void test_SWR_TRAJ_019_more_rows_than_have_room_are_refused_as_busy(void)
     }
     const uint32_t sum = dialect.peers[0].sums[0];
     say(0U, "Text", ROW);
-    const char *const told = igtl_peer_next(&outboxes[0]);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, "|BUSY: "), told);
+    const char *const reported = igtl_peer_next(&outboxes[0]);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(reported, "|BUSY: "), reported);
     TEST_ASSERT_EQUAL_HEX32(sum, dialect.peers[0].sums[0]);
 }
 

@@ -137,7 +137,7 @@ static velocity_end_t run_down(uint32_t axis)
             return (velocity_end_t)result.notes[i].value;
         }
     }
-    TEST_FAIL_MESSAGE("nothing was told of the axis");
+    TEST_FAIL_MESSAGE("nothing was reported of the axis");
     return VELOCITY_END_TIME;
 }
 

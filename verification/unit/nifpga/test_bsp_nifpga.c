@@ -51,7 +51,7 @@ static void *find_symbol(void *handle, const char *name)
 
 #define OUR_SLOTS 0xFEU
 #define WHO "does not say who accepts the cards, and when (\"A. Engineer, 2026-11-23\")"
-#define PATIENCE_NS (UINT64_C(60000) * NS_PER_MS)
+#define TIMEOUT_NS (UINT64_C(60000) * NS_PER_MS)
 #define POWER_BIT 7U
 #define ALIVE_BIT 8U
 #define LAMP_BIT 9U
@@ -97,7 +97,7 @@ static void start(uint32_t send)
 
 static void finish(void)
 {
-    bsp_finish(bsp_now_ns() + PATIENCE_NS, received, &result);
+    bsp_finish(bsp_now_ns() + TIMEOUT_NS, received, &result);
 }
 
 /* The deadline has passed already: each state is looked at once. */

@@ -7,13 +7,13 @@
 
 #include <string.h>
 
-static saved_store_t desk;
+static saved_store_t store;
 static saved_view_t view;
 static saved_view_t found;
 
 void setUp(void)
 {
-    saved_store_init(&desk);
+    saved_store_init(&store);
     (void)memset(&view, 0, sizeof view);
     view.plan.axis_count = 7U;
 }
@@ -24,27 +24,27 @@ void tearDown(void)
 
 void test_SWR_STORE_030_before_anything_was_shown_nothing_is_found(void)
 {
-    TEST_ASSERT_FALSE(saved_store_find(&desk, desk.view.token, &found));
-    TEST_ASSERT_FALSE(saved_store_find(&desk, 0U, &found));
+    TEST_ASSERT_FALSE(saved_store_find(&store, store.view.token, &found));
+    TEST_ASSERT_FALSE(saved_store_find(&store, 0U, &found));
 }
 
 void test_SWR_STORE_030_what_was_shown_last_is_found_by_its_token(void)
 {
     view.plan.axes = 5U;
-    saved_store_show(&desk, &view);
+    saved_store_show(&store, &view);
     const uint32_t first = view.token;
-    TEST_ASSERT_TRUE(saved_store_find(&desk, first, &found));
+    TEST_ASSERT_TRUE(saved_store_find(&store, first, &found));
     TEST_ASSERT_EQUAL_UINT32(5U, found.plan.axes);
-    TEST_ASSERT_FALSE(saved_store_find(&desk, first + 1U, &found));
-    saved_store_show(&desk, &view);
-    TEST_ASSERT_FALSE(saved_store_find(&desk, first, &found));
-    TEST_ASSERT_TRUE(saved_store_find(&desk, view.token, &found));
+    TEST_ASSERT_FALSE(saved_store_find(&store, first + 1U, &found));
+    saved_store_show(&store, &view);
+    TEST_ASSERT_FALSE(saved_store_find(&store, first, &found));
+    TEST_ASSERT_TRUE(saved_store_find(&store, view.token, &found));
 }
 
 void test_SWR_STORE_030_no_token_is_0(void)
 {
-    desk.view.token = UINT32_MAX;
-    saved_store_show(&desk, &view);
+    store.view.token = UINT32_MAX;
+    saved_store_show(&store, &view);
     TEST_ASSERT_EQUAL_UINT32(1U, view.token);
 }
 

@@ -243,7 +243,7 @@ void test_SWR_BOX_006_a_box_that_stops_answering_is_waited_for_once(void)
         bsp_sleep_until_ns(bsp_now_ns() + UINT64_C(1000000));
         TEST_ASSERT_EQUAL_HEX32(0U, exchange(0x3FFU, TIMEOUT_US));
     }
-    /* Ten times the patience would be 5 s: a box given up is not waited for again. */
+    /* Ten times the timeout would be 5 s: a box given up is not waited for again. */
     TEST_ASSERT_TRUE(wire_now_ns() - before_ns < 5U * patient_ns);
     bsp_close();
 }

@@ -107,9 +107,9 @@ static inline void expect_refusal(const char *text, const char *name)
     (void)snprintf(begin, sizeof begin, "STATUS %.*s ", (int)strcspn(text, " "), text);
     (void)snprintf(reason, sizeof reason, "|%s: ", name);
     say(0U, "Text", text);
-    const char *const told = igtl_peer_next(&outboxes[0]);
-    TEST_ASSERT_EQUAL_STRING_LEN(begin, told, strlen(begin));
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, reason), told);
+    const char *const reported = igtl_peer_next(&outboxes[0]);
+    TEST_ASSERT_EQUAL_STRING_LEN(begin, reported, strlen(begin));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(reported, reason), reported);
     expect_no_command();
 }
 

@@ -21,7 +21,7 @@ export interface OrderProperties {
 
 const states: Readonly<Record<Outcome["state"], string>> = {
   sent: "sent",
-  accepted: "accepted; its end is told here",
+  accepted: "accepted; its end is reported here",
   done: "done",
   failed: "not done",
   lost: "accepted; the connection was lost, so its end is not known",

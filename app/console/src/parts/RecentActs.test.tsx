@@ -26,7 +26,7 @@ function hear(change: Partial<Act>): void {
   act(() => page.recentActs.hearAct(said));
 }
 
-function told(): string[] {
+function reported(): string[] {
   const items = within(screen.getByRole("list")).queryAllByRole("listitem");
   const summary = document.querySelector("summary");
   return [summary, ...items].map((one) => one?.textContent.trim() ?? "");
@@ -49,11 +49,11 @@ test("SWR-CON-046 who may not command has no such place", async () => {
   expect(document.body.textContent).toBe("");
 });
 
-test("SWR-CON-046 the end of a command is told after another one was given", async () => {
+test("SWR-CON-046 the end of a command is reported after another one was given", async () => {
   await show(JOG, "/api/v1/needle/retract");
   hear({ state: "failed", message: "Discarded before it was done." });
   hear({ id: 2, state: "done" });
-  const [last, before] = told();
+  const [last, before] = reported();
   expect(last).toContain("Retract needle: done");
   expect(before).toContain("Jog yaw: not done. Discarded before it was done.");
 });
@@ -62,12 +62,12 @@ test("SWR-CON-046 of all that have begun the end is unknown once the stream was 
   await show(JOG, JOG);
   hear({ state: "done" });
   act(() => commander.operation.page.recentActs.loseActs());
-  const [last, before] = told();
+  const [last, before] = reported();
   expect(last).toContain("its end is not known");
   expect(before).toContain("done");
 });
 
 test("SWR-CON-046 the last eight are kept", async () => {
   await show(...Array.from({ length: 10 }, () => JOG));
-  expect(told()).toHaveLength(8);
+  expect(reported()).toHaveLength(8);
 });

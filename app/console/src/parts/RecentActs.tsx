@@ -23,7 +23,7 @@ const states: Readonly<Record<Outcome["state"], string>> = {
   lost: "its end is not known",
 };
 
-function Told({ outcome }: { outcome: Outcome }) {
+function Reported({ outcome }: { outcome: Outcome }) {
   const { state, reason } = outcome;
   return (
     <>
@@ -57,12 +57,12 @@ export function RecentActs({ operation }: { operation: Operation }) {
     <details className="recent-acts">
       <summary>
         <span className="hidden">Last commands of this page. </span>
-        <Told outcome={last} />
+        <Reported outcome={last} />
       </summary>
       <ol aria-label="Commands before it">
         {others.map((outcome) => (
           <li key={outcome.id}>
-            <Told outcome={outcome} />
+            <Reported outcome={outcome} />
           </li>
         ))}
       </ol>

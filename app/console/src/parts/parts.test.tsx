@@ -36,7 +36,7 @@ test("SWR-CON-022 what is kept and unknown is the system's theme", () => {
   expect(document.documentElement.dataset.theme).toBe("system");
 });
 
-test("SWR-CON-020 the clock tells UTC", async () => {
+test("SWR-CON-020 the clock shows UTC", async () => {
   vi.useFakeTimers({ now: new Date("2026-11-23T03:04:05Z") });
   const { container } = render(<Clock />);
   expect(container.textContent).toBe("03:04:05 UTC");

@@ -22,7 +22,7 @@ class FakeReader implements ReaderPort {
   postMessage = vi.fn();
   terminate = vi.fn();
 
-  tell(data: Report): void {
+  send(data: Report): void {
     act(() => this.onmessage?.({ data } as MessageEvent<Report>));
   }
 }
@@ -67,14 +67,14 @@ test("SWR-SITE-037 it says how far it is, and shows what was read", () => {
   const reader = open("one.bsr");
   const said = () => screen.getByText("one.bsr").parentElement?.textContent;
   expect(said()).toBe("Reading one.bsr, 0 %");
-  reader.tell({ kind: "share", share: 0.428 });
+  reader.send({ kind: "share", share: 0.428 });
   expect(said()).toBe("Reading one.bsr, 42 %");
   expect(
     screen
       .getByRole("progressbar", { name: "Reading one.bsr" })
       .getAttribute("value"),
   ).toBe("0.428");
-  reader.tell(read());
+  reader.send(read());
   expect(said()).toBe("Shown is one.bsr.");
   expect(screen.getByRole("slider", { name: "Cycle" })).toBeTruthy();
 });
@@ -83,16 +83,16 @@ test("SWR-SITE-037 another file ends the reading of the one before", () => {
   const first = open("one.bsr");
   const second = open("two.bsr");
   expect(first.terminate).toHaveBeenCalledOnce();
-  second.tell(read());
+  second.send(read());
   expect(screen.getByText("two.bsr").parentElement?.textContent).toBe(
     "Shown is two.bsr.",
   );
 });
 
 test("SWR-SITE-036 of a file that is refused the reason is shown, and nothing of another one", () => {
-  open("one.bsr").tell(read());
+  open("one.bsr").send(read());
   const reader = open("two.bsr");
-  reader.tell({ kind: "refused", reason: "Block 8 was changed." });
+  reader.send({ kind: "refused", reason: "Block 8 was changed." });
   expect(screen.getByRole("alert").textContent).toBe(
     "two.bsr is not shown. Block 8 was changed.",
   );
@@ -103,7 +103,7 @@ test("SWR-SITE-036 a reader that fails, and a recording of which nothing is know
   const reader = open("one.bsr");
   act(() => reader.onerror?.(new ErrorEvent("error", { message: "No room." })));
   expect(screen.getByRole("alert").textContent).toContain("No room.");
-  open("two.bsr").tell(read({ rows: [[0], [100]] }));
+  open("two.bsr").send(read({ rows: [[0], [100]] }));
   expect(screen.getByRole("alert").textContent).toContain(
     "no cycle of it is known",
   );
@@ -111,7 +111,7 @@ test("SWR-SITE-036 a reader that fails, and a recording of which nothing is know
 
 test("SWR-SITE-036 what cannot be shown is said, and so is what cannot be read", async () => {
   const document = new TextEncoder().encode("[");
-  open("one.bsr").tell({ kind: "read", document });
+  open("one.bsr").send({ kind: "read", document });
   expect(screen.getByRole("alert").textContent).toContain("JSON");
   const folder = new File([], "folder");
   folder.arrayBuffer = () => Promise.reject(new Error("at the time"));
@@ -119,7 +119,7 @@ test("SWR-SITE-036 what cannot be shown is said, and so is what cannot be read",
 });
 
 test("SWR-SITE-037 the direction of a name's letters is not that of what is said of it", () => {
-  open("evil\u202Egnp.bsr").tell(read());
+  open("evil\u202Egnp.bsr").send(read());
   expect(screen.getByText("evil\u202Egnp.bsr").localName).toBe("bdi");
 });
 

@@ -2,7 +2,7 @@
 // The file of a recording, read by the replay of the product: recorded.wasm, as site/recorded/recorded.h has it.
 
 /** The exports of the module. */
-interface Door {
+interface Exports {
   memory: WebAssembly.Memory;
   name(): number;
   room(size: number): number;
@@ -13,7 +13,7 @@ interface Door {
   printed(): number;
 }
 
-type Tell = (share: number) => void;
+type TakeShare = (share: number) => void;
 
 const ALL = 1000;
 const NAME_BYTES = 255;
@@ -33,38 +33,42 @@ export async function bytesOf(file: Blob): Promise<Uint8Array> {
 }
 
 export class RecordedFile {
-  private readonly door: Door;
+  private readonly exported: Exports;
 
-  /** A door for one file. */
+  /** A exported for one file. */
   constructor(module: WebAssembly.Module) {
     const { exports } = new WebAssembly.Instance(module, {});
-    this.door = exports as unknown as Door;
+    this.exported = exports as unknown as Exports;
   }
 
   /**
-   * The content for a page, JSON in UTF-8. Throws the sentence of the replay for a refused file. `tell` gets the done share.
+   * The content for a page, JSON in UTF-8. Throws the sentence of the replay for a refused file. `takeShare` gets the done share.
    *
    * @satisfies SWR-SITE-035
    * @satisfies SWR-SITE-036
    */
-  read(name: string, file: Uint8Array, tell: Tell): Uint8Array<ArrayBuffer> {
+  read(
+    name: string,
+    file: Uint8Array,
+    takeShare: TakeShare,
+  ): Uint8Array<ArrayBuffer> {
     return this.said(() => {
       this.put(name, file);
-      if (!this.door.open()) {
+      if (!this.exported.open()) {
         throw new Error("The file is refused.");
       }
-      return this.finish(tell);
+      return this.finish(takeShare);
     });
   }
 
   /** Goes on with what is open. */
-  finish(tell: Tell): Uint8Array<ArrayBuffer> {
+  finish(takeShare: TakeShare): Uint8Array<ArrayBuffer> {
     return this.said(() => {
-      for (let done = 0; done < ALL; done = this.door.goOn(RECORDS)) {
-        tell(done / ALL);
+      for (let done = 0; done < ALL; done = this.exported.goOn(RECORDS)) {
+        takeShare(done / ALL);
       }
-      const size = this.door.documentSize();
-      return this.bytes(this.door.document()).slice(0, size);
+      const size = this.exported.documentSize();
+      return this.bytes(this.exported.document()).slice(0, size);
     });
   }
 
@@ -79,21 +83,21 @@ export class RecordedFile {
 
   private put(name: string, file: Uint8Array): void {
     // Addresses of the upper half come as numbers below zero.
-    const at = this.door.room(file.length) >>> 0;
+    const at = this.exported.room(file.length) >>> 0;
     if (at === 0) {
       throw new Error("The file is too large for this page.");
     }
     this.bytes(at).set(file);
     const named = new TextEncoder().encode(name).subarray(0, NAME_BYTES);
-    this.bytes(this.door.name()).set(named);
+    this.bytes(this.exported.name()).set(named);
   }
 
   private get printed(): string {
-    const bytes = this.bytes(this.door.printed());
+    const bytes = this.bytes(this.exported.printed());
     return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0))).trim();
   }
 
   private bytes(address: number): Uint8Array<ArrayBuffer> {
-    return new Uint8Array(this.door.memory.buffer, address);
+    return new Uint8Array(this.exported.memory.buffer, address);
   }
 }

@@ -4,13 +4,13 @@ import { moduleOf } from "../site/packed";
 import type { Order, Report } from "./messages";
 import { bytesOf, RecordedFile } from "./recorded_file";
 
-const tell = (report: Report) => postMessage(report);
+const send = (report: Report) => postMessage(report);
 
 async function read({ packed, file }: Order): Promise<void> {
   const recorded = new RecordedFile(await moduleOf(packed));
   const bytes = await bytesOf(file);
   const document = recorded.read(file.name, bytes, (share) =>
-    tell({ kind: "share", share }),
+    send({ kind: "share", share }),
   );
   postMessage({ kind: "read", document } satisfies Report, {
     transfer: [document.buffer],
@@ -19,6 +19,6 @@ async function read({ packed, file }: Order): Promise<void> {
 
 addEventListener("message", ({ data }: MessageEvent<Order>) => {
   read(data).catch(({ message }: Error) =>
-    tell({ kind: "refused", reason: message }),
+    send({ kind: "refused", reason: message }),
   );
 });

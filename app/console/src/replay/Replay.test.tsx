@@ -8,7 +8,7 @@ import {
   within,
 } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { makeDocument, released, told } from "../testing/recording";
+import { makeDocument, released, reported } from "../testing/recording";
 import { makeAxis } from "../testing/robot";
 import { Recording, type RecordingDocument } from "./recording";
 import { Replay } from "./Replay";
@@ -89,14 +89,14 @@ test("SWR-REPLAY-021 in a gap nothing is known, and nothing is drawn over it", (
     ...written,
     robot: { ...written.robot, axes: [{ ...head, slot: 1 }] as never },
     rows: [
-      [100, 0, told(0, false, "OFF")],
+      [100, 0, reported(0, false, "OFF")],
       [20, 0, null],
-      [20, 0, told(0.04, true, "PWM")],
-      [50, 0, told(0.09, false, "OFF")],
+      [20, 0, reported(0.04, true, "PWM")],
+      [50, 0, reported(0.09, false, "OFF")],
     ],
   });
   render(<Replay recording={recording} />);
-  expect(screen.getByText(/numbers are told each 50 cycles/)).toBeTruthy();
+  expect(screen.getByText(/numbers are reported each 50 cycles/)).toBeTruthy();
   const slider = screen.getByRole("slider", { name: "Cycle" });
   const goTo = (cycle: number) =>
     fireEvent.change(slider, { target: { value: String(cycle) } });

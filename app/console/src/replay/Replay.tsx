@@ -185,7 +185,7 @@ export function Replay({ recording }: { recording: Recording }) {
         <p className="notice">
           A recording, not the robot: nothing here moves anything. States, words
           and what a card is asked to drive are those of the cycle; numbers are
-          told each {recording.numbersEach} cycles and with each event.
+          reported each {recording.numbersEach} cycles and with each event.
         </p>
         <div className="panels">
           <Panel title="Timeline" className="panel-wide">

@@ -18,7 +18,7 @@ const CYCLES_PER_S = 1000;
 export type Frame = Readonly<Record<string, string | number>>;
 
 /** The content of a cycle. */
-interface Told {
+interface Reported {
   /** Since the first one. */
   time_s: number;
   state: RobotState;
@@ -199,11 +199,11 @@ export class Recording {
     this.rows
       .slice(begin * KEPT_ROWS + 1, row + 1)
       .forEach((one) => tape.take(one));
-    const told = tape.value as Told | null;
-    if (told === null) {
+    const reported = tape.value as Reported | null;
+    if (reported === null) {
       return null;
     }
-    const { state, frames, time_s } = told;
+    const { state, frames, time_s } = reported;
     const timeS = time_s + (cycle - tape.counted) / CYCLES_PER_S;
     return {
       cycle,
@@ -230,7 +230,7 @@ export class Recording {
       );
     let seen: Seen = {};
     let since: number | null = null;
-    const takeWords = ({ state, time_s }: Told) => {
+    const takeWords = ({ state, time_s }: Reported) => {
       const { name } = state.status.workphase;
       const { kind, word, says } = signOf(viewOf(state));
       workphases.take(tape.cycle, name, words(name));
@@ -241,12 +241,12 @@ export class Recording {
     };
     this.rows.forEach((row, index) => {
       const hasWords = tape.take(row);
-      const told = tape.value as Told | null;
+      const reported = tape.value as Reported | null;
       this.cycles.push(tape.cycle);
       if (index % KEPT_ROWS === 0) {
         this.kept.push(tape.copy());
       }
-      if (told === null) {
+      if (reported === null) {
         lose(tape.cycle);
         this.trace.lose();
         [seen, since] = [{}, null];
@@ -254,10 +254,10 @@ export class Recording {
         since ??= tape.cycle;
         this.tracedFrom ??= tape.cycle;
         if (hasWords) {
-          takeWords(told);
+          takeWords(reported);
         }
         if (row[0] >= 0) {
-          this.trace.take(told.state, 0);
+          this.trace.take(reported.state, 0);
         }
       }
       this.seen.push(seen);

@@ -21,7 +21,7 @@ test("SWR-REPLAY-018 places are those before the row", () => {
   expect(tape.cycle).toBe(5);
 });
 
-test("SWR-REPLAY-018 a number goes on, and stands where none is told", () => {
+test("SWR-REPLAY-018 a number goes on, and stands where none is reported", () => {
   const first: Row = [0, 0, { a: 0, b: "x" }];
   expect(read(first, [10, 1, 20], [25]).value).toEqual({ a: 70, b: "x" });
   expect(read(first, [10, 1, 20], [-5, 2, "y"], [20]).value).toEqual({

@@ -145,13 +145,13 @@ const theatre = new Theatre(readTable());
 
 /** The names of the pairs that stand together, each with what was seen first. */
 function judge(seen: Seen, done: string[], found: Map<string, string>): void {
-  const { banner: told, lamps, refused } = seen;
+  const { banner: reported, lamps, refused } = seen;
   for (const [name, [one, other]] of Object.entries(contradictions)) {
     if (!found.has(name) && one(seen) && other(seen)) {
       const after = done.slice(-4).join(" ");
       found.set(
         name,
-        `${told} ${[...lamps, "refused", ...refused].join(", ")}; after ${after}`,
+        `${reported} ${[...lamps, "refused", ...refused].join(", ")}; after ${after}`,
       );
     }
   }

@@ -103,7 +103,7 @@ test("SWR-SITE-013 a robot that has failed is not shown as one, and is started a
   expect(onAnew).toHaveBeenCalledOnce();
 });
 
-test("SWR-SITE-026 a link that is refused is told with the reason, and the way out", () => {
+test("SWR-SITE-026 a link that is refused is reported with the reason, and the way out", () => {
   replace({
     failure: "At character 27: “x” does not begin with CYCLE:.",
     isRefused: true,
@@ -133,7 +133,7 @@ test("SWR-SITE-032 time goes back by a cycle, a second, to the start and to any 
   expect(goTo).toHaveBeenLastCalledWith(1);
 });
 
-test("SWR-SITE-032 who has gone back is told what is forgotten before time goes on", () => {
+test("SWR-SITE-032 who has gone back is informed of what is forgotten before time goes on", () => {
   const status = screen.getByRole("status");
   replace({ cycles: 3000, end: 3000 });
   expect(status.textContent).toBe("");

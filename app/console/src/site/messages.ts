@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages between the page and the worker of its robot.
 import type { Question } from "./question";
-import type { Asked, Answered, Told } from "./served_robot";
+import type { Asked, Answered, Reported } from "./served_robot";
 
 /** From the page. The first is `start`. */
 export type Order =
@@ -50,7 +50,7 @@ export interface Comparison {
 export type Report =
   | ({ kind: "started"; inputs: string[] } & Identity)
   | { kind: "answer"; id: number; answered: Answered }
-  | ({ kind: "told" } & Told)
+  | ({ kind: "reported" } & Reported)
   /** Cycles since the start, how far it has been, and how many inputs came after these cycles. */
   | { kind: "time"; cycles: number; end: number; later: number }
   /** It is at another cycle, and so is its server, which knows nothing of later. */

@@ -87,10 +87,10 @@ test("SWR-SITE-011 the stream is asked for, heard, and closed", () => {
   expect(orders.at(-1)).toMatchObject({
     asked: { method: "GET", address: "/api/v1/events" },
   });
-  report({ kind: "told", type: "state", data: "s" });
+  report({ kind: "reported", type: "state", data: "s" });
   expect(listener.hear).toHaveBeenCalledExactlyOnceWith("state", "s");
   stream.close();
-  report({ kind: "told", type: "state", data: "t" });
+  report({ kind: "reported", type: "state", data: "t" });
   expect(listener.hear).toHaveBeenCalledOnce();
 });
 

@@ -180,7 +180,7 @@ export class RobotTransport implements Transport {
         this.waiting.get(report.id)?.resolve(report.answered);
         this.waiting.delete(report.id);
         return;
-      case "told":
+      case "reported":
         return this.streamListener?.hear(report.type, report.data);
       case "time":
         return this.replace({

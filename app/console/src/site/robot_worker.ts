@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The worker that has the robot of a page.
 import { askedIn } from "./address";
-import { BEAT_MS, RobotDesk } from "./desk";
+import { BEAT_MS, RobotHost } from "./robot_host";
 import { onLink, reportOf, sceneOf } from "./link";
 import type { Order, Report } from "./messages";
 import { moduleOf } from "./packed";
@@ -9,10 +9,10 @@ import { ServedRobot } from "./served_robot";
 
 type Start = Extract<Order, { kind: "start" }>;
 
-const tell = (report: Report) => postMessage(report);
-let desk: Promise<RobotDesk> | null = null;
+const send = (report: Report) => postMessage(report);
+let host: Promise<RobotHost> | null = null;
 
-async function start(order: Start): Promise<RobotDesk> {
+async function start(order: Start): Promise<RobotHost> {
   const module = await moduleOf(order.packed);
   const { vocabulary } = new ServedRobot(module);
   const scene = sceneOf(order, vocabulary);
@@ -21,10 +21,10 @@ async function start(order: Start): Promise<RobotDesk> {
     onLink(() => served.start(scene.robot, scene.seed, order.utcS));
     return served;
   };
-  const started = new RobotDesk(
+  const started = new RobotHost(
     begin,
     scene,
-    tell,
+    send,
     performance.now(),
     askedIn(order.scene ?? "")[1]?.cycle,
   );
@@ -34,10 +34,10 @@ async function start(order: Start): Promise<RobotDesk> {
 
 addEventListener("message", ({ data }: MessageEvent<Order>) => {
   if (data.kind === "start") {
-    desk = start(data);
-    desk.catch((failure: Error) => tell(reportOf(failure)));
+    host = start(data);
+    host.catch((failure: Error) => send(reportOf(failure)));
   } else {
-    desk?.then(
+    host?.then(
       (one) => one.take(data, performance.now()),
       () => undefined, // It was reported.
     );

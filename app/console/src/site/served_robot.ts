@@ -14,7 +14,7 @@ function inputOf(line: string): Input {
 }
 
 /** The exports of the module. */
-interface Door extends HandModule {
+interface Exports extends HandModule {
   textSize(): number;
   answer(): number;
   start(seed: number, utcS: number): number;
@@ -39,7 +39,7 @@ export interface Answered {
   body: string;
 }
 
-export interface Told {
+export interface Reported {
   type: StreamEvent;
   data: string;
 }
@@ -66,7 +66,7 @@ function readAnswer(text: string): Answered {
   return { status: Number(status), reason, headers, body };
 }
 
-function readTold(message: string): Told {
+function readTold(message: string): Reported {
   const [, type] = /^event: (.*)$/m.exec(message) ?? [];
   const [, data = ""] = /^data: (.*)$/m.exec(message) ?? [];
   return { type: type as StreamEvent, data };
@@ -74,7 +74,7 @@ function readTold(message: string): Told {
 
 export class ServedRobot {
   private readonly module: WebAssembly.Module;
-  private readonly door: Door;
+  private readonly exported: Exports;
   private readonly hand: SceneHand;
   private cookie = "";
   private token = "";
@@ -82,8 +82,8 @@ export class ServedRobot {
   constructor(module: WebAssembly.Module) {
     const { exports } = new WebAssembly.Instance(module, {});
     this.module = module;
-    this.door = exports as unknown as Door;
-    this.hand = new SceneHand(this.door);
+    this.exported = exports as unknown as Exports;
+    this.hand = new SceneHand(this.exported);
   }
 
   /** The inputs that there are. */
@@ -103,10 +103,10 @@ export class ServedRobot {
    */
   start(robot: string, seed: number, utcS: number): void {
     this.write(`${robot}\0`);
-    if (!this.call(() => this.door.start(seed, utcS))) {
+    if (!this.call(() => this.exported.start(seed, utcS))) {
       throw new Error(`There is no robot “${robot}”.`);
     }
-    const code = this.read(this.bytes(this.door.answer()).indexOf(0));
+    const code = this.read(this.bytes(this.exported.answer()).indexOf(0));
     const { body } = this.ask({
       method: "POST",
       address: SESSION_PATH,
@@ -128,7 +128,7 @@ export class ServedRobot {
    * @satisfies SWR-SITE-021
    */
   step(cycles: number): void {
-    this.call(() => this.door.step(cycles));
+    this.call(() => this.exported.step(cycles));
   }
 
   /** As a browser asks, which keeps the cookie for itself. A request that waits for control lets cycles pass. */
@@ -146,15 +146,17 @@ export class ServedRobot {
     const size = this.write(
       `${method} ${address} HTTP/1.1${lines.join("")}${END_OF_HEAD}${body ?? ""}`,
     );
-    const answer = readAnswer(this.read(this.call(() => this.door.ask(size))));
+    const answer = readAnswer(
+      this.read(this.call(() => this.exported.ask(size))),
+    );
     const set = answer.headers.find(([name]) => name === "Set-Cookie");
     this.cookie = set?.[1].split(";")[0] ?? this.cookie;
     return answer;
   }
 
   /** Messages of the stream since the last time. */
-  listen(): Told[] {
-    const size = this.call(() => this.door.listen());
+  listen(): Reported[] {
+    const size = this.call(() => this.exported.listen());
     return this.read(size).split("\n\n").slice(0, -1).map(readTold);
   }
 
@@ -163,8 +165,8 @@ export class ServedRobot {
    * cycle: each server gives the same ones then.
    */
   done(): Input[] | null {
-    const place = this.door.journal();
-    const lines = place === 0 ? null : read(this.door, place).split("\n");
+    const place = this.exported.journal();
+    const lines = place === 0 ? null : read(this.exported, place).split("\n");
     return (
       lines
         ?.slice(0, -1)
@@ -175,7 +177,7 @@ export class ServedRobot {
 
   /** Since it was started. */
   get cycles(): number {
-    return this.door.cycles();
+    return this.exported.cycles();
   }
 
   /** @satisfies SWR-SITE-016 */
@@ -191,8 +193,8 @@ export class ServedRobot {
   /** Another one that goes on from where this one is, and of which it knows nothing. */
   copy(): SceneRun {
     const { exports } = new WebAssembly.Instance(this.module, {});
-    const door = exports as unknown as Door & RobotModule;
-    const run = new SceneRun({ ...door, step: () => door.step(1) });
+    const exported = exports as unknown as Exports & RobotModule;
+    const run = new SceneRun({ ...exported, step: () => exported.step(1) });
     const { cycles: cycle } = this;
     run.restore({
       memory: this.snapshot(),
@@ -203,21 +205,21 @@ export class ServedRobot {
   }
 
   private bytes(address: number): Uint8Array<ArrayBuffer> {
-    return new Uint8Array(this.door.memory.buffer, address);
+    return new Uint8Array(this.exported.memory.buffer, address);
   }
 
   /** Returns how many bytes it is. */
   private write(words: string): number {
     const bytes = new TextEncoder().encode(words);
-    if (bytes.length > this.door.textSize()) {
+    if (bytes.length > this.exported.textSize()) {
       throw new Error("The request is too long.");
     }
-    this.bytes(this.door.text()).set(bytes);
+    this.bytes(this.exported.text()).set(bytes);
     return bytes.length;
   }
 
   private read(size: number): string {
-    const bytes = this.bytes(this.door.answer()).subarray(0, size);
+    const bytes = this.bytes(this.exported.answer()).subarray(0, size);
     return new TextDecoder().decode(bytes);
   }
 
@@ -226,7 +228,7 @@ export class ServedRobot {
     try {
       return act();
     } catch {
-      const bytes = this.bytes(this.door.text());
+      const bytes = this.bytes(this.exported.text());
       throw new Error(
         new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0))),
       );

@@ -65,7 +65,7 @@ test("SWR-CON-033 an answer that comes after the end takes nothing back", () => 
   expect(acts.getOutcome()?.state).toBe("failed");
 });
 
-test("SWR-CON-033 what is told of another page or an earlier act is not this one's", () => {
+test("SWR-CON-033 what is reported of another page or an earlier act is not this one's", () => {
   const acts = begun();
   acts.begin(2, "/api/v1/align", {});
   acts.hearAct(makeAct({ id: 2, page: PAGE + 1 }));

@@ -149,11 +149,11 @@ export class PageAuthority {
   /** True when it was done. */
   private async act(path: Path, fields: object): Promise<boolean> {
     const problem = await this.page.act(path, fields);
-    this.tell(problem);
+    this.notify(problem);
     return problem === null;
   }
 
-  private tell(problem: string | null): void {
+  private notify(problem: string | null): void {
     this.problem = problem;
     this.listeners.forEach((listener) => listener());
   }

@@ -79,7 +79,7 @@ export class BoxHands {
   }
 
   async order(order: BoxOrderRequest): Promise<boolean> {
-    return this.tell(await this.ask("POST", order));
+    return this.notify(await this.ask("POST", order));
   }
 
   /** Holds it until `drop()`. A page that has let go before the answer came does not hold the handle. */
@@ -89,7 +89,7 @@ export class BoxHands {
     }
     this.replace({ [handle]: hold });
     const problem = await this.ask("POST", { [handle]: "hold" });
-    this.tell(problem);
+    this.notify(problem);
     if (problem !== null) {
       this.forget(handle);
       await this.dropStray();
@@ -157,14 +157,14 @@ export class BoxHands {
     const problem = await this.ask("PUT");
     this.isKeeping = false;
     if (problem !== null) {
-      this.tell(problem);
+      this.notify(problem);
       this.letGo();
       return;
     }
     for (const handle of kept) {
       if (this.confirmed.has(handle) && !this.isMine(handle)) {
         this.forget(handle);
-        this.tell(LET_GO);
+        this.notify(LET_GO);
       }
     }
     await this.dropStray();
@@ -193,7 +193,7 @@ export class BoxHands {
     }
   }
 
-  private tell(problem: string | null): boolean {
+  private notify(problem: string | null): boolean {
     this.replace({ problem });
     return problem === null;
   }

@@ -131,7 +131,7 @@ test.each([
   [95, { level: "normal" }],
   [12, { level: "attention", detail: "12\u00a0%" }],
 ] as const)(
-  "SWR-CON-002 tells since when, and that time passes at %i %%",
+  "SWR-CON-002 states since when, and that time passes at %i %%",
   (speed_percent, expected) => {
     const time = { is_elastic: true, slowness: 8, speedup: 1, speed_percent };
     expect(lampOf("Since start", { cycle: 3_725_500, time })).toEqual({
@@ -142,7 +142,7 @@ test.each([
   },
 );
 
-test("SWR-BOX-044 fast time is told even while it passes no faster", () => {
+test("SWR-BOX-044 fast time is reported even while it passes no faster", () => {
   const time = {
     is_elastic: true,
     slowness: 1,

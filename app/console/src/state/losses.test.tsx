@@ -96,13 +96,16 @@ test.each([
   [2, "Command lost: the server gave no sign of life."],
   [3, "Command lost: another took it by the button at the box."],
   [9, "Command lost: the log has the reason."],
-])("SWR-CON-091 command lost by cause %i is told", async (value, sentence) => {
-  expect(said()).toBe(null);
-  await see({}, lost(value));
-  expect(said()).toBe(sentence);
-});
+])(
+  "SWR-CON-091 command lost by cause %i is reported",
+  async (value, sentence) => {
+    expect(said()).toBe(null);
+    await see({}, lost(value));
+    expect(said()).toBe(sentence);
+  },
+);
 
-test("SWR-CON-091 a cause that comes after the state is told", async () => {
+test("SWR-CON-091 a cause that comes after the state is reported", async () => {
   const [, , taken = makeEntry(1)] = lost(1);
   await see({}, [taken]);
   expect(said()).toBe("Command lost: the log has the reason.");
@@ -112,7 +115,7 @@ test("SWR-CON-091 a cause that comes after the state is told", async () => {
   );
 });
 
-test("SWR-CON-091 a loss is told until it was read, also after command was taken again", async () => {
+test("SWR-CON-091 a loss is reported until it was read, also after command was taken again", async () => {
   await see({}, lost(1));
   await see(mine(), []);
   expect(said()).toBe(
@@ -128,13 +131,13 @@ test("SWR-CON-091 what was given up by hand is no loss", async () => {
   expect(said()).toBe(null);
 });
 
-test("SWR-CON-091 command that a hidden page gave up is told", async () => {
+test("SWR-CON-091 command that a hidden page gave up is reported", async () => {
   hide("hidden");
   await see({}, lost(0));
   expect(said()).toBe("Command lost: this page was hidden.");
 });
 
-test("SWR-CON-091 command lost with the session is told as that", async () => {
+test("SWR-CON-091 command lost with the session is reported as that", async () => {
   answer = closed;
   await see({}, lost(0));
   await see({}, lost(0));
@@ -149,7 +152,7 @@ test("SWR-SESS-035 a server that was started anew is the reason also before the 
   );
 });
 
-test("SWR-SESS-035 a server that was started anew is told as the reason", async () => {
+test("SWR-SESS-035 a server that was started anew is reported as the reason", async () => {
   answer = { ...closed, boot_id: "another" };
   await see({ ...mine(), boot_id: "another" });
   await see({ boot_id: "another" }, lost(0));
@@ -209,13 +212,13 @@ test("SWR-SESS-320 a page that asks late says that its session ended with the se
   expect(said()).toMatch(/Logged out: the server was started anew, and no/);
 });
 
-test("SWR-SESS-035 who logs out here is told nothing", async () => {
+test("SWR-SESS-035 who logs out here is informed of nothing", async () => {
   answer = closed;
   await act(() => operation.session.logOut());
   expect(said()).toBe(null);
 });
 
-test("SWR-SESS-035 a session that goes on is told nothing, whichever server it is", async () => {
+test("SWR-SESS-035 a session that goes on is informed of nothing, whichever server it is", async () => {
   await see({ ...mine(), boot_id: "another" });
   expect(said()).toBe(null);
 });

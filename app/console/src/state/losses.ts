@@ -85,7 +85,7 @@ export class Losses {
   readonly dismiss = (): void => {
     this.command = null;
     this.logout = null;
-    this.tell();
+    this.notify();
   };
 
   /** Takes the present view of the page. */
@@ -99,7 +99,7 @@ export class Losses {
       void this.operation.session.ask(); // It may have ended as well.
     }
     this.observeCause(log);
-    this.tell();
+    this.notify();
   }
 
   /**
@@ -170,7 +170,7 @@ export class Losses {
     }
   }
 
-  private tell(): void {
+  private notify(): void {
     const { command, logout } = this;
     const isBoth = command === causes[0] && logout !== null;
     const cause = isBoth ? "the session has ended" : command;

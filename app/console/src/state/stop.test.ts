@@ -90,7 +90,7 @@ test("SWR-CON-007 what was given up does not leave later", async () => {
   expect(signals.every((signal) => signal.aborted)).toBe(true);
 });
 
-test("SWR-CON-007 what the server says of the failure is told", async () => {
+test("SWR-CON-007 what the server says of the failure is reported", async () => {
   answers = { [OWN]: "unreachable", [CONSOLE]: "refused" };
   expect((await stop()).reason).toBe("Control does not answer.");
 });

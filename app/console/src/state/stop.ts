@@ -31,7 +31,7 @@ async function request(address: string, signal: AbortSignal): Promise<void> {
 }
 
 /** Resolves after `ms`, or as soon as `before` has failed. */
-function patience(ms: number, before: Promise<void>): Promise<void> {
+function hedge(ms: number, before: Promise<void>): Promise<void> {
   return new Promise((resolve) => {
     setTimeout(resolve, ms);
     before.catch(() => resolve());
@@ -43,7 +43,7 @@ async function requestAfter(
   address: string,
   signal: AbortSignal,
 ): Promise<void> {
-  await patience(HEDGE_MS, before);
+  await hedge(HEDGE_MS, before);
   signal.throwIfAborted();
   await request(address, signal);
 }

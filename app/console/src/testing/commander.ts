@@ -57,8 +57,9 @@ export async function makeCommander(role: Role): Promise<Commander> {
   vi.stubGlobal("fetch", (path: string, options: RequestInit) => {
     const body = readBody(options);
     asked.push({ path, body, method: options.method ?? "GET" });
-    const { status = 200, body: told } = answers[path] ?? { body: {} };
-    const answer = path === "/api/v1/robot" ? { ...plainRobot, ...told } : told;
+    const { status = 200, body: reported } = answers[path] ?? { body: {} };
+    const answer =
+      path === "/api/v1/robot" ? { ...plainRobot, ...reported } : reported;
     return Promise.resolve(new Response(JSON.stringify(answer), { status }));
   });
   const operation = new Operation();

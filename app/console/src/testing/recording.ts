@@ -7,7 +7,7 @@ export const released = {
   text: "The pedal is released.",
 } as const;
 
-export function told(timeS: number, isDriven: boolean, mode: string) {
+export function reported(timeS: number, isDriven: boolean, mode: string) {
   const axis = isDriven
     ? makeAxis("head", { is_driven: true })
     : makeBlockedAxis("head", released);
@@ -34,9 +34,9 @@ export function makeDocument(
       poses: [],
     },
     rows: [
-      [100, 0, told(0, false, "OFF")],
-      [50, 0, told(0.05, true, "PWM")],
-      [50, 0, told(0.1, false, "OFF")],
+      [100, 0, reported(0, false, "OFF")],
+      [50, 0, reported(0.05, true, "PWM")],
+      [50, 0, reported(0.1, false, "OFF")],
     ],
     events: [
       makeEntry(1, { cycle: 150, text: "It begins." }),

@@ -81,7 +81,7 @@ test("SWR-CON-006 nine tabs share one stream and hear the same", () => {
   tabs.forEach((tab) => expect(tab.heard).toEqual(["state 1"]));
 });
 
-test("SWR-CON-006 who comes later is told the greeting and the log, but no old state", () => {
+test("SWR-CON-006 who comes later gets the greeting and the log, but no old state", () => {
   connection.join(new Tab());
   newest().send("hello", "h");
   newest().send("state", "1");
@@ -108,7 +108,7 @@ test("SWR-CON-006 the stream ends with the last tab and begins again with the ne
   expect(sources).toHaveLength(2);
 });
 
-test("SWR-CON-006 every tab is told that the stream is lost, and the next one opens it again", async () => {
+test("SWR-CON-006 every tab is informed that the stream is lost, and the next one opens it again", async () => {
   const tabs = [new Tab(), new Tab()];
   tabs.forEach((tab) => connection.join(tab));
   newest().send("hello", "h");

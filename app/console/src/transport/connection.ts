@@ -84,7 +84,7 @@ export class Connection {
   private open(): void {
     const source = this.network.openSource();
     for (const type of streamEvents) {
-      source.addEventListener(type, (event) => this.tell(type, event.data));
+      source.addEventListener(type, (event) => this.send(type, event.data));
     }
     source.onerror = () => void this.lose();
     this.source = source;
@@ -104,7 +104,7 @@ export class Connection {
     this.log.forEach((entry) => tab.hear("log", entry));
   }
 
-  private tell(type: StreamEvent, data: string): void {
+  private send(type: StreamEvent, data: string): void {
     if (type === "hello") {
       this.hello = data;
     } else if (type === "log") {

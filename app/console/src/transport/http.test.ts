@@ -6,7 +6,7 @@ import { stopAddresses } from "./http";
 const OWN = "http://127.0.0.1:40000/api/v1/stop";
 const CONSOLE = "/api/v1/stop";
 
-test("SWR-CON-007 a page that was told no port asks the console's", () => {
+test("SWR-CON-007 a page that was given no port asks the console's", () => {
   const page = document.implementation.createHTMLDocument();
   expect(stopAddresses(page, "127.0.0.1")).toEqual([CONSOLE]);
   page.head.innerHTML = '<meta name="boresight-stop-port" content="00000">';

@@ -13,10 +13,10 @@ export function stopAddresses(
   protocol = "http:",
 ): string[] {
   const name = protocol === "https:" ? "tls-stop-port" : "stop-port";
-  const told = page.querySelector<HTMLMetaElement>(
+  const reported = page.querySelector<HTMLMetaElement>(
     `meta[name="boresight-${name}"]`,
   );
-  const port = Number(told?.content);
+  const port = Number(reported?.content);
   return port > 0
     ? [`${protocol}//${host}:${port}${STOP_PATH}`, STOP_PATH]
     : [STOP_PATH];

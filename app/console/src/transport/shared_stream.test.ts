@@ -15,7 +15,7 @@ const openAlone = vi.fn();
 let port: Port;
 let fail: () => void;
 
-function tell(message: WorkerMessage): void {
+function send(message: WorkerMessage): void {
   port.onmessage?.(new MessageEvent("message", { data: message }));
 }
 
@@ -51,9 +51,9 @@ afterEach(() => vi.useRealTimers());
 
 test("SWR-CON-006 what the worker hears reaches the tab", () => {
   open();
-  tell({ type: "joined" });
-  tell({ type: "hello", data: "h" });
-  tell({ type: "lost", reason: "Too many." });
+  send({ type: "joined" });
+  send({ type: "hello", data: "h" });
+  send({ type: "lost", reason: "Too many." });
   expect(listener.hear).toHaveBeenCalledExactlyOnceWith("hello", "h");
   expect(port.postMessage).toHaveBeenCalledExactlyOnceWith("ready");
   expect(listener.lose).toHaveBeenCalledExactlyOnceWith("Too many.");
@@ -95,9 +95,9 @@ test("SWR-CON-006 a worker that greets late takes the tab back from its own conn
   const stream = open();
   vi.advanceTimersByTime(GREETING_MS);
   expect(openAlone).toHaveBeenCalledOnce();
-  tell({ type: "joined" });
+  send({ type: "joined" });
   expect(leave).toHaveBeenCalledExactlyOnceWith(listener);
-  tell({ type: "hello", data: "h" });
+  send({ type: "hello", data: "h" });
   expect(listener.hear).toHaveBeenCalledExactlyOnceWith("hello", "h");
   stream.close();
   expect(leave).toHaveBeenCalledOnce();

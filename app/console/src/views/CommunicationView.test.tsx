@@ -41,7 +41,7 @@ const commander: Connection = {
   is_waiting: false,
   last_message: "CMD_0001",
 };
-const told: Communication = {
+const reported: Communication = {
   connections: [display, commander],
   pages: [{ number: 5, account: "bert", has_authority: false, age_s: 3 }],
   ports: [],
@@ -50,7 +50,7 @@ let server: Commander;
 
 beforeEach(async () => {
   server = await makeCommander("OPERATOR");
-  server.answers[PATH] = { body: told };
+  server.answers[PATH] = { body: reported };
 });
 
 afterEach(() => {
@@ -77,7 +77,7 @@ async function press(name: string): Promise<void> {
   await act(() => Promise.resolve());
 }
 
-test("SWR-CON-037 each connection is told with its traffic", async () => {
+test("SWR-CON-037 each connection is reported with its traffic", async () => {
   await show();
   expect(row("41000").textContent).toBe(
     "127.0.0.1:41000transforms, crtk, waits for a placeno3 (174 B)900 (95.4 kB)2none yetnone yet12 s2 minDisconnect…",
@@ -86,7 +86,7 @@ test("SWR-CON-037 each connection is told with its traffic", async () => {
   expect(row("42000").textContent).toContain("CMD_0001");
 });
 
-test("SWR-CON-037 each page is told with its account", async () => {
+test("SWR-CON-037 each page is shown with its account", async () => {
   await show();
   const pages = screen.getByRole("region", { name: "Pages" });
   expect(within(pages).getAllByRole("row")[1]?.textContent).toBe("bertno3 s");
@@ -95,7 +95,7 @@ test("SWR-CON-037 each page is told with its account", async () => {
 test("SWR-CON-037 this page knows itself", async () => {
   const { number } = server.operation.page;
   const pages = [{ number, account: "anna", has_authority: true, age_s: 0 }];
-  server.answers[PATH] = { body: { ...told, pages } };
+  server.answers[PATH] = { body: { ...reported, pages } };
   const robot = makeRobot({ authority: server.authority });
   render(
     <CommunicationView {...makeViewProperties(server.operation, robot)} />,
@@ -106,7 +106,7 @@ test("SWR-CON-037 this page knows itself", async () => {
 test("SWR-CON-112 the status that a client has sent is shown", async () => {
   const status = "IMAGER 1 OK Valid Target";
   server.answers[PATH] = {
-    body: { ...told, connections: [display, { ...commander, status }] },
+    body: { ...reported, connections: [display, { ...commander, status }] },
   };
   await show();
   expect(within(row("42000")).getByText(status)).toBeTruthy();
@@ -115,7 +115,7 @@ test("SWR-CON-112 the status that a client has sent is shown", async () => {
 
 test("SWR-CON-037 a connection is ended after a second question", async () => {
   server.answers[`${PATH}/7/disconnect`] = {
-    body: { ...told, connections: [commander] },
+    body: { ...reported, connections: [commander] },
   };
   await show();
   await press("Disconnect 127.0.0.1:41000?");
@@ -144,7 +144,9 @@ test("SWR-CON-037 why a connection is not ended is the server's to say", async (
 
 test("SWR-CON-037 a connection is asked no longer whether it is there", async () => {
   const connections = [{ ...display, keep_alive: false }];
-  server.answers[`${PATH}/7/keep-alive`] = { body: { ...told, connections } };
+  server.answers[`${PATH}/7/keep-alive`] = {
+    body: { ...reported, connections },
+  };
   await show();
   const box = () =>
     within(row("41000")).getByRole<HTMLInputElement>("checkbox");

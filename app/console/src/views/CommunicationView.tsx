@@ -14,7 +14,7 @@ export const ASK_AGAIN_MS = 1000;
 export function CommunicationView({ robot, operation }: ViewProperties) {
   const { page } = operation;
   const { obstacle } = useCommanding(operation, robot.status.authority);
-  const [communication, tell] = useAnswer(
+  const [communication, takeAnswer] = useAnswer(
     page,
     "/api/v1/communication",
     Communication,
@@ -30,7 +30,7 @@ export function CommunicationView({ robot, operation }: ViewProperties) {
             connections={communication.connections}
             page={page}
             obstacle={obstacle}
-            tell={tell}
+            takeAnswer={takeAnswer}
           />
         )}
       </Panel>

@@ -105,7 +105,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-test("SWR-CON-038 an event is told with both times, severity and sentence", () => {
+test("SWR-CON-038 an event is reported with both times, severity and sentence", () => {
   expect(events()).toEqual([
     "2026-11-22 17:50:00.123 0.0 swarningIt was late.",
   ]);
@@ -206,7 +206,7 @@ test("SWR-CON-038 an observer looks, writes nothing and sets nothing", async () 
   expect(level.disabled).toBe(true);
 });
 
-test("SWR-CON-038 logs and recordings are told and can be saved", () => {
+test("SWR-CON-038 logs and recordings are reported and can be saved", () => {
   const rows = screen.getAllByRole("row", { name: /000001/ });
   expect(rows.map(({ textContent }) => textContent)).toEqual([
     "events-000001.log2026-11-22 17:50:00.123not known12.3 kBbeing writtenSave",

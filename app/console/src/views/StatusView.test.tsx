@@ -23,7 +23,7 @@ function rowsOf(label: string) {
   return within(table).getAllByRole("row").slice(1);
 }
 
-test("SWR-CON-036 each slot is told, and what was found there", async () => {
+test("SWR-CON-036 each slot is reported, and what was found there", async () => {
   await show({
     cards: [
       makeCard({ slot: 7, age_cycles: 12, frame_errors: 3, heartbeat: 4711 }),
@@ -59,7 +59,7 @@ test("SWR-CON-036 a card that has said nothing shows no numbers of it", async ()
   );
 });
 
-test("SWR-CARD-014 what each card measures and counts of itself is told, and what is wrong", async () => {
+test("SWR-CARD-014 what each card measures and counts of itself is reported, and what is wrong", async () => {
   await show({
     cards: [
       makeCard({
@@ -96,7 +96,7 @@ test("SWR-CARD-014 what each card measures and counts of itself is told, and wha
   expect(levels).toEqual(["normal", "attention", "attention"]);
 });
 
-test("SWR-LINK-041 what control discarded of a card and missed of it is told by its reason", async () => {
+test("SWR-LINK-041 what control discarded of a card and missed of it is reported by its reason", async () => {
   const counts = { frame_errors: 9, frames_out_of_order: 2, frames_missed: 5 };
   await show({ cards: [makeCard(counts)] });
   const cells = rowsOf("Health of the cards")[0]?.querySelectorAll("td");
@@ -104,7 +104,7 @@ test("SWR-LINK-041 what control discarded of a card and missed of it is told by 
   expect(texts.slice(8, 11)).toEqual(["7", "2", "5"]);
 });
 
-test("SWR-CON-036 each stage is told by classes of time, and its longest", async () => {
+test("SWR-CON-036 each stage is reported by classes of time, and its longest", async () => {
   await show();
   const rows = rowsOf("Cycles by the time of each stage");
   expect(rows).toHaveLength(14);
@@ -139,7 +139,7 @@ test("SWR-CON-036 elastic time has no punctuality", async () => {
   expect(screen.queryByText("Longest")).toBeNull();
 });
 
-test("SWR-CON-036 it is told what runs since when", async () => {
+test("SWR-CON-036 it is reported what runs since when", async () => {
   await show({ cycle: 3_723_000, boot_id: "cafe", box: "bench" });
   const facts = screen
     .getAllByRole("definition")
@@ -159,17 +159,17 @@ test("SWR-CON-036 it is told what runs since when", async () => {
   );
 });
 
-test("SWR-PACK-011 the versions that must fit together are told", async () => {
+test("SWR-PACK-011 the versions that must fit together are reported", async () => {
   await show({
     version: "1.2.3",
     build_id: "0123456789ab",
     card_protocol: "7",
   });
-  const told = (term: string) =>
+  const reported = (term: string) =>
     screen.getByText(term).nextElementSibling?.textContent;
-  expect(told("Version and build")).toBe("1.2.3, 0123456789ab");
-  expect(told("Checksum of its file")).toBe("a78c5496");
-  expect(told("Protocol of the cards")).toBe("7");
+  expect(reported("Version and build")).toBe("1.2.3, 0123456789ab");
+  expect(reported("Checksum of its file")).toBe("a78c5496");
+  expect(reported("Protocol of the cards")).toBe("7");
   expect(screen.queryByText("Cards accepted by")).toBeNull();
 });
 
@@ -177,13 +177,13 @@ test.each([
   ["A. Engineer, 2026-11-23", "A. Engineer, 2026-11-23"],
   ["", "nobody, nothing moves"],
 ])(
-  "SWR-NI-019 of cards without protections it is told on whose word: %s",
+  "SWR-NI-019 of cards without protections it is reported on whose word: %s",
   async (accepted, expected) => {
     await show({ card_protocol: "aim32", cards_accepted: accepted });
-    const told = (term: string) =>
+    const reported = (term: string) =>
       screen.getByText(term).nextElementSibling?.textContent;
-    expect(told("Protocol of the cards")).toBe("aim32");
-    expect(told("Cards accepted by")).toBe(expected);
+    expect(reported("Protocol of the cards")).toBe("aim32");
+    expect(reported("Cards accepted by")).toBe(expected);
   },
 );
 

@@ -13,12 +13,12 @@ import type { ViewProperties } from "./view";
 /** The parts of the robot, and their state. */
 export function StatusView({ robot, operation, outlook }: ViewProperties) {
   const { status } = robot;
-  const told = useRobot(operation.page, status.boot_id);
+  const reported = useRobot(operation.page, status.boot_id);
   const commanding = useCommanding(operation, status.authority);
   return (
     <>
       <Panel title="Cards" className="panel-wide">
-        <Cards cards={status.cards} slots={told?.slots ?? 0} />
+        <Cards cards={status.cards} slots={reported?.slots ?? 0} />
       </Panel>
       <Panel title="Health" className="panel-wide">
         <CardHealth cards={status.cards} />
@@ -33,7 +33,7 @@ export function StatusView({ robot, operation, outlook }: ViewProperties) {
         </Panel>
       )}
       <Panel title="System">
-        <System status={status} robot={told} />
+        <System status={status} robot={reported} />
       </Panel>
       <Panel title="Control loop">
         <Loop status={status} />

@@ -67,7 +67,7 @@ test("SWR-CON-031 each mark and each corner is in the drawing", () => {
   }
 });
 
-test("SWR-CON-031 a change is told with its guard", () => {
+test("SWR-CON-031 a change is reported with its guard", () => {
   const [id, ...others] = causesOf(
     charts.axis,
     "reference",
@@ -79,13 +79,13 @@ test("SWR-CON-031 a change is told with its guard", () => {
   );
 });
 
-test("SWR-CON-031 what several transitions may have made is told of all of them", () => {
+test("SWR-CON-031 what several transitions may have made is reported of all of them", () => {
   expect(
     causesOf(charts.workphase, "state", change("manual", "emergency")),
   ).toEqual(["PHASE-T02", "PHASE-T03"]);
 });
 
-test("SWR-CON-031 what no one step makes is told of none", () => {
+test("SWR-CON-031 what no one step makes is reported of none", () => {
   expect(
     causesOf(charts.axis, "reference", change("fresh", "verified")),
   ).toEqual([]);

@@ -133,7 +133,7 @@ test("SWR-CON-038 older ones are those until the oldest, each once", async () =>
   expect(reader.getReading().isComplete).toBe(true);
 });
 
-test("SWR-CON-038 no answer is told, and the list stays", async () => {
+test("SWR-CON-038 no answer is reported, and the list stays", async () => {
   answer = makeServer(() => 3);
   reader.follow(2);
   await settle();

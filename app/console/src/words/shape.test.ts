@@ -186,7 +186,7 @@ test("SWR-CON-039 the call to load again stays when the stream greets", () => {
   });
 });
 
-test("SWR-CON-039 an answer that does not fit is none, and is told", async () => {
+test("SWR-CON-039 an answer that does not fit is none, and is reported", async () => {
   vi.stubGlobal("fetch", () =>
     Promise.resolve(new Response(JSON.stringify({ state: "kept" }))),
   );

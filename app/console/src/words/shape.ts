@@ -102,6 +102,6 @@ export function fitted<Message>(
   if (place === null) {
     return value as Message;
   }
-  watchers.forEach((tell) => tell(name + place));
+  watchers.forEach((send) => send(name + place));
   throw new Misfit(name + place);
 }

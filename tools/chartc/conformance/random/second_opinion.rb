@@ -59,7 +59,7 @@ module RandomCharts
       @differences << "#{place}: SCION shows #{found}, not #{expected}"
     end
 
-    # SCION tells neither the transitions of the start nor the actions of states, and has an order of its own for what
+    # SCION reports neither the transitions of the start nor the actions of states, and has an order of its own for what
     # regions take together.
     def shown(outcome, is_start)
       after = outcome.after

@@ -28,7 +28,7 @@ module RandomCharts
     end
 
     # A Refusal when the compiler does not take the chart. steps: what is to be done, of which events that the chart knows
-    # no more are left out, or a block that makes the list for a machine that is told the chart.
+    # no more are left out, or a block that makes the list for a machine that is given the chart.
     def initialize(name, text, steps = nil)
       @text = text
       @document = read(name)
@@ -88,7 +88,7 @@ module RandomCharts
       "#{@machine.shape}: step #{index} (#{what}) shows #{seen[index].inspect}, not #{expected[index].inspect}"
     end
 
-    # The compiled chart does not tell the actions of its start, and keeps the last transitions only.
+    # The compiled chart does not report the actions of its start, and keeps the last transitions only.
     def shown(seen, index)
       return seen unless seen.is_a?(AppendixD::Seen)
 

@@ -38,8 +38,8 @@ module Chart
     def check_event(event)
       entered = configurations(event).select { |_, is_entered| is_entered }.keys
       refuse("\"#{event}\" enters no state; remove it from bs:enters") if entered.empty?
-      told = leaves(event).map(&:id)
-      missed = entered.find { |ids| (ids & told).empty? }
+      reported = leaves(event).map(&:id)
+      missed = entered.find { |ids| (ids & reported).empty? }
       return unless missed
 
       refuse("whether \"#{event}\" enters a state from #{missed.join(' ')} depends on several regions; remove it from bs:enters")

@@ -11,7 +11,7 @@ require_relative 'diagram/ways'
 
 module Chart
   # The chart as a Graphviz drawing. States carry the id CHART-STATE. What is drawn for transitions (an arrow, a
-  # gate, a line inside a state) carries the id of the first of them; #marks tells where each is.
+  # gate, a line inside a state) carries the id of the first of them; #marks reports where each is.
   class Diagram
     FONT = 'fontname="DejaVu Sans,Verdana,sans-serif" fontsize=11'
     STYLE = <<~DOT.freeze

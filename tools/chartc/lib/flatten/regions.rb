@@ -36,7 +36,7 @@ module Chart
       @regions.each(&block)
     end
 
-    # The region whose enum tells whether the state is active; nil for a lone parallel and the root above it, which
+    # The region whose enum states whether the state is active; nil for a lone parallel and the root above it, which
     # are always active.
     def of(state)
       @of[state]

@@ -72,7 +72,7 @@ module Chart
       causes.count(timer.event) == 1
     end
 
-    # --- exits: source tells which of the leaves can be active ---------------------------------------------------
+    # --- exits: source reports which of the leaves can be active ---------------------------------------------------
 
     def leave_inside(scope, source)
       region = @regions.of(scope)

@@ -145,7 +145,7 @@ module Chart
       end
     end
 
-    # A conformance chart may send without delay: that lasts one tick. nil where a compared version does not tell.
+    # A conformance chart may send without delay: that lasts one tick. nil where a compared version does not say.
     def threshold(element, delay, rounding)
       return unless tick_us && rounding
 

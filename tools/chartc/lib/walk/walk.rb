@@ -200,7 +200,7 @@ module Chart
                                                                  'reached; bound the data, or split the chart')
     end
 
-    # Repetitions are counted; of what is still long, the beginning and the end are told.
+    # Repetitions are counted; of what is still long, the beginning and the end are reported.
     def shortened(words)
       runs = words.chunk_while { |one, other| one == other }.flat_map do |run|
         run.length > 2 ? ["#{run.first} (#{run.length} times)"] : run

@@ -86,14 +86,14 @@ static void prove_axis(uint32_t index, uint32_t guards, const card_drive_t *requ
     const sent_command_t *const sent = &drive_neighbours.sent[controller.cards.slots[index]];
     const bool is_permitted = (sent->command.system_state & CARD_SYSTEM_PERMIT) != 0U;
 
-    PROVE(sent->count == 1U, "SWR-PERMIT-200: each card of an axis is told once");
+    PROVE(sent->count == 1U, "SWR-PERMIT-200: each card of an axis is reported once");
     PROVE(IMPLIES(!is_off(&sent->command.drive),
                   is_machine_ready(guards) && is_axis_ready(index, request)),
           "SWR-PERMIT-200: no drive leaves unless nothing stands against it");
     PROVE(IMPLIES(!is_off(&sent->command.drive), drive_neighbours.hand_reasons == 0U),
           "SWR-COOP-008: no drive leaves while anything stands against a hand");
     PROVE(IMPLIES(is_permitted, is_machine_ready(guards)),
-          "SWR-PERMIT-200: no permit is told unless nothing stands against it");
+          "SWR-PERMIT-200: no permit is reported unless nothing stands against it");
     PROVE(IMPLIES((sent->command.control & CARD_CONTROL_AMPLIFIER) != 0U, is_permitted),
           "SWR-PERMIT-200: no amplifier has power without the permit");
     PROVE(IMPLIES(!is_off(&sent->command.drive),
@@ -140,7 +140,7 @@ static void prove_drive(uint32_t axis_count)
         PROVE(IMPLIES(!is_of_axis && (sent->count > 0U),
                       is_off(&sent->command.drive) &&
                           ((sent->command.system_state & CARD_SYSTEM_PERMIT) == 0U)),
-              "SWR-PERMIT-200: a card without an axis is told no drive and no permit");
+              "SWR-PERMIT-200: a card without an axis is reported no drive and no permit");
     }
 }
 

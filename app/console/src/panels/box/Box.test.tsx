@@ -383,7 +383,7 @@ test("SWR-CON-039 an answer that is no box is not shown as one", async () => {
   screen.getByText("The simulated box has not answered.");
 });
 
-test("SWR-CON-040 what another page holds is told", async () => {
+test("SWR-CON-040 what another page holds is reported", async () => {
   await show();
   refusals = { POST: 409 };
   await holdPedal();

@@ -44,8 +44,8 @@ function File({
 
 /** @satisfies SWR-CON-038 */
 export function LogFiles({ page }: { page: Page }) {
-  const [told] = useAnswer(page, "/api/v1/logs", Logs, ASK_AGAIN_MS);
-  if (told === null) {
+  const [reported] = useAnswer(page, "/api/v1/logs", Logs, ASK_AGAIN_MS);
+  if (reported === null) {
     return <p>Not known yet.</p>;
   }
   const columns = ["Log", "From, UTC", "To, UTC", { number: "Size" }, "State"];
@@ -55,7 +55,7 @@ export function LogFiles({ page }: { page: Page }) {
         label="Log files of this and earlier runs"
         columns={[...columns, "File"]}
       >
-        {told.logs.map(({ name, bytes, first, last, is_present }) => (
+        {reported.logs.map(({ name, bytes, first, last, is_present }) => (
           <File
             key={name}
             path={`/api/v1/logs/${name}`}
@@ -72,13 +72,13 @@ export function LogFiles({ page }: { page: Page }) {
 
 /** @satisfies SWR-CON-038 */
 export function RecordingFiles({ page }: { page: Page }) {
-  const [told] = useAnswer(
+  const [reported] = useAnswer(
     page,
     "/api/v1/recordings",
     Recordings,
     ASK_AGAIN_MS,
   );
-  if (told === null) {
+  if (reported === null) {
     return <p>Not known yet.</p>;
   }
   const columns = ["Recording", "Began, UTC", "Robot", { number: "Size" }];
@@ -88,16 +88,18 @@ export function RecordingFiles({ page }: { page: Page }) {
         label="Recordings of this and earlier runs"
         columns={[...columns, "State", "File"]}
       >
-        {told.recordings.map(({ name, bytes, started, robot, is_present }) => (
-          <File
-            key={name}
-            path={`/api/v1/recordings/${name}`}
-            name={name}
-            bytes={bytes}
-            isPresent={is_present}
-            times={[timeText(started), robot ?? "not known"]}
-          />
-        ))}
+        {reported.recordings.map(
+          ({ name, bytes, started, robot, is_present }) => (
+            <File
+              key={name}
+              path={`/api/v1/recordings/${name}`}
+              name={name}
+              bytes={bytes}
+              isPresent={is_present}
+              times={[timeText(started), robot ?? "not known"]}
+            />
+          ),
+        )}
       </WideTable>
     </div>
   );

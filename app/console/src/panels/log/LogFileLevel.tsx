@@ -19,7 +19,7 @@ export function LogFileLevel({ operation }: { operation: Operation }) {
     operation.session.subscribe,
     operation.session.getView,
   );
-  const [told, tell] = useAnswer(
+  const [reported, takeAnswer] = useAnswer(
     page,
     LEVEL_PATH,
     LogLevel,
@@ -27,14 +27,14 @@ export function LogFileLevel({ operation }: { operation: Operation }) {
     session?.role ?? "",
   );
   const [problem, setProblem] = useState<string | null>(null);
-  if (told === null) {
+  if (reported === null) {
     return <p>Not known yet.</p>;
   }
   const set = async (level: EventSeverity) => {
     const changed = await change(page, "PUT", LEVEL_PATH, LogLevel, { level });
     setProblem("problem" in changed ? changed.problem : null);
     if ("answer" in changed) {
-      tell(changed.answer);
+      takeAnswer(changed.answer);
     }
   };
   return (
@@ -42,16 +42,16 @@ export function LogFileLevel({ operation }: { operation: Operation }) {
       <label>
         The file gets events from level{" "}
         <select
-          value={told.level}
-          disabled={told.reason !== null}
+          value={reported.level}
+          disabled={reported.reason !== null}
           onChange={(event) => void set(event.target.value as EventSeverity)}
         >
           <SeverityOptions />
         </select>
       </label>
       <p className="orders-refusal">
-        {told.by === null ? "As at the start." : `Set by ${told.by}.`}{" "}
-        {told.reason}
+        {reported.by === null ? "As at the start." : `Set by ${reported.by}.`}{" "}
+        {reported.reason}
       </p>
       {problem !== null && (
         <p className="order-problem" role="alert">

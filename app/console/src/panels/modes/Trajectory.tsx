@@ -90,7 +90,7 @@ export function Trajectory({
         <p>
           <strong>{file.name}</strong>
           {table === null
-            ? ": nothing can be drawn of it; send it to be told why."
+            ? ": nothing can be drawn of it; send it to learn why."
             : `: ${table.rows} rows, ${seconds(table.durationS)}.`}
           {list.isOurs && " It is the one that is held."}
         </p>

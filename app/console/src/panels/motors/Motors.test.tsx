@@ -90,14 +90,14 @@ function barJog(outlook: Modes, upwards: string, downwards: string | null) {
   return { ...outlook, modes };
 }
 
-test("SWR-MODE-013 a way that is barred to one axis is told with it, and the other way open", async () => {
+test("SWR-MODE-013 a way that is barred to one axis is reported with it, and the other way open", async () => {
   await show(barJog(makeOutlook("JOG"), "The switch.", null));
   expect(button("head", "+1.00 mm").disabled).toBe(true);
   expect(button("head", "−1.00 mm").disabled).toBe(false);
   expect(row("head").textContent).toContain("Jog upwards: The switch.");
 });
 
-test("SWR-MODE-013 what bars both ways is told once", async () => {
+test("SWR-MODE-013 what bars both ways is reported once", async () => {
   await show(barJog(makeOutlook("JOG"), "The needle.", "The needle."));
   expect(row("head").textContent).toContain("Jog: The needle.");
   expect(row("head").textContent).not.toContain("wards");

@@ -50,7 +50,7 @@ interface Seen extends PositionsPreview {
 }
 
 /** The name of the reason stands in front: it is what the manual lists. */
-function told(problem: Partial<Problem>): string {
+function reported(problem: Partial<Problem>): string {
   const { code } = problem;
   return `${code === undefined ? "" : `${code}: `}${refusalOf(problem)}`;
 }
@@ -59,7 +59,7 @@ async function save(page: Page): Promise<string | null> {
   const response = await page.request("GET", POSITIONS_PATH);
   const text = await response.text();
   if (!response.ok) {
-    return told(JSON.parse(text) as Problem);
+    return reported(JSON.parse(text) as Problem);
   }
   const { robot, saved_utc: utc } = JSON.parse(text) as SavedPositions;
   const name = `positions-${robot}-${utc.replaceAll(":", "-")}.json`;
@@ -90,7 +90,7 @@ async function look(
   const response = await page.request("POST", PREVIEW_PATH, body);
   const answer = (await response.json()) as PositionsPreview | Problem;
   return "detail" in answer
-    ? told(answer)
+    ? reported(answer)
     : fitted(answer, PositionsPreview, PREVIEW_PATH);
 }
 

@@ -43,7 +43,7 @@ test("SWR-CON-003 shows set-point and position in the axis' unit", () => {
   );
 });
 
-test("SWR-CON-003 tells the picture in words", () => {
+test("SWR-CON-003 describes the picture in words", () => {
   render(<Axes axes={[makeAxis("head")]} />);
   expect(
     screen.getByRole("img", {
@@ -151,7 +151,7 @@ test("SWR-CON-005 shows the reasons of an axis and since when", () => {
   expect(rowOf("head").textContent).toContain("May move, up to 100 % speed");
 });
 
-test("SWR-CON-005 tells what holds for every axis once, above the rows", () => {
+test("SWR-CON-005 states what holds for every axis once, above the rows", () => {
   const axes = [
     makeBlockedAxis("head", estop),
     makeBlockedAxis("yaw", estop, homed),

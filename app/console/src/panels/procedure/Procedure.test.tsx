@@ -70,7 +70,7 @@ test("SWR-CON-016 without authority no step can be pressed, and it says so once"
   expect(screen.getAllByText("Take command first.")).toHaveLength(1);
 });
 
-test("SWR-CON-016 an observer is told to log in", async () => {
+test("SWR-CON-016 an observer is asked to log in", async () => {
   await show(makeOutlook("PLANNING"), {}, "OBSERVER");
   expect(step("PLANNING").disabled).toBe(true);
   expect(screen.getByText("Log in as operator to command.")).toBeTruthy();
@@ -81,7 +81,7 @@ test("SWR-CON-016 what is not known is not offered", async () => {
   expect(screen.queryByRole("button")).toBe(null);
 });
 
-test("SWR-CON-016 a refusal is told with what is in the way", async () => {
+test("SWR-CON-016 a refusal is reported with what is in the way", async () => {
   await show(makeOutlook("PLANNING"));
   commander.answers["/api/v1/workphase"] = {
     status: 409,

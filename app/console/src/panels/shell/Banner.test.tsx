@@ -103,7 +103,7 @@ test.each([
   },
 );
 
-test("SWR-CON-012 does not tell readers of screens each second anew", () => {
+test("SWR-CON-012 announces nothing to readers of screens each second anew", () => {
   shows(igtl);
   expect(screen.getByRole("status").textContent).not.toContain("12 s");
 });
@@ -230,7 +230,7 @@ test("SWR-CON-096 names the card that is why nothing moves, and lists what else 
   );
 });
 
-test("SWR-CON-096 lists all of them in their order when none of them is the reason that is told", () => {
+test("SWR-CON-096 lists all of them in their order when none of them is the reason that is reported", () => {
   const robot = makeRobot({ alarms: [warm, lost] });
   render(<Banner view={{ ...live, robot }} />);
   expect(

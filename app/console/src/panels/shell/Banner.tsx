@@ -26,7 +26,7 @@ function Frame({
   return (
     <div className="banner" data-sign={sign.kind}>
       <div
-        className="banner-told"
+        className="banner-text"
         role={sign.kind === "stale" ? "alert" : "status"}
       >
         <p className="sign">

@@ -234,7 +234,7 @@ test("SWR-CON-014 a renewal without an answer is tried again", async () => {
   expect(acts().slice(1)).toEqual(["PUT authority", "PUT authority"]);
 });
 
-test("SWR-CON-014 a refusal is told, and renews nothing", async () => {
+test("SWR-CON-014 a refusal is reported, and renews nothing", async () => {
   refusals = { POST: 423 };
   await show(makeAuthority());
   await press("Take command");

@@ -142,7 +142,7 @@ test("SWR-SESS-010 where nobody can log in this is said", async () => {
   expect(screen.queryByRole("button")).toBeNull();
 });
 
-test("SWR-SESS-033 a refusal is told in the server's words alone", async () => {
+test("SWR-SESS-033 a refusal is reported in the server's words alone", async () => {
   await show(nobody);
   await press(/Log in/);
   type(/Name/, "anna");

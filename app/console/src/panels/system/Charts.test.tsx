@@ -40,7 +40,7 @@ test("SWR-CON-031 an axis is chosen, and each of its regions shown", () => {
   expect(screen.getAllByText("NOW")).toHaveLength(2);
 });
 
-test("SWR-CON-031 the last change is told and drawn, also when another chart was looked at", () => {
+test("SWR-CON-031 the last change is reported and drawn, also when another chart was looked at", () => {
   const { rerender } = render(<Charts robot={makeRobot()} />);
   screen.getByText("No change seen since this view was opened.");
   choose("Chart", "estop_latch");
@@ -64,16 +64,16 @@ test("SWR-CON-031 the drawing is moved to where the last change has led", () => 
   expect(frame.scrollLeft).toBeCloseTo(corner("axis-disabled"));
 });
 
-test("SWR-CON-031 of a change that several transitions may have made all are told", () => {
+test("SWR-CON-031 of a change that several transitions may have made all are reported", () => {
   const { rerender } = render(<Charts robot={makeRobot()} />);
   const workphase = { name: "EMERGENCY" as const, text: "" };
   rerender(<Charts robot={makeRobot({ workphase })} />);
-  screen.getByText("By one of these; which, is not told:");
+  screen.getByText("By one of these; which, is not reported:");
   screen.getByText("PHASE-T03, on estop");
   expect(screen.getAllByRole("listitem")).toHaveLength(2);
 });
 
-test("SWR-CON-031 a change in several steps is told as such", () => {
+test("SWR-CON-031 a change in several steps is reported as such", () => {
   const fresh = makeAxis("head", { reference: "fresh" });
   const { rerender } = render(<Charts robot={makeRobot({}, [fresh])} />);
   choose("Chart", "axis");

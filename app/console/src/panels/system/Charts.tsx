@@ -86,7 +86,7 @@ function Causes({
   }
   return (
     <>
-      {causes.length > 1 && <p>By one of these; which, is not told:</p>}
+      {causes.length > 1 && <p>By one of these; which, is not reported:</p>}
       <ul>
         {causes.map((id) => (
           <li key={id}>{transitionText(id, chart.transitions[id]!)}</li>

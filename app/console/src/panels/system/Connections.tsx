@@ -99,14 +99,14 @@ export function Connections({
   connections,
   page,
   obstacle,
-  tell,
+  takeAnswer,
 }: {
   connections: readonly Connection[];
   page: Page;
   /** Why nothing can be changed from here, or null. */
   obstacle: string | null;
   /** Takes the server's answer to a change. */
-  tell: (communication: Communication) => void;
+  takeAnswer: (communication: Communication) => void;
 }) {
   const [problem, setProblem] = useState<string | null>(null);
   const act = async (
@@ -117,7 +117,7 @@ export function Connections({
     const changed = await change(page, method, path, Communication, body);
     setProblem("problem" in changed ? changed.problem : null);
     if ("answer" in changed) {
-      tell(changed.answer);
+      takeAnswer(changed.answer);
     }
   };
   if (connections.length === 0) {

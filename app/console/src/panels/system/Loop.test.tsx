@@ -42,7 +42,7 @@ test("SWR-SUP-005 real time is named with its speed and its punctuality", () => 
   expect(screen.getByText(/Wake-up, 99 %/)).toBeTruthy();
 });
 
-test("SWR-CON-036 what the computer lacks is told with what to do", () => {
+test("SWR-CON-036 what the computer lacks is reported with what to do", () => {
   const { loop } = makeStatus();
   const text = "The kernel is not PREEMPT_RT: boot the real-time kernel.";
   const computer = [{ name: "KERNEL" as const, text }];
@@ -53,7 +53,7 @@ test("SWR-CON-036 what the computer lacks is told with what to do", () => {
   expect(screen.getByRole("listitem").textContent).toBe(text);
 });
 
-test("SWR-CON-036 page faults are told, and those that waited for the disk", () => {
+test("SWR-CON-036 page faults are reported, and those that waited for the disk", () => {
   const { loop } = makeStatus();
   const faults = { minor_faults: 12, major_faults: 3 };
   render(<Loop status={makeStatus({ loop: { ...loop, ...faults } })} />);

@@ -34,7 +34,7 @@ test("SWR-IGTL-028 a row names address and the last trouble", () => {
   ).toBeTruthy();
 });
 
-test("SWR-IGTL-028 without a trouble none is told", () => {
+test("SWR-IGTL-028 without a trouble none is reported", () => {
   render(<Ports ports={[makePort()]} />);
   expect(screen.queryByText(/trouble/)).toBeNull();
 });

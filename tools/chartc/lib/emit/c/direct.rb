@@ -39,7 +39,7 @@ module Chart
         together(@steps_at_rest)
       end
 
-      # True when regions wait for different events; then those that are not for the outside are told apart as well.
+      # True when regions wait for different events; then those that are not for the outside are distinguished as well.
       def sorts?
         groups.length > 1
       end

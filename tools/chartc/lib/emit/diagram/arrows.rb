@@ -6,7 +6,7 @@ module Chart
   class Diagram
     # Lines of DOT for the transitions that lead somewhere. Each way is a box between its source and its targets, so
     # that Graphviz lets nothing overlap its text. States stand in document order from top to bottom: an arrow that
-    # leads back is told to Graphviz from its head to its tail.
+    # leads back is reported to Graphviz from its head to its tail.
     class Arrows
       BOX = 'style=filled color="#e4e9ee" fillcolor="#e4e9ee" margin="0.08,0.04"'
 

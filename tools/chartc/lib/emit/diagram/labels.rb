@@ -31,7 +31,7 @@ module Chart
         table([name(state)])
       end
 
-      # nil if there is nothing to tell.
+      # nil if there is nothing to report.
       def notes(state)
         cells = happenings(state)
         table([cell(Text.new(STATE_WIDTH).add(:quiet, ["anywhere in #{state.id}"])), *cells]) if cells.any?

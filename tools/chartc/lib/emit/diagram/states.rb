@@ -34,7 +34,7 @@ module Chart
         end
       end
 
-      # The dot that a state begins at, if that has to be told, or if something inside leads back to it.
+      # The dot that a state begins at, if that has to be reported, or if something inside leads back to it.
       def start(state)
         return [] unless (state.initial && !obvious?(state.initial)) || @arrows.back_to?(state)
 

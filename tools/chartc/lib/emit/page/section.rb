@@ -19,7 +19,7 @@ module Chart
     WORST = { 'x86_instructions' => 'x86-64 instructions', 'arm_instructions' => 'ARM instructions',
               'stack_bytes' => 'Stack bytes', 'ram_bytes' => 'RAM bytes' }.freeze
 
-    # Told of the chart as a whole; the check runs once a cycle.
+    # Stated of the chart as a whole; the check runs once a cycle.
     CHECK = { 'x86_check_instructions' => 'x86-64 instructions of the check',
               'arm_check_instructions' => 'ARM instructions of the check' }.freeze
 

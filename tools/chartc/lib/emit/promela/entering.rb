@@ -18,7 +18,7 @@ module Chart
 
       def inlines
         entries = @tree.states.map { |state| entry(state) }
-        done = told.map { |history| "#{@names.told(history)} = 0" }
+        done = reported.map { |history| "#{@names.reported(history)} = 0" }
         [Text.inline('take_transitions()', 'Content of the transitions, in their order.', taking),
          Text.inline('mark_targets()', 'Where the transitions lead.', [targets, recalls]),
          Text.inline('enter_states()', 'In document order; what is marked without anything inside begins there.',
@@ -27,13 +27,13 @@ module Chart
 
       def marks_used
         @tree.states.map { |state| @names.enter(state) } +
-          @document.histories.map { |history| @names.recall(history) } + told.map { |history| @names.told(history) }
+          @document.histories.map { |history| @names.recall(history) } + reported.map { |history| @names.reported(history) }
       end
 
       private
 
       # Histories whose default has content.
-      def told
+      def reported
         @document.histories.reject { |history| history.initial.content.empty? }
       end
 
@@ -85,7 +85,7 @@ module Chart
           also(@names.enter(state), "#{mark} && #{past(history, held)}")
         end
         first = "#{mark} && !#{past(history, recorded)}"
-        due = told.include?(history) ? [also(@names.told(history), first)] : []
+        due = reported.include?(history) ? [also(@names.reported(history), first)] : []
         due + default(history.initial.targets, history.parent, first) + remembered + ["#{mark} = 0"]
       end
 
@@ -123,8 +123,8 @@ module Chart
       end
 
       def first_content(state)
-        (state.histories & told).map do |history|
-          Text.choose([["#{@names.enter(state)} && #{@names.told(history)}",
+        (state.histories & reported).map do |history|
+          Text.choose([["#{@names.enter(state)} && #{@names.reported(history)}",
                         @content.statements(history.initial.content)]])
         end
       end

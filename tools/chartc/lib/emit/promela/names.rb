@@ -37,7 +37,7 @@ module Chart
         "recall_#{@states.fetch(history)}"
       end
 
-      def told(history)
+      def reported(history)
         "told_#{@states.fetch(history)}"
       end
 

@@ -36,7 +36,7 @@ module Chart
         end
       end
 
-      # The block tells which transitions wait for the event.
+      # The block states which transitions wait for the event.
       def waiting(event, &wanted)
         earlier = []
         statements = @tree.tracks.filter_map do |track|

@@ -52,7 +52,7 @@ module Chart
         "#{name}[#{word}] >> #{bit} & 1"
       end
 
-      # The part of the line that tells a stimulus of the walk; :start is that before all.
+      # The part of the line that states a stimulus of the walk; :start is that before all.
       def stimulus(stimulus)
         kind, what = stimulus
         last = @document.events.length
@@ -63,7 +63,7 @@ module Chart
         end
       end
 
-      # The part of the line that tells an outcome of the walk.
+      # The part of the line that states an outcome of the walk.
       def outcome(outcome)
         taken = outcome.taken.map { |transition| " #{transition.number}" }.join
         raised = outcome.raised.map { |event| " #{@document.events.index(event) + 1}" }.join

@@ -199,7 +199,7 @@ module Chart
       [test(:damage, 'a_damaged_region_goes_to_the_safe_state',
             [chart, '', @regions.map { |region| flips_of(region) }]),
        test(:damage, 'a_leaf_that_does_not_exist_goes_to_the_safe_state',
-            [chart, inputs_line, '', @regions.map { |region| stranger_of(region) },
+            [chart, inputs_line, '', @regions.map { |region| unknown_of(region) },
              strangers_everywhere])]
     end
 
@@ -222,8 +222,8 @@ module Chart
     end
 
     # Both copies agree on a value that is no leaf: the region takes no event, and the check repairs.
-    def stranger_of(region)
-      [begin_chart, make_stranger(region), unheard(region), '    expect_repaired(&chart);']
+    def unknown_of(region)
+      [begin_chart, make_unknown(region), unheard(region), '    expect_repaired(&chart);']
     end
 
     # A region that comes and goes may be entered anew by an event of the others.
@@ -232,22 +232,22 @@ module Chart
 
       ["    for (uint32_t event = 0U; event < #{@document.events.length}U; event++) {",
        "        (void)#{dispatch("(#{@names.event_type})event")};",
-       "        TEST_ASSERT_EQUAL_UINT32(#{stranger(region)}, chart.#{field(region)});", '    }']
+       "        TEST_ASSERT_EQUAL_UINT32(#{unknown(region)}, chart.#{field(region)});", '    }']
     end
 
-    def stranger(region)
+    def unknown(region)
       "#{@names.resting_values(region).length}U"
     end
 
-    def make_stranger(region)
-      stranger = stranger(region)
-      ["    chart.#{field(region)} = (#{@names.region_type(region)})#{stranger};",
-       "    chart.#{@names.inverse(region)} = ~(uint32_t)#{stranger};"]
+    def make_unknown(region)
+      unknown = unknown(region)
+      ["    chart.#{field(region)} = (#{@names.region_type(region)})#{unknown};",
+       "    chart.#{@names.inverse(region)} = ~(uint32_t)#{unknown};"]
     end
 
     # With no region left that could act, there are no actions.
     def strangers_everywhere
-      [begin_chart, @regions.map { |region| make_stranger(region) },
+      [begin_chart, @regions.map { |region| make_unknown(region) },
        "    for (uint32_t event = 0U; event < #{@document.events.length}U; event++) {",
        "        TEST_ASSERT_EQUAL_HEX32(0U, #{dispatch("(#{@names.event_type})event")});", '    }',
        '    expect_repaired(&chart);']

@@ -11,13 +11,13 @@ import type { Answered, ServedRobot } from "./served_robot";
 
 export const BEAT_MS = 20;
 /** A robot that stands still or is slow is reported as often, so that no page takes it for silent. */
-export const TELL_MS = 200;
+export const REPORT_MS = 200;
 /** Cycles of the robot between two stays. */
 const STAY_CYCLES = 60_000;
 
 type Work = Exclude<Order, { kind: "start" }>;
 
-export class RobotDesk {
+export class RobotHost {
   private readonly begin: () => ServedRobot;
   private robot: ServedRobot;
   private readonly scene: Scene;
@@ -27,9 +27,9 @@ export class RobotDesk {
   /** Where time had come to when it was put back, and what came until then. */
   private end = 0;
   private later: readonly Input[] = [];
-  private readonly tell: (report: Report) => void;
+  private readonly send: (report: Report) => void;
   private readonly pace: Pace;
-  private toldAtMs: number;
+  private reportedAtMs: number;
   private stayedAt = 0;
   private hasFailed = false;
 
@@ -37,7 +37,7 @@ export class RobotDesk {
   constructor(
     begin: () => ServedRobot,
     scene: Scene,
-    tell: (report: Report) => void,
+    send: (report: Report) => void,
     nowMs: number,
     at?: number,
   ) {
@@ -45,9 +45,9 @@ export class RobotDesk {
     this.robot = begin();
     this.scene = scene;
     this.inputs = scene.inputs;
-    this.tell = tell;
+    this.send = send;
     this.pace = new Pace(nowMs);
-    this.toldAtMs = nowMs;
+    this.reportedAtMs = nowMs;
     this.try(() => {
       this.introduce();
       if (at !== undefined) {
@@ -78,7 +78,7 @@ export class RobotDesk {
         this.pace.spend(waited);
         this.note();
         this.forget(waited);
-        return this.tell({ kind: "answer", id: order.id, answered });
+        return this.send({ kind: "answer", id: order.id, answered });
       }
       case "pace":
         return this.pace.set(order.share, nowMs);
@@ -88,9 +88,9 @@ export class RobotDesk {
       case "go":
         return this.goTo(order.cycle, nowMs);
       case "share":
-        return this.tell(this.share());
+        return this.send(this.share());
       case "compare":
-        return this.tell(this.compare(order.question));
+        return this.send(this.compare(order.question));
     }
   }
 
@@ -150,7 +150,7 @@ export class RobotDesk {
     }
     this.end = end;
     this.later = all.filter((input) => input.cycle >= cycle);
-    this.tell({ kind: "restarted" });
+    this.send({ kind: "restarted" });
     this.tellState(nowMs);
   }
 
@@ -213,15 +213,15 @@ export class RobotDesk {
     const { build_id: build } = this.look<Status>("/api/v1/status");
     const names = axes.map((axis) => axis.name);
     const inputs = inputsOf(this.robot.vocabulary, names);
-    this.tell({ kind: "started", robot: name, checksum, build, inputs });
+    this.send({ kind: "started", robot: name, checksum, build, inputs });
   }
 
   private tellNews(nowMs: number): void {
     const news = this.robot.listen();
-    news.forEach((told) => this.tell({ kind: "told", ...told }));
+    news.forEach((reported) => this.send({ kind: "reported", ...reported }));
     if (news.some(({ type }) => type === "state")) {
       this.tellTime(nowMs);
-    } else if (nowMs - this.toldAtMs >= TELL_MS) {
+    } else if (nowMs - this.reportedAtMs >= REPORT_MS) {
       this.tellState(nowMs);
     }
   }
@@ -232,16 +232,16 @@ export class RobotDesk {
       ["/api/v1/status", "/api/v1/motors", "/api/v1/targeting"] as const
     ).map((path) => this.read(path).body);
     const data = `{"status":${status},"motors":${motors},"targeting":${targeting}}`;
-    this.tell({ kind: "told", type: "state", data });
+    this.send({ kind: "reported", type: "state", data });
     this.tellTime(nowMs);
   }
 
   private tellTime(nowMs: number): void {
-    this.toldAtMs = nowMs;
+    this.reportedAtMs = nowMs;
     const { cycles } = this.robot;
     const end = Math.max(this.end, cycles);
     const later = this.later.length;
-    this.tell({ kind: "time", cycles, end, later });
+    this.send({ kind: "time", cycles, end, later });
   }
 
   private read(address: Path): Answered {
@@ -261,7 +261,7 @@ export class RobotDesk {
       act();
     } catch (failure) {
       this.hasFailed = true;
-      this.tell(reportOf(failure as Error));
+      this.send(reportOf(failure as Error));
     }
   }
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// The robot of a page by its own door, app/console/src/site/served_robot.ts: a course from a snapshot, the same one again
+// The robot of a page by its own interface, app/console/src/site/served_robot.ts: a course from a snapshot, the same one again
 // from the same snapshot, and another one from it. Prints whether they are equal.
 //
-//   node door.mjs SERVED.wasm ROBOT
+//   node served_robot.mjs SERVED.wasm ROBOT
 
 import { readFileSync } from "node:fs";
 import { ServedRobot } from "../../app/console/src/site/served_robot.ts";
@@ -18,9 +18,9 @@ const get = (address) => robot.ask({ method: "GET", address, headers: {}, body: 
 
 function course(cycles) {
   robot.step(cycles);
-  const told = robot.listen();
+  const reported = robot.listen();
   const seen = ["status", "motors", "box"].map((path) => get(`/api/v1/${path}`).body);
-  return JSON.stringify({ cycles: robot.cycles, told, seen });
+  return JSON.stringify({ cycles: robot.cycles, reported, seen });
 }
 
 robot.start(name, SEED, UTC);
@@ -35,4 +35,4 @@ robot.restore(snapshot);
 const again = course(CYCLES);
 robot.restore(snapshot);
 const other = course(CYCLES + 1);
-console.log(JSON.stringify({ role: session.role, again: first === again, other: first === other, told: first.length > 1000 }));
+console.log(JSON.stringify({ role: session.role, again: first === again, other: first === other, reported: first.length > 1000 }));

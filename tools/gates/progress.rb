@@ -5,7 +5,7 @@ require 'io/console'
 
 module Gates
   # Output for the user: a line for each gate that has ended, the running gates, and at the end why a gate is red.
-  class Teller
+  class Progress
     # Between two lines of progress where no line can be written anew.
     QUIET_SECONDS = 30
     LOG_LINES = 40
@@ -15,7 +15,7 @@ module Gates
       @out = out
       @count = count
       @ended = 0
-      @began = @told = Gates.now
+      @began = @reported = Gates.now
     end
 
     def gate_ended(verdict)
@@ -36,11 +36,11 @@ module Gates
     #
     # @satisfies SWR-GATE-003
     def progress(jobs, seconds_left)
-      return unless @out.tty? || Gates.now - @told >= QUIET_SECONDS
+      return unless @out.tty? || Gates.now - @reported >= QUIET_SECONDS
 
-      @told = Gates.now
+      @reported = Gates.now
       left = seconds_left < 1 ? 'longer than expected' : "about #{clock(seconds_left)} left"
-      text = "#{clock(@told - @began)} gone, #{left}: #{jobs.map { |job| running(job) }.join(', ')}"
+      text = "#{clock(@reported - @began)} gone, #{left}: #{jobs.map { |job| running(job) }.join(', ')}"
       @out.tty? ? @out.print("\r\e[K", text[0, width - 1]) : @out.puts(text)
       @out.flush
     end

@@ -2,8 +2,8 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-# The rule under test: the compiler has one door. Nobody outside its house requires another file of it or names what is
-# not open; and through the door, in Ruby and on the command line, an engineer of another project comes from an empty
+# The rule under test: the compiler has one interface. Nobody outside its house requires another file of it or names what is
+# not open; and through the interface, in Ruby and on the command line, an engineer of another project comes from an empty
 # folder to a program, as the README says.
 
 require 'minitest/autorun'
@@ -12,10 +12,10 @@ require 'rbconfig'
 require 'tmpdir'
 require_relative '../chart'
 
-class TestChartDoor < Minitest::Test
+class TestChartInterface < Minitest::Test
   ROOT = File.expand_path('../../..', __dir__)
   HOUSE = 'tools/chartc/'
-  DOOR = "#{HOUSE}chart"
+  INTERFACE = "#{HOUSE}chart"
   README = File.read(File.join(ROOT, HOUSE, 'README.md'))
   CHARTC = File.join(ROOT, HOUSE, 'chartc')
   OPEN = README[/^\| What is open.*?\n\n/m].scan(/\bChart(?:::|\.)\w+/)
@@ -24,9 +24,9 @@ class TestChartDoor < Minitest::Test
 
   # --- who comes in ---
 
-  def test_SWR_CHART_035_nobody_outside_requires_more_than_the_door
+  def test_SWR_CHART_035_nobody_outside_requires_more_than_the_interface
     outside = ruby_files
-    assert_operator outside.count { |file| required(file, read(file)).include?(DOOR) }, :>=, 3
+    assert_operator outside.count { |file| required(file, read(file)).include?(INTERFACE) }, :>=, 3
     assert_empty(outside.flat_map { |file| strays(file, read(file)) })
   end
 
@@ -45,9 +45,9 @@ class TestChartDoor < Minitest::Test
                  closed('x.rb', "Chart::Walk.new\nChart::Refusal\nChart.compile(file)\nChart::C::Source.new\nComposedChart::X")
   end
 
-  # --- through the door ---
+  # --- through the interface ---
 
-  def test_SWR_CHART_035_the_door_gives_all_of_a_chart
+  def test_SWR_CHART_035_the_interface_gives_all_of_a_chart
     chart = Chart.compile(File.join(CHARTS, 'base.scxml'), Chart::Limits.new({}))
     assert_equal %w[go halt], chart.document.events
     assert_equal 2, chart.walk.reached.length
@@ -56,7 +56,7 @@ class TestChartDoor < Minitest::Test
     assert_equal %w[test_base_walk.c test_base_paths.c], chart.tests.keys
   end
 
-  def test_SWR_CHART_035_the_door_refuses_and_forgives_as_it_is_asked_to
+  def test_SWR_CHART_035_the_interface_refuses_and_forgives_as_it_is_asked_to
     file = File.join(CHARTS, 'r25_event_forgotten.scxml')
     limits = Chart::Limits.new({ 'cycle_us' => 1000 })
     refusal = assert_raises(Chart::Refusal) { Chart.compile(file, limits) }
@@ -252,7 +252,7 @@ class TestChartDoor < Minitest::Test
   # However they are loaded: what is required, and paths that are written out.
   def strays(file, text)
     named = text.scan(%r{#{HOUSE}(?:lib|proof|test|conformance|faults)\b[^'"\s]*}).map { |path| path.delete_suffix('.rb') }
-    ((required(file, text) + named).uniq - [DOOR]).map { |path| "#{file}: #{path}" }
+    ((required(file, text) + named).uniq - [INTERFACE]).map { |path| "#{file}: #{path}" }
   end
 
   def closed(file, text)

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file How long clients wait for control. */
-#ifndef BORESIGHT_PATIENCE_H
-#define BORESIGHT_PATIENCE_H
+#ifndef BORESIGHT_ANSWER_TIMEOUT_H
+#define BORESIGHT_ANSWER_TIMEOUT_H
 
 #include "exchange/exchange.h"
 
 #include <stdint.h>
 
-#define PATIENCE_LOOK_MS 2U /**< From one look for the answer to the next. */
+#define ANSWER_POLL_MS 2U /**< From one look for the answer to the next. */
 
 /** How many looks without an answer before control counts as silent: 500 ms of the board's time.
  * Looks are counted and no time, as a pause of the machine is one look; a slow board answers

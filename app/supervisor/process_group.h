@@ -36,7 +36,7 @@ typedef struct {
     char words[BOARD_COMPANIONS][BOARD_ARGUMENTS][FAMILY_TEXT_SIZE]; /**< Their arguments. */
     int output; /**< Where their standard output and error go. */
     int errors;
-} family_t;
+} process_group_t;
 
 /**
  * Makes the command lines; `options` outlives it.
@@ -47,34 +47,34 @@ typedef struct {
  * @satisfies SWR-SUP-006
  * @satisfies SWR-SUP-008
  */
-bool family_init(family_t *self, const options_t *options, int output, int errors, char *error,
-                 uint32_t error_size);
+bool process_group_init(process_group_t *self, const options_t *options, int output, int errors,
+                        char *error, uint32_t error_size);
 
 /** Starts one. False with a sentence in `error`. */
-bool family_start(family_t *self, member_t member, char *error, uint32_t error_size);
+bool process_group_start(process_group_t *self, member_t member, char *error, uint32_t error_size);
 
 /** Takes note of every member that has ended. Returns one of them, or -1 when there is none (left).
  * Never waits. */
-int family_reap(family_t *self);
+int process_group_reap(process_group_t *self);
 
 /**
  * Starts again those whose time has come.
  *
  * @satisfies SWR-SUP-002
  */
-void family_restart(family_t *self);
+void process_group_restart(process_group_t *self);
 
 /** Looks at the alive counters: whether `member` has been silent for two seconds. */
-bool family_is_silent(family_t *self, const exchange_t *exchange, member_t member);
+bool process_group_is_silent(process_group_t *self, const exchange_t *exchange, member_t member);
 
 /**
  * To be called often. Looks five times a second, so that a pause of the machine is one look:
  * whether `member`, which is replaced when it hangs, has given no sign of life for LIMIT_HANG_US.
- * Then it is killed, which is noted in the exchange, and family_reap() finds its end.
+ * Then it is killed, which is noted in the exchange, and process_group_reap() finds its end.
  *
  * @satisfies SWR-LIFE-001
  */
-bool family_end_hanging(family_t *self, exchange_t *exchange, member_t member);
+bool process_group_end_hanging(process_group_t *self, exchange_t *exchange, member_t member);
 
 /**
  * Stops igtl and http, then control, then the recorder, then the programs that came with the board;
@@ -84,6 +84,6 @@ bool family_end_hanging(family_t *self, exchange_t *exchange, member_t member);
  * @satisfies SWR-SUP-001
  * @satisfies SWR-SUP-013
  */
-void family_stop(family_t *self, exchange_t *exchange);
+void process_group_stop(process_group_t *self, exchange_t *exchange);
 
 #endif

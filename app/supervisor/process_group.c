@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "supervisor/family.h"
+#include "supervisor/process_group.h"
 
 #include "common/clock.h"
 #include "common/rest.h"
@@ -26,8 +26,8 @@
 #define STOP_RECORDER_LOOKS 250U         /* Without a sign of life. */
 #define STOP_COMPANIONS_US UINT64_C(200000)
 
-static bool init_member(family_t *self, member_t member, const char *name, const options_t *options,
-                        char *error, uint32_t error_size)
+static bool init_member(process_group_t *self, member_t member, const char *name,
+                        const options_t *options, char *error, uint32_t error_size)
 {
     child_t *child = &self->members[member];
 
@@ -48,7 +48,7 @@ static void set_arguments(child_t *child, const char *const arguments[CHILD_ARGU
 }
 
 /* An empty argument is left out, such as an option that was not given. */
-static bool write_arguments(family_t *self, uint32_t place, const options_t *options)
+static bool write_arguments(process_group_t *self, uint32_t place, const options_t *options)
 {
     const board_companion_t *const companion = &board.companions[place];
     child_t *const child = &self->members[place];
@@ -68,7 +68,7 @@ static bool write_arguments(family_t *self, uint32_t place, const options_t *opt
     return true;
 }
 
-static bool init_companions(family_t *self, const options_t *options, char *error,
+static bool init_companions(process_group_t *self, const options_t *options, char *error,
                             uint32_t error_size)
 {
     for (uint32_t i = 0U; i < BOARD_COMPANIONS; i++) {
@@ -90,7 +90,8 @@ static bool init_companions(family_t *self, const options_t *options, char *erro
 }
 
 /* The kept positions belong to the axes of that box, whichever robot used it last. */
-static bool name_box(family_t *self, const options_t *options, char *error, uint32_t error_size)
+static bool name_box(process_group_t *self, const options_t *options, char *error,
+                     uint32_t error_size)
 {
     char name[FAMILY_NAME_SIZE];
 
@@ -105,7 +106,7 @@ static bool name_box(family_t *self, const options_t *options, char *error, uint
     return true;
 }
 
-static void set_http(family_t *self, const options_t *options)
+static void set_http(process_group_t *self, const options_t *options)
 {
     const char *http[CHILD_ARGUMENTS] = {
         "--instance", options->instance, "--port",       options->http_port,
@@ -130,8 +131,8 @@ static void set_http(family_t *self, const options_t *options)
     set_arguments(&self->members[MEMBER_HTTP], http);
 }
 
-bool family_init(family_t *self, const options_t *options, int output, int errors, char *error,
-                 uint32_t error_size)
+bool process_group_init(process_group_t *self, const options_t *options, int output, int errors,
+                        char *error, uint32_t error_size)
 {
     static const char *const names[] = {"control", "recorder", "igtl", "http"};
 
@@ -168,7 +169,7 @@ bool family_init(family_t *self, const options_t *options, int output, int error
     return true;
 }
 
-bool family_start(family_t *self, member_t member, char *error, uint32_t error_size)
+bool process_group_start(process_group_t *self, member_t member, char *error, uint32_t error_size)
 {
     child_t *child = &self->members[member];
     const bool is_started = child_start(child, self->output, self->errors, clock_monotonic_us());
@@ -180,7 +181,7 @@ bool family_start(family_t *self, member_t member, char *error, uint32_t error_s
     return is_started;
 }
 
-int family_reap(family_t *self)
+int process_group_reap(process_group_t *self)
 {
     for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
         child_t *child = &self->members[i];
@@ -193,7 +194,7 @@ int family_reap(family_t *self)
     return -1;
 }
 
-void family_restart(family_t *self)
+void process_group_restart(process_group_t *self)
 {
     const uint64_t now_us = clock_monotonic_us();
 
@@ -214,7 +215,7 @@ static const exchange_process_t processes[FAMILY_SIZE] = {
     [MEMBER_HTTP] = EXCHANGE_HTTP,
 };
 
-bool family_is_silent(family_t *self, const exchange_t *exchange, member_t member)
+bool process_group_is_silent(process_group_t *self, const exchange_t *exchange, member_t member)
 {
     child_t *child = &self->members[member];
 
@@ -229,7 +230,7 @@ bool family_is_silent(family_t *self, const exchange_t *exchange, member_t membe
     return (clock_monotonic_us() - child->beaten_us) >= SILENT_US;
 }
 
-bool family_end_hanging(family_t *self, exchange_t *exchange, member_t member)
+bool process_group_end_hanging(process_group_t *self, exchange_t *exchange, member_t member)
 {
     child_t *child = &self->members[member];
     const uint64_t now_us = clock_monotonic_us();
@@ -254,11 +255,11 @@ bool family_end_hanging(family_t *self, exchange_t *exchange, member_t member)
     return is_hanging;
 }
 
-static bool is_running(family_t *self, const member_t *members, uint32_t count)
+static bool is_running(process_group_t *self, const member_t *members, uint32_t count)
 {
     bool is_one_running = false;
 
-    while (family_reap(self) >= 0) {
+    while (process_group_reap(self) >= 0) {
     }
     for (uint32_t i = 0U; i < count; i++) {
         is_one_running = is_one_running || (self->members[members[i]].pid != 0);
@@ -266,7 +267,8 @@ static bool is_running(family_t *self, const member_t *members, uint32_t count)
     return is_one_running;
 }
 
-static void send(const family_t *self, const member_t *members, uint32_t count, int signal_number)
+static void send(const process_group_t *self, const member_t *members, uint32_t count,
+                 int signal_number)
 {
     for (uint32_t i = 0U; i < count; i++) {
         if (self->members[members[i]].pid != 0) {
@@ -275,7 +277,7 @@ static void send(const family_t *self, const member_t *members, uint32_t count, 
     }
 }
 
-static void ask_to_stop(const family_t *self, const member_t *members, uint32_t count)
+static void ask_to_stop(const process_group_t *self, const member_t *members, uint32_t count)
 {
     send(self, members, count, SIGTERM);
     send(self, members, count, SIGCONT); /* A stopped one would not hear. */
@@ -288,7 +290,7 @@ static void rest(void)
     (void)nanosleep(&step, NULL);
 }
 
-static void make_end(family_t *self, const member_t *members, uint32_t count)
+static void make_end(process_group_t *self, const member_t *members, uint32_t count)
 {
     send(self, members, count, SIGKILL);
     while (is_running(self, members, count)) {
@@ -296,7 +298,8 @@ static void make_end(family_t *self, const member_t *members, uint32_t count)
     }
 }
 
-static void stop(family_t *self, const member_t *members, uint32_t count, uint64_t timeout_us)
+static void stop(process_group_t *self, const member_t *members, uint32_t count,
+                 uint64_t timeout_us)
 {
     const uint64_t end_us = clock_monotonic_us() + timeout_us;
 
@@ -308,7 +311,7 @@ static void stop(family_t *self, const member_t *members, uint32_t count, uint64
 }
 
 /* Cycles that wait for it are recorded first; it gives a sign of life with each cycle. */
-static void stop_recorder(family_t *self, const exchange_t *exchange)
+static void stop_recorder(process_group_t *self, const exchange_t *exchange)
 {
     static const member_t recorder[] = {MEMBER_RECORDER};
     const uint64_t end_us = clock_monotonic_us() + LIMIT_RECORDER_END_US;
@@ -333,7 +336,7 @@ static bool has_ended_in_order(const child_t *control)
                                           (WEXITSTATUS(control->status) == REST_EXIT));
 }
 
-void family_stop(family_t *self, exchange_t *exchange)
+void process_group_stop(process_group_t *self, exchange_t *exchange)
 {
     static const member_t clients[] = {MEMBER_IGTL, MEMBER_HTTP};
     static const member_t control[] = {MEMBER_CONTROL};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: the robot of a page lives by the clock, answers, reports news, and after a failure does nothing more.
 import { beforeEach, expect, test, vi } from "vitest";
-import { BEAT_MS, RobotDesk, TELL_MS } from "./desk";
+import { BEAT_MS, RobotHost, REPORT_MS } from "./robot_host";
 import { readVocabulary, type Input } from "../what_if/scene_text";
 import type { Report } from "./messages";
-import type { Answered, Asked, ServedRobot, Told } from "./served_robot";
+import type { Answered, Asked, ServedRobot, Reported } from "./served_robot";
 
 const bodies: Record<string, string> = {
   "/api/v1/robot":
@@ -20,7 +20,7 @@ class FakeRobot implements Pick<
   "step" | "act" | "ask" | "listen" | "stay" | "cycles" | "done" | "vocabulary"
 > {
   cycles = 0;
-  news: Told[] = [];
+  news: Reported[] = [];
   stay = vi.fn();
   acted: [number, string][] = [];
   vocabulary = readVocabulary(
@@ -48,7 +48,7 @@ class FakeRobot implements Pick<
     return { status: 200, reason: "OK", headers: [], body };
   }
 
-  listen(): Told[] {
+  listen(): Reported[] {
     return this.news.splice(0);
   }
 
@@ -64,7 +64,7 @@ const input = (cycle: number, words: string): Input => ({
 
 let robot: FakeRobot;
 let reports: Report[];
-let desk: RobotDesk;
+let host: RobotHost;
 
 const time = (cycles: number, end = cycles, later = 0): Report => ({
   kind: "time",
@@ -82,7 +82,7 @@ const ask = (method: string): Asked => ({
 
 function begin(inputs: Input[], at?: number): void {
   reports = [];
-  desk = new RobotDesk(
+  host = new RobotHost(
     () => {
       robot = new FakeRobot();
       return robot as unknown as ServedRobot;
@@ -97,17 +97,17 @@ function begin(inputs: Input[], at?: number): void {
 /** Those of a link, and the pedal in cycle 21. */
 function live(inputs: Input[]): void {
   begin(inputs);
-  desk.beat(BEAT_MS);
-  desk.take({ kind: "ask", id: 1, asked: ask("PUT") }, BEAT_MS);
-  desk.beat(2 * BEAT_MS);
+  host.beat(BEAT_MS);
+  host.take({ kind: "ask", id: 1, asked: ask("PUT") }, BEAT_MS);
+  host.beat(2 * BEAT_MS);
 }
 
 function goTo(cycle: number): void {
-  desk.take({ kind: "go", cycle }, 2 * BEAT_MS);
+  host.take({ kind: "go", cycle }, 2 * BEAT_MS);
 }
 
 function share(): Report | undefined {
-  desk.take({ kind: "share" }, 2 * BEAT_MS);
+  host.take({ kind: "share" }, 2 * BEAT_MS);
   return reports.at(-1);
 }
 
@@ -126,40 +126,40 @@ test("SWR-SITE-013 it says first what it is", () => {
 });
 
 test("SWR-SITE-009 a beat lets pass what is due, less what a request has waited for", () => {
-  desk.take({ kind: "ask", id: 7, asked: ask("POST") }, 0);
-  desk.beat(BEAT_MS);
-  desk.beat(2 * BEAT_MS);
+  host.take({ kind: "ask", id: 7, asked: ask("POST") }, 0);
+  host.beat(BEAT_MS);
+  host.beat(2 * BEAT_MS);
   expect(robot.cycles).toBe(1 + 2 * BEAT_MS);
   expect(reports.at(-1)).toMatchObject({ kind: "answer", id: 7 });
 });
 
-test("SWR-SITE-011 what the stream brings is told, with the time", () => {
+test("SWR-SITE-011 what the stream brings is reported, with the time", () => {
   robot.news = [
     { type: "log", data: "l" },
     { type: "state", data: "s" },
   ];
-  desk.beat(BEAT_MS);
+  host.beat(BEAT_MS);
   expect(reports.slice(1)).toEqual([
-    { kind: "told", type: "log", data: "l" },
-    { kind: "told", type: "state", data: "s" },
+    { kind: "reported", type: "log", data: "l" },
+    { kind: "reported", type: "state", data: "s" },
     time(1 + BEAT_MS),
   ]);
 });
 
-test("SWR-SITE-014 a robot that stands still is told of again, and one cycle is shown at once", () => {
-  desk.take({ kind: "pace", share: 0 }, 0);
-  desk.beat(TELL_MS);
-  const still = [{ kind: "told", type: "state", data: STATE }, time(1)];
+test("SWR-SITE-014 a robot that stands still is reported again, and one cycle is shown at once", () => {
+  host.take({ kind: "pace", share: 0 }, 0);
+  host.beat(REPORT_MS);
+  const still = [{ kind: "reported", type: "state", data: STATE }, time(1)];
   expect(reports.slice(1)).toEqual(still);
-  desk.beat(TELL_MS + BEAT_MS);
+  host.beat(REPORT_MS + BEAT_MS);
   expect(reports).toHaveLength(3);
-  desk.take({ kind: "step" }, TELL_MS + BEAT_MS);
+  host.take({ kind: "step" }, REPORT_MS + BEAT_MS);
   expect(reports.at(-1)).toEqual(time(2));
 });
 
 test("SWR-SITE-010 who has opened the page stays logged in", () => {
   for (let ms = 0; ms <= 121_000; ms += 250) {
-    desk.beat(ms);
+    host.beat(ms);
   }
   expect(robot.stay).toHaveBeenCalledTimes(2);
 });
@@ -168,8 +168,8 @@ test("SWR-SITE-011 a robot that has failed says so once, and is done", () => {
   const step = vi.spyOn(robot, "step").mockImplementation(() => {
     throw new Error("Contract served/310 is broken, report this.");
   });
-  desk.beat(BEAT_MS);
-  desk.beat(2 * BEAT_MS);
+  host.beat(BEAT_MS);
+  host.beat(2 * BEAT_MS);
   expect(step).toHaveBeenCalledOnce();
   expect(reports.at(-1)).toEqual({
     kind: "failed",
@@ -184,9 +184,9 @@ test("SWR-SITE-025 each input of a link is done before its cycle, whatever the b
     input(7, "scanner on"),
     input(BEAT_MS + 1, "pedal release"),
   ]);
-  desk.beat(BEAT_MS);
+  host.beat(BEAT_MS);
   expect(robot.cycles).toBe(1 + BEAT_MS);
-  desk.beat(2 * BEAT_MS);
+  host.beat(2 * BEAT_MS);
   expect(robot.cycles).toBe(1 + 2 * BEAT_MS);
   expect(robot.acted).toEqual([
     [0, "estop reset"],
@@ -198,19 +198,19 @@ test("SWR-SITE-025 each input of a link is done before its cycle, whatever the b
 
 test("SWR-SITE-025 one cycle in a pause brings its inputs, and those that a request has waited over come behind it", () => {
   begin([input(1, "pedal press"), input(9, "pedal release")]);
-  desk.take({ kind: "pace", share: 0 }, 0);
-  desk.take({ kind: "step" }, 0);
-  desk.take({ kind: "ask", id: 7, asked: ask("POST") }, 0);
+  host.take({ kind: "pace", share: 0 }, 0);
+  host.take({ kind: "step" }, 0);
+  host.take({ kind: "ask", id: 7, asked: ask("POST") }, 0);
   expect(robot.acted).toEqual([[1, "pedal press"]]);
-  desk.take({ kind: "step" }, 0);
+  host.take({ kind: "step" }, 0);
   expect(robot.acted.at(-1)).toEqual([32, "pedal release"]);
   expect(robot.cycles).toBe(33);
 });
 
 test("SWR-SITE-026 a link whose input is refused is over, in words, and nothing else is shown", () => {
   begin([input(5, "card 11 silent")]);
-  desk.beat(BEAT_MS);
-  desk.beat(2 * BEAT_MS);
+  host.beat(BEAT_MS);
+  host.beat(2 * BEAT_MS);
   expect(robot.cycles).toBe(5);
   expect(reports.at(-1)).toEqual({
     kind: "refused",
@@ -230,7 +230,7 @@ test("SWR-SITE-030 what a link and the page have done is shared as one link", ()
 
 test("SWR-SITE-030 what is not known any more is not shared, with the reason", () => {
   robot.done = () => null as unknown as Input[];
-  desk.beat(BEAT_MS);
+  host.beat(BEAT_MS);
   expect(share()).toEqual({
     kind: "unshared",
     reason: "More than 10,000 inputs were given, and are not kept.",
@@ -251,10 +251,10 @@ test("SWR-SITE-031 it goes back by a robot to which the same is done, and stands
   ]);
   expect(reports.slice(-3)).toEqual([
     { kind: "restarted" },
-    { kind: "told", type: "state", data: STATE },
+    { kind: "reported", type: "state", data: STATE },
     time(22, 41, 1),
   ]);
-  desk.beat(9 * BEAT_MS);
+  host.beat(9 * BEAT_MS);
   expect(robot.cycles).toBe(22);
 });
 
@@ -273,10 +273,10 @@ test("SWR-SITE-031 from there it goes forth to where it was, and no further", ()
 test("SWR-SITE-031 when time goes on, what came later is forgotten", () => {
   live([input(99, "estop reset")]);
   goTo(20);
-  desk.take({ kind: "step" }, 2 * BEAT_MS);
+  host.take({ kind: "step" }, 2 * BEAT_MS);
   expect(reports.at(-1)).toEqual(time(21));
   for (let cycle = 22; cycle < 110; cycle++) {
-    desk.take({ kind: "step" }, 2 * BEAT_MS);
+    host.take({ kind: "step" }, 2 * BEAT_MS);
   }
   expect(robot.acted).toEqual([]);
   expect(share()).toMatchObject({ inputs: 0 });
@@ -284,15 +284,15 @@ test("SWR-SITE-031 when time goes on, what came later is forgotten", () => {
 
 test("SWR-SITE-033 a link with a question stands still where it asks, and nothing moves from there", () => {
   begin([input(7, "estop pull"), input(99, "estop reset")], 50);
-  desk.beat(BEAT_MS);
+  host.beat(BEAT_MS);
   expect(robot.cycles).toBe(50);
   expect(robot.acted).toEqual([[7, "estop pull"]]);
 });
 
 test("SWR-SITE-033 what cannot be asked is refused, and the robot goes on as it was", () => {
   const question = { input: "x", seconds: 1 };
-  desk.take({ kind: "compare", question }, 0);
+  host.take({ kind: "compare", question }, 0);
   expect(reports.at(-1)).toMatchObject({ kind: "compared", lines: [] });
-  desk.beat(BEAT_MS);
+  host.beat(BEAT_MS);
   expect(robot.cycles).toBe(1 + BEAT_MS);
 });
