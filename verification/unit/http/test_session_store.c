@@ -22,7 +22,7 @@
 
 static char file[] = "/tmp/accounts-XXXXXX";
 static char said[4096];
-static session_store_t sessions;
+static session_store_t store;
 static session_t session;
 static uint32_t wait_s;
 static uint64_t now_ms;
