@@ -87,7 +87,8 @@ static next_step_t step_by_pose(const controller_t *self, const robot_t *robot, 
 /* The reason stays for the operator after it has ended an insertion by hand. */
 static bool is_hand_doubtful(const controller_t *self, const robot_t *robot)
 {
-    const uint32_t needle = robot->needle_axis % ROBOT_AXIS_MAX; /* Of a damaged table. */
+    const uint32_t axis = robot->needle_axis;
+    const uint32_t needle = (axis < ROBOT_AXIS_MAX) ? axis : 0U; /* Of a damaged table. */
     return (self->records[needle].sealed.reason_hold.shown &
             permit_reason(true, PERMIT_REASON_FORCE_DOUBTFUL)) != 0U;
 }
