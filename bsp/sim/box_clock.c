@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-/* Counted in looks, of which a pause of the machine is one: it does not use the patience up. */
+/* Counted in looks, of which a pause of the machine is one: it does not use the timeout up. */
 #define PATIENT_LOOKS (LIMIT_ELASTIC_ANSWER_CLOCK_US / BOX_CLOCK_LOOK_US)
 
 void box_clock_init(box_clock_t *self, box_time_t time, uint64_t now_us, uint64_t world_us)

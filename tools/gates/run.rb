@@ -6,7 +6,7 @@ require 'fileutils'
 require 'json'
 require_relative 'job'
 require_relative 'plan'
-require_relative 'reporter'
+require_relative 'progress'
 
 module Gates
   def self.now

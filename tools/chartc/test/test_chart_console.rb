@@ -2,7 +2,7 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-# The rule under test: the console is informed of a chart what its walk has seen, and where it stands in its drawing.
+# The rule under test: the console gets of a chart what its walk has seen, and where it stands in its drawing.
 
 require 'json'
 require 'minitest/autorun'

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file What the neighbours of controller_drive() answer in a cycle, whatever they are asked, and
- * what was reported to them. */
+ * what was sent to them. */
 #ifndef BORESIGHT_DRIVE_NEIGHBOURS_H
 #define BORESIGHT_DRIVE_NEIGHBOURS_H
 

@@ -13,7 +13,7 @@ class TestCommunication < Minitest::Test
   # Each test begins without connections, and without authority.
   def setup
     super
-    wait_until('nobody is informed') { connections.empty? }
+    wait_until('nobody is connected') { connections.empty? }
   end
 
   def authority

@@ -35,7 +35,7 @@ export async function bytesOf(file: Blob): Promise<Uint8Array> {
 export class RecordedFile {
   private readonly exported: Exports;
 
-  /** A exported for one file. */
+  /** The exports for one file. */
   constructor(module: WebAssembly.Module) {
     const { exports } = new WebAssembly.Instance(module, {});
     this.exported = exports as unknown as Exports;

@@ -87,7 +87,7 @@ test("SWR-CON-033 an interrupted stream leaves the end of what was begun unknown
   store.stop();
 });
 
-test("SWR-CON-033 the stream tells it, until nobody listens", () => {
+test("SWR-CON-033 the stream reports it, until nobody listens", () => {
   const surroundings = new FakeSurroundings();
   const store = new TelemetryStore(surroundings);
   const acts = begun();
@@ -109,7 +109,7 @@ test.each([
     "failed",
     "No. (yaw)",
   ],
-])("SWR-CON-033 the answer %j tells it", async (answer, state, reason) => {
+])("SWR-CON-033 the answer %j reports it", async (answer, state, reason) => {
   const { operation, answers } = await makeCommander("OPERATOR");
   answers["/api/v1/align"] = answer;
   expect(await operation.page.act("/api/v1/align", {})).toBe(reason);

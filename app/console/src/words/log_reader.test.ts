@@ -63,7 +63,7 @@ test("SWR-CON-038 the newest events come first", async () => {
   expect(reader.getReading().isComplete).toBe(true);
 });
 
-test("SWR-CON-038 what the stream tells of is asked for once, after the last one", async () => {
+test("SWR-CON-038 what the stream announces is asked for once, after the last one", async () => {
   let count = 3;
   answer = makeServer(() => count);
   reader.search({ level: "INFORMATION", text: "" });

@@ -86,7 +86,7 @@ static void prove_axis(uint32_t index, uint32_t guards, const card_drive_t *requ
     const sent_command_t *const sent = &drive_neighbours.sent[controller.cards.slots[index]];
     const bool is_permitted = (sent->command.system_state & CARD_SYSTEM_PERMIT) != 0U;
 
-    PROVE(sent->count == 1U, "SWR-PERMIT-200: each card of an axis is reported once");
+    PROVE(sent->count == 1U, "SWR-PERMIT-200: each card of an axis is sent one frame");
     PROVE(IMPLIES(!is_off(&sent->command.drive),
                   is_machine_ready(guards) && is_axis_ready(index, request)),
           "SWR-PERMIT-200: no drive leaves unless nothing stands against it");
@@ -140,7 +140,7 @@ static void prove_drive(uint32_t axis_count)
         PROVE(IMPLIES(!is_of_axis && (sent->count > 0U),
                       is_off(&sent->command.drive) &&
                           ((sent->command.system_state & CARD_SYSTEM_PERMIT) == 0U)),
-              "SWR-PERMIT-200: a card without an axis is reported no drive and no permit");
+              "SWR-PERMIT-200: a card without an axis is sent no drive and no permit");
     }
 }
 
