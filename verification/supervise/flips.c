@@ -86,7 +86,7 @@ static void go_on(scene_t *scene, const flip_t *flip)
     _exit(end);
 }
 
-static void report(const scene_t *scene, const flip_t *flip, const char *what)
+static void report_flip(const scene_t *scene, const flip_t *flip, const char *what)
 {
     printf("scene %u, cycle %u, %s, byte %u of the %s, bits %08X: %s\n",
            (unsigned)scene->oracle.seed, (unsigned)scene->scenario.cycle,
@@ -103,10 +103,10 @@ static void judge(flip_count_t *count, const scene_t *scene, const flip_t *flip,
         count->harmless++;
     } else if (end >= (int)FLIP_WRONG) {
         count->wrong++;
-        report(scene, flip, motion_oracle_sentence((sentence_t)(end - (int)FLIP_WRONG)));
+        report_flip(scene, flip, motion_oracle_sentence((sentence_t)(end - (int)FLIP_WRONG)));
     } else {
         count->crashed++;
-        report(scene, flip, WIFEXITED(status) ? "a contract is broken" : "crashed");
+        report_flip(scene, flip, WIFEXITED(status) ? "a contract is broken" : "crashed");
     }
 }
 
