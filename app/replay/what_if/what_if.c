@@ -173,7 +173,7 @@ bool what_if_end(const what_if_t *self)
 {
     if (!self->has_begun) {
         (void)printf("No cycle of this recording is changed: it has none of them, or none before "
-                     "them reports the state.\n");
+                     "them has the state.\n");
         return false;
     }
     if (self->different == 0U) {
