@@ -15,6 +15,14 @@ static int64_t left_ticks(const move_mode_t *move, const robot_t *robot,
            (int64_t)axes[needle].sealed.encoder.position_ticks;
 }
 
+/* Beyond its depth by more than it may go on by while its drive ends. */
+static bool is_too_deep(const move_mode_t *move, const robot_t *robot,
+                        const axis_t axes[ROBOT_AXIS_MAX])
+{
+    const int64_t deadband_ticks = (int64_t)robot->axes[robot->needle_axis].deadband_ticks;
+    return left_ticks(move, robot, axes) < -(deadband_ticks * (int64_t)LIMIT_HAND_BEYOND_DEADBANDS);
+}
+
 solution_t cooperate_mode_judge(const move_mode_t *move, const robot_t *robot,
                                 const axis_t axes[ROBOT_AXIS_MAX])
 {
@@ -23,8 +31,7 @@ solution_t cooperate_mode_judge(const move_mode_t *move, const robot_t *robot,
         result.status = STATUS_NO_HAND;
     } else if (!move_mode_is_aligned(move, robot, axes)) {
         result.status = STATUS_NOT_ALIGNED;
-    } else if (left_ticks(move, robot, axes) <
-               -(int64_t)robot->axes[robot->needle_axis].deadband_ticks) {
+    } else if (is_too_deep(move, robot, axes)) {
         result.status = STATUS_TOO_DEEP;
     } else {
         /* It may. */

@@ -84,13 +84,14 @@ class TestHttpForce < Minitest::Test
     workphases.each { |workphase| anna.act('workphase', { workphase: }) }
   end
 
+  # The block is called again and again until it is done.
   def under_pedal(anna, path)
     assert_includes %w[200 202], anna.act(path).code, anna.last.body
     id = anna.id
     boresight.simctl('pedal', 'press')
-    yield if block_given?
     wait_until("#{path} is done") do
       anna.keep
+      yield if block_given?
       JSON.parse(anna.act(path, id:).body)['state'] == 'done'
     end
   ensure
@@ -118,11 +119,16 @@ class TestHttpForce < Minitest::Test
     under_pedal(anna, 'align')
   end
 
+  # Does with the handle what the next step says.
   def push
-    wait_until('a push is asked for') { next_step == 'PUSH' }
-    refute axis('insertion')['is_driven']
-    boresight.simctl('grip', '1000')
-    boresight.simctl('hand', 'press')
+    case next_step
+    when 'PUSH'
+      @rests_before = !axis('insertion')['is_driven'] if @rests_before.nil?
+      boresight.simctl('grip', '1000')
+      boresight.simctl('hand', 'press')
+    when 'LET_GO'
+      boresight.simctl('hand', 'release')
+    end
   end
 
   def test_SWR_COOP_001_a_hand_brings_the_needle_to_its_target_by_http
@@ -130,6 +136,7 @@ class TestHttpForce < Minitest::Test
     prepare(anna, 22, 52)
     enter(anna, 'MOVE_TO_TARGET')
     under_pedal(anna, 'needle/cooperate') { push }
+    assert @rests_before, 'nothing moves before the push'
     assert_in_delta axis('insertion')['target'], axis('insertion')['position'], 0.01
   end
 
@@ -150,9 +157,9 @@ class TestHttpForce < Minitest::Test
     enter(anna, 'MOVE_TO_TARGET')
     assert_answer '202', 'accepted', anna.act('needle/cooperate')
     boresight.simctl('pedal', 'press')
-    push
     wait_until("the needle is #{depth} mm deep") do
       anna.keep
+      push
       membranes.fetch('depth_mm') > depth
     end
     enter(anna, 'STOP')
@@ -163,8 +170,8 @@ class TestHttpForce < Minitest::Test
   # Entry point, target and expected membranes of 20 mm: the first one of the tissue is there, none is at 35 and at 45 mm.
   def test_SWR_PUNCT_618_membranes_are_expected_found_and_missed_by_http
     anna = holder
-    boresight.simctl('tissue', 'whole')
     prepare(anna, 32, 92)
+    boresight.simctl('tissue', 'whole') # With the needle out.
     assert_answer '409', 'MEMBRANE_DEPTH', expect(anna, 20, 60.5)
     assert_answer '409', 'MEMBRANE_ORDER', expect(anna, 35, 20)
     assert_answer '200', 'done', expect(anna, 20, 35, 45)

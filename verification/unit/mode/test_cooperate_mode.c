@@ -179,13 +179,25 @@ void test_SWR_COOP_007_a_base_that_leaves_the_line_ends_it(void)
     }
 }
 
+void test_SWR_COOP_007_a_needle_that_goes_on_while_its_drive_ends_is_at_its_depth(void)
+{
+    const int32_t beyond = robot.axes[NEEDLE].deadband_ticks * (int32_t)LIMIT_HAND_BEYOND_DEADBANDS;
+    world_put(NEEDLE, DEEP_TICKS + beyond);
+    step(2000);
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    TEST_ASSERT_TRUE(all_rest());
+    world_put(NEEDLE, DEEP_TICKS + beyond + 1);
+    step(2000);
+    expect_given_up(STATUS_TOO_DEEP);
+}
+
 void test_SWR_COOP_009_it_is_armed_on_the_line_and_short_of_the_depth_of_a_robot_with_a_hand(void)
 {
-    const int32_t deadband = robot.axes[NEEDLE].deadband_ticks;
+    const int32_t beyond = robot.axes[NEEDLE].deadband_ticks * (int32_t)LIMIT_HAND_BEYOND_DEADBANDS;
     TEST_ASSERT_EQUAL(STATUS_OK, cooperate_mode_judge(&move, &robot, axes).status);
-    world_put(NEEDLE, DEEP_TICKS + deadband);
+    world_put(NEEDLE, DEEP_TICKS + beyond);
     TEST_ASSERT_EQUAL(STATUS_OK, cooperate_mode_judge(&move, &robot, axes).status);
-    world_put(NEEDLE, DEEP_TICKS + deadband + 1);
+    world_put(NEEDLE, DEEP_TICKS + beyond + 1);
     TEST_ASSERT_EQUAL(STATUS_TOO_DEEP, cooperate_mode_judge(&move, &robot, axes).status);
     world_put(NEURO_AXIS_YAW, move.target_ticks[NEURO_AXIS_YAW] + 30);
     TEST_ASSERT_EQUAL(STATUS_NOT_ALIGNED, cooperate_mode_judge(&move, &robot, axes).status);
