@@ -293,7 +293,7 @@ void test_SWR_PUNCT_613_a_doubtful_force_blinds_it_and_is_named_once(void)
     rig_box(&rig, "force needle broken");
     rig_cycles(&rig, 100U);
     TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_DOUBTFUL, shown()->sight);
-    (void)rig_finish(&rig, LONG_CYCLES);
+    (void)finish();
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANES_UNSEEN));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
 }
@@ -404,7 +404,7 @@ void test_SWR_PUNCT_616_a_damaged_insertion_begins_anew_in_its_cycle(void)
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
     TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_PAUSED, shown()->sight);
     TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, finish());
     TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
 }
 
