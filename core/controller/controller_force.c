@@ -140,8 +140,8 @@ uint32_t controller_hand_reasons(const controller_t *self, const cycle_t *cycle,
 {
     uint32_t reasons = 0U;
     if (procedure_is_armed(&self->procedure) && mode_is_by_hand(kind)) {
-        const uint32_t needle =
-            cycle->robot->needle_axis % ROBOT_AXIS_MAX; /* Of a damaged table. */
+        /* A damaged table may name an axis that no robot has. */
+        const uint32_t needle = cycle->robot->needle_axis % ROBOT_AXIS_MAX;
         const hand_t hand = controller_hand(self, cycle);
         const int64_t left_ticks = (int64_t)self->mode.request.sealed.move.target_ticks[needle] -
                                    (int64_t)self->axes[needle].sealed.encoder.position_ticks;
