@@ -149,7 +149,7 @@ uint32_t controller_hand_reasons(const controller_t *self, const cycle_t *cycle,
             permit_reason(!controller_hand(self, cycle).is_trusted, PERMIT_REASON_FORCE_DOUBTFUL);
     } else if (mode_is_by_hand(kind)) {
         const uint32_t needle =
-            cycle->robot->needle_axis % ROBOT_AXIS_MAX; /* Of a damaged table. */
+            cycle->robot->needle_axis % ROBOT_AXIS_MAX; /* A damaged table may name none. */
         const hand_t hand = controller_hand(self, cycle);
         const int64_t left_ticks = (int64_t)self->mode.request.sealed.move.target_ticks[needle] -
                                    (int64_t)self->axes[needle].sealed.encoder.position_ticks;

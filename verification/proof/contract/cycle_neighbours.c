@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Contracts of the neighbours of authority, workphase and armed order in a cycle. Each answers
- * anything. What they write besides, axes, links, plan, mode, account and answer, is read by no
- * sentence; none of them writes order, workphase, authority, e-stop, loop or pedal. */
+ * anything. What they write besides, axes, links, plan, mode, account, guard of the hand and
+ * answer, is read by no sentence; none of them writes order, workphase, authority, e-stop, loop or
+ * pedal. */
 #include "prove.h"
 
 #include "controller/controller_facts.h"
@@ -87,14 +88,6 @@ bool homing_account_is_beyond(const homing_account_t *self, const robot_t *robot
 mode_kind_t mode_of(workphase_t workphase)
 {
     mode_kind_t kind;
-    (void)workphase;
-    return kind;
-}
-
-mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase)
-{
-    mode_kind_t kind;
-    (void)self;
     (void)workphase;
     return kind;
 }

@@ -12,14 +12,6 @@
 
 drive_neighbours_t drive_neighbours;
 
-mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase)
-{
-    mode_kind_t kind;
-    (void)self;
-    (void)workphase;
-    return kind;
-}
-
 uint32_t controller_hand_reasons(const controller_t *self, const cycle_t *cycle, mode_kind_t kind)
 {
     (void)self;
