@@ -7,15 +7,13 @@
 #include "controller/controller_events.h"
 #include "safety/hand_guard.h"
 
-/** Force of the hand in this cycle; not trusted of a robot without a sensor for it, nor of a sensor
- * that showed so little noise at its zeroing that one that is stuck could not be found. */
+/** Force of the hand in this cycle; not trusted of a robot without a sensor for it. */
 static inline hand_t controller_hand(const controller_t *self, const cycle_t *cycle)
 {
     const force_channel_t *const channel = &self->force.sealed.channels[FORCE_CHANNEL_HAND];
     const hand_t hand = {.force_mn = self->force.sealed.force_mn[FORCE_CHANNEL_HAND],
                          .is_trusted = (cycle->robot->force.is_there != 0U) &&
-                                       force_channel_is_believed(channel) &&
-                                       (channel->noise_q8 > LIMIT_FORCE_STILL_NOISE)};
+                                       force_channel_is_believed(channel)};
     return hand;
 }
 

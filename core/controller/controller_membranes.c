@@ -24,25 +24,31 @@ static uint32_t seal_of_run(const membrane_watch_t *watch)
     return seal_of(SEAL_START, (const uint8_t *)&watch->run, WHOLE_WORDS(sizeof watch->run));
 }
 
+static void seal_run(membrane_watch_t *watch)
+{
+    watch->run_seal = seal_of_run(watch);
+}
+
 void controller_clear_membranes(controller_t *self)
 {
     (void)memset(&self->membranes, 0, sizeof self->membranes);
     seal_list(&self->membranes);
+    seal_run(&self->membranes);
 }
 
-static bool is_damaged(const membrane_watch_t *watch, bool is_running)
+static bool is_damaged(const membrane_watch_t *watch)
 {
     const uint32_t seal =
         seal_of(SEAL_START, (const uint8_t *)&watch->plan, WHOLE_WORDS(sizeof watch->plan));
-    return (seal != watch->list_seal) || (is_running && (seal_of_run(watch) != watch->run_seal));
+    return (seal != watch->list_seal) || (seal_of_run(watch) != watch->run_seal);
 }
 
-/* At rest the list has its turn as the slots have. */
+/* At rest they have their turn as the slots have. */
 static void check(controller_t *self, const cycle_t *cycle, bool is_by_hand)
 {
     const bool is_running = self->membranes.run.is_running != 0U;
     const bool is_turn = (self->sealed.cycle % CARD_SLOT_COUNT) == 0U;
-    if ((is_running || is_by_hand || is_turn) && is_damaged(&self->membranes, is_running)) {
+    if ((is_running || is_by_hand || is_turn) && is_damaged(&self->membranes)) {
         controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_MEMBRANES, 0);
         controller_clear_membranes(self);
     }
@@ -56,12 +62,12 @@ static bool are_same(const point_t *one, const point_t *other)
     return (x | y | z) == 0U;
 }
 
-/* Expected membranes belong to the target that they were sent for; another entry point is none of
- * that target. */
+/* Expected membranes belong to the entry point and the target that they were sent for. */
 static void forget_others(controller_t *self, const cycle_t *cycle)
 {
     const membrane_plan_t *const plan = &self->membranes.plan;
     const bool is_same = (plan_judge_entry(&self->plan) == STATUS_OK) &&
+                         are_same(&plan->entry, &self->plan.entry) &&
                          are_same(&plan->target, &self->plan.scanner_target.translation);
     if (!is_same) {
         controller_clear_membranes(self);
@@ -164,6 +170,7 @@ static void end(controller_t *self, const cycle_t *cycle)
     watch->sight = (uint32_t)MEMBRANE_SIGHT_OFF;
     watch->depth_um = 0;
     watch->least_fall_mn = 0U;
+    seal_run(watch);
 }
 
 static void note_event(controller_t *self, const cycle_t *cycle, const membrane_event_t *event)
@@ -210,7 +217,7 @@ static void feel(controller_t *self, const cycle_t *cycle)
     if (!is_believed && (before != watch->sight)) {
         controller_note(self, cycle, EVENT_MEMBRANES_UNSEEN, 0U, 0);
     }
-    watch->run_seal = seal_of_run(watch);
+    seal_run(watch);
 }
 
 void controller_feel_membranes(controller_t *self, const cycle_t *cycle)
@@ -281,6 +288,7 @@ status_t controller_obey_membranes(controller_t *self, const cycle_t *cycle,
         status = membrane_list_set(&watch->plan.list, sent->depths_um, sent->count);
     }
     if (status == STATUS_OK) {
+        watch->plan.entry = self->plan.entry;
         watch->plan.target = self->plan.scanner_target.translation;
         seal_list(watch);
         controller_note(self, cycle, EVENT_MEMBRANES_TAKEN, 0U, (int32_t)sent->count);

@@ -17,9 +17,8 @@
 /** Data of the plan; those of another target or entry point are forgotten. No padding. */
 typedef struct {
     membrane_list_t list;
-    point_t
-        target; /**< For which they were sent, scanner coordinates; of no meaning without any. */
-    uint32_t reserved; /**< 0. */
+    point_t entry; /**< For which they were sent, scanner coordinates; of no meaning without any. */
+    point_t target; /**< As `entry`. */
 } membrane_plan_t;
 
 /** An insertion by hand. No padding. */
@@ -34,7 +33,7 @@ typedef struct {
     membrane_plan_t plan;
     membrane_run_t run;
     uint32_t list_seal; /**< Of `plan`, looked at in each cycle of a run, and in turn otherwise. */
-    uint32_t run_seal;  /**< Of `run`, while it runs. */
+    uint32_t run_seal;  /**< Of `run`, as that of `plan`. */
     uint32_t sight;     /**< membrane_sight_t; shown only, as the next two. */
     int32_t depth_um;
     uint32_t least_fall_mn;

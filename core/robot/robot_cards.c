@@ -30,6 +30,11 @@ uint32_t robot_cards_axis(const robot_t *robot, uint32_t slot)
     return found;
 }
 
+bool robot_cards_has_sensor(const robot_t *robot, uint32_t slot)
+{
+    return ((robot->sensor_slots >> slot) & 1U) != 0U;
+}
+
 uint32_t robot_cards_type(const robot_t *robot, uint32_t slot)
 {
     const uint32_t axis = robot_cards_axis(robot, slot);

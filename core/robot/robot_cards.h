@@ -34,10 +34,7 @@ void robot_cards_bound(robot_cards_t *self);
 uint32_t robot_cards_axis(const robot_t *robot, uint32_t slot);
 
 /** A card without an axis belongs into `slot`, below CARD_SLOT_COUNT. */
-static inline bool robot_cards_has_sensor(const robot_t *robot, uint32_t slot)
-{
-    return ((robot->sensor_slots >> slot) & 1U) != 0U;
-}
+bool robot_cards_has_sensor(const robot_t *robot, uint32_t slot);
 
 /** @return the card_type_t that the robot wants in `slot`; CARD_TYPE_NONE when it names none */
 uint32_t robot_cards_type(const robot_t *robot, uint32_t slot);

@@ -115,10 +115,12 @@ static uint16_t noise_of(const force_readings_t *readings)
 static bool is_far(const force_channel_t *self, const force_channel_config_t *config,
                    int32_t zero_q16)
 {
-    const bool is_first = self->first_q16 == 0;
-    const int64_t from_q16 =
-        is_first ? ((int64_t)config->zero_count * 65536) : (int64_t)self->first_q16;
-    const uint32_t most_mn = is_first ? LIMIT_FORCE_WANDER_MN : LIMIT_FORCE_DRIFT_MN;
+    int64_t from_q16 = (int64_t)self->first_q16;
+    uint32_t most_mn = LIMIT_FORCE_DRIFT_MN;
+    if (self->first_q16 == 0) {
+        from_q16 = (int64_t)config->zero_count * 65536;
+        most_mn = LIMIT_FORCE_WANDER_MN;
+    }
     const int64_t away = fixed_magnitude((int64_t)zero_q16 - from_q16);
     return (away * (int64_t)slope_q16(config)) > ((int64_t)most_mn * INT64_C(4294967296));
 }

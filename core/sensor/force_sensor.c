@@ -77,6 +77,14 @@ static void add(force_readings_t *readings, uint32_t count)
     readings->squares += count * count;
 }
 
+/* A hand whose reading never changes could not be told from a sensor that is stuck. */
+static void doubt_quiet_hand(force_channel_t *hand)
+{
+    if ((hand->noise_q8 <= LIMIT_FORCE_STILL_NOISE) && force_channel_is_believed(hand)) {
+        hand->doubts |= force_doubt_bit(FORCE_DOUBT_TOO_QUIET);
+    }
+}
+
 /* One channel that is zeroed. True when that has ended. */
 static bool zero_channel(force_sensor_t *self, const force_config_t *config, uint32_t index,
                          bool is_calm, force_zeroed_t *zeroed)
@@ -91,6 +99,9 @@ static bool zero_channel(force_sensor_t *self, const force_config_t *config, uin
         zeroed->ends[index] = force_channel_zero(channel, &config->channels[index],
                                                  &self->readings[index], &zeroed->moved_mn[index]);
         self->sealed.force_mn[index] = force_channel_mn(channel, &config->channels[index]);
+        if (index == (uint32_t)FORCE_CHANNEL_HAND) {
+            doubt_quiet_hand(channel);
+        }
     } else {
         has_ended = false;
     }

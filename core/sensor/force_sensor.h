@@ -83,6 +83,7 @@ void force_sensor_begin_zero(force_sensor_t *self);
  * something is armed, an axis moves or the needle is not known to be out, there is none.
  *
  * @satisfies SWR-FORCE-574
+ * @satisfies SWR-FORCE-700
  */
 force_zeroed_t force_sensor_zero(force_sensor_t *self, const force_config_t *config, bool is_fresh,
                                  bool is_calm);

@@ -7,6 +7,7 @@
 
 #include "base/clear.h"
 
+#include "robot/robot_damage.h"
 #include "safety/needle.h"
 #include "safety/permit.h"
 
@@ -87,8 +88,7 @@ static next_step_t step_by_pose(const controller_t *self, const robot_t *robot, 
 /* The reason stays for the operator after it has ended an insertion by hand. */
 static bool is_hand_doubtful(const controller_t *self, const robot_t *robot)
 {
-    const uint32_t axis = robot->needle_axis;
-    const uint32_t needle = (axis < ROBOT_AXIS_MAX) ? axis : 0U; /* Of a damaged table. */
+    const uint32_t needle = robot->needle_axis % ROBOT_AXIS_MAX; /* Of a damaged table. */
     return (self->records[needle].sealed.reason_hold.shown &
             permit_reason(true, PERMIT_REASON_FORCE_DOUBTFUL)) != 0U;
 }
@@ -106,7 +106,7 @@ static next_step_t step_to_target(const controller_t *self, const robot_t *robot
     } else if (present != WORKPHASE_MOVE_TO_TARGET) {
         step = step_in(&self->procedure, WORKPHASE_TARGETING, NEXT_STEP_MOVE);
     } else if (is_hand_doubtful(self, robot)) {
-        step = NEXT_STEP_ZERO_FORCE;
+        step = robot_is_force_damaged(robot) ? NEXT_STEP_MEMORY : NEXT_STEP_ZERO_FORCE;
     } else {
         /* Commanded once more. */
     }

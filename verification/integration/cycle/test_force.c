@@ -19,18 +19,21 @@
 #define NEEDLE FORCE_CHANNEL_NEEDLE
 #define CARD 3U
 #define SETTLED_CYCLES 200U
+#define TREMBLE_N 0.02 /* Two counts, of which the largest of some are four times as many. */
+#define TREMBLE 8U
 #define RESTED_CYCLES 500U
 #define NOT_ZEROED force_doubt_bit(FORCE_DOUBT_NOT_ZEROED)
 
 static rig_t rig;
 
-/* Cells that measure exactly and at once. */
+/* Cells that measure at once, and almost exactly: a hand that does not tremble is doubted. */
 static void calm_cells(void)
 {
     sim_phantom_file_t phantom = rig.box.force.phantom;
     for (uint32_t i = 0U; i < (uint32_t)SIM_CELLS; i++) {
         phantom.cells[i] = (sim_load_cell_config_t){.noise_n = 0.0};
     }
+    phantom.cells[HAND].noise_n = TREMBLE_N;
     box_force_lay(&rig.box.force, &phantom);
 }
 
@@ -103,7 +106,7 @@ static void enter_manual(void)
 void test_SWR_FORCE_577_forces_noise_and_doubts_are_shown(void)
 {
     TEST_ASSERT_EQUAL_HEX32(NOT_ZEROED, shown(HAND)->doubts);
-    TEST_ASSERT_EQUAL_UINT32(1970U, shown(HAND)->reading);
+    TEST_ASSERT_UINT32_WITHIN(TREMBLE, 1970U, shown(HAND)->reading);
     TEST_ASSERT_EQUAL_UINT32(1780U, shown(NEEDLE)->reading);
     rig_box(&rig, "force hand 2083");
     rig_box(&rig, "force needle 1893");
@@ -124,12 +127,13 @@ void test_SWR_FORCE_572_zeroing_is_shown_and_reported(void)
     TEST_ASSERT_EQUAL_HEX32(NOT_ZEROED, shown(HAND)->doubts);
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(0U, shown(HAND)->is_zeroing);
-    TEST_ASSERT_EQUAL_HEX32(0U, shown(HAND)->doubts);
+    TEST_ASSERT_EQUAL_HEX32(force_doubt_bit(FORCE_DOUBT_TOO_QUIET), shown(HAND)->doubts);
     TEST_ASSERT_EQUAL_INT32(0, shown(NEEDLE)->force_mn);
     TEST_ASSERT_EQUAL_INT32(88, shown(HAND)->zero_mn);
     TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_ZEROED, HAND, 88));
     TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_ZEROED, NEEDLE, 0));
-    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_BELIEVED, HAND, 0));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_DOUBTED, HAND, FORCE_DOUBT_TOO_QUIET));
+    TEST_ASSERT_EQUAL_UINT32(1U, reported(EVENT_FORCE_BELIEVED, NEEDLE, 0));
 }
 
 void test_SWR_FORCE_573_what_is_armed_or_moves_refuses_it(void)
@@ -257,6 +261,16 @@ void test_SWR_FORCE_610_an_old_zero_is_doubted_once_the_needle_is_out_at_rest(vo
     TEST_ASSERT_EQUAL_HEX32(0U, shown(HAND)->doubts);
 }
 
+/* The hand pushes and the needle is pulled; the hand trembles, so that it is not stuck. */
+static void pull_in(void)
+{
+    rig_box(&rig, "force needle 1610");
+    for (uint32_t i = 0U; i < (LIMIT_FORCE_PAIR_CYCLES + SETTLED_CYCLES); i += 50U) {
+        rig_box(&rig, ((i % 100U) == 0U) ? "force hand 2100" : "force hand 2102");
+        rig_cycles(&rig, 50U);
+    }
+}
+
 /* So slow that it is a row of bursts. */
 void test_SWR_FORCE_569_a_needle_pulled_in_is_doubted_however_slow_it_is_driven(void)
 {
@@ -268,9 +282,7 @@ void test_SWR_FORCE_569_a_needle_pulled_in_is_doubted_however_slow_it_is_driven(
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, slow).status);
     rig_press(&rig);
     rig_cycles(&rig, 500U);
-    rig_box(&rig, "force hand 2100");
-    rig_box(&rig, "force needle 1610");
-    rig_cycles(&rig, LIMIT_FORCE_PAIR_CYCLES + SETTLED_CYCLES);
+    pull_in();
     TEST_ASSERT_EQUAL_UINT32(1U,
                              reported(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_NEEDLE_PULLED_IN));
 }
@@ -333,9 +345,7 @@ void test_SWR_FORCE_569_a_needle_pulled_in_is_doubted_only_while_it_goes_in(void
     enter_manual();
     jog(PROSTATE_AXIS_INSERTION, 20000);
     rig_cycles(&rig, 500U);
-    rig_box(&rig, "force hand 2100");
-    rig_box(&rig, "force needle 1610");
-    rig_cycles(&rig, LIMIT_FORCE_PAIR_CYCLES + SETTLED_CYCLES);
+    pull_in();
     TEST_ASSERT_EQUAL_UINT32(1U,
                              reported(EVENT_FORCE_DOUBTED, NEEDLE, FORCE_DOUBT_NEEDLE_PULLED_IN));
 }
@@ -478,6 +488,6 @@ void test_SWR_FORCE_577_another_card_without_an_axis_is_no_force_sensor(void)
     rig_start_robot(&rig, &robot);
     calm_cells();
     rig_cycles(&rig, SETTLED_CYCLES);
-    TEST_ASSERT_EQUAL_UINT32(1970U, shown(HAND)->reading);
+    TEST_ASSERT_UINT32_WITHIN(TREMBLE, 1970U, shown(HAND)->reading);
     TEST_ASSERT_EQUAL_HEX32(NOT_ZEROED, shown(HAND)->doubts);
 }

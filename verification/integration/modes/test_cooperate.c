@@ -435,6 +435,28 @@ void test_SWR_COOP_006_a_damaged_table_of_the_sensor_ends_it(void)
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
 }
 
+/* The sensor itself is believed until its table has its turn. */
+void test_SWR_COOP_006_a_damaged_slope_of_the_sensor_ends_it_in_its_cycle(void)
+{
+    start_armed();
+    push(1000);
+    rig_cycles(&rig, 1000U);
+    while ((rig.controller.sealed.cycle % CARD_SLOT_COUNT) != (CARD_SLOT_COUNT / 2U)) {
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_TRUE(is_driven());
+    rig.robot.force.channels[FORCE_CHANNEL_HAND].mn_per_count_q16 ^= 4;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_HEX32(0U, rig.outputs.snapshot.forces[FORCE_CHANNEL_HAND].doubts);
+    TEST_ASSERT_FALSE(is_driven());
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
+    rig_cycles(&rig, 2U * CARD_SLOT_COUNT);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_RELEASE_PEDAL, rig.outputs.snapshot.next_step);
+    rig_release(&rig);
+    rig_cycles(&rig, 2U * CARD_SLOT_COUNT);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_MEMORY, rig.outputs.snapshot.next_step);
+}
+
 /* Of the report before, as there is none in this cycle. */
 void test_SWR_FORCE_576_a_force_that_changes_by_itself_moves_nothing(void)
 {

@@ -332,6 +332,30 @@ void test_SWR_PUNCT_614_and_until_the_entry_point_is(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_ENTRY_POINT, expect(1U, &(int32_t){FIRST_UM}));
 }
 
+/* Both commands come in one cycle, so that no cycle sees the target without an entry point. */
+void test_SWR_PUNCT_614_nor_with_another_entry_point_of_the_same_target(void)
+{
+    expect_one(FIRST_UM);
+    rig_forget(&rig);
+    const rigid_t target = rig.controller.plan.scanner_target;
+    command_t entry = {.kind = (uint32_t)COMMAND_ENTRY, .id = rig.next_id + 1U};
+    entry.as.pose.pose = target;
+    entry.as.pose.pose.translation = rig.controller.plan.entry;
+    entry.as.pose.pose.translation.z_nm -= 1000000;
+    command_t again = {.kind = (uint32_t)COMMAND_TARGET, .id = rig.next_id + 2U};
+    again.as.pose.pose = target;
+    rig.commands[0] = entry;
+    rig.commands[1] = again;
+    rig.command_count = 2U;
+    rig.next_id += 2U;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig.outputs.answer_count);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig.outputs.answers[0].status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig.outputs.answers[1].status);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANES_FORGOTTEN));
+}
+
 void test_SWR_PUNCT_614_an_empty_list_expects_none(void)
 {
     expect_one(FIRST_UM);
@@ -406,6 +430,19 @@ void test_SWR_PUNCT_616_a_damaged_insertion_begins_anew_in_its_cycle(void)
     TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, finish());
     TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
+}
+
+/* Its flag of running, too, which would begin it anew without a word. */
+void test_SWR_PUNCT_616_a_damaged_flag_is_named_in_its_cycle(void)
+{
+    expect_one(FIRST_UM);
+    begin();
+    rig_cycles(&rig, PUSHED);
+    rig_forget(&rig);
+    rig.controller.membranes.run.is_running = 0U;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, finish());
 }
 
 /* Its cell trembles five times as much. */

@@ -13,7 +13,9 @@
 #define NEEDLE FORCE_CHANNEL_NEEDLE
 #define HAND_AT_REST 1970U
 #define NEEDLE_AT_REST 1780U
-#define LOAD 200U /* 1.77 N */
+#define LOAD 200U  /* 1.77 N */
+#define TREMBLE 2U /* Counts, up and down. */
+#define TREMBLE_MN 20
 
 static force_sensor_t sensor;
 static const force_config_t *const config = &robot_prostate.force;
@@ -35,14 +37,20 @@ static force_zeroed_t zero(void)
 }
 
 /* All readings but the last one that decides. */
-static void zero_almost(void)
+static void zero_but_one(uint32_t tremble)
 {
     force_sensor_begin_zero(&sensor);
     for (uint32_t i = 1U; i < LIMIT_FORCE_ZERO_CYCLES; i++) {
-        step(HAND_AT_REST, NEEDLE_AT_REST);
+        step(((i % 2U) == 0U) ? (HAND_AT_REST - tremble) : (HAND_AT_REST + tremble),
+             NEEDLE_AT_REST);
         TEST_ASSERT_EQUAL_HEX32(0U, zero().ended);
     }
-    step(HAND_AT_REST, NEEDLE_AT_REST);
+    step(HAND_AT_REST - tremble, NEEDLE_AT_REST);
+}
+
+static void zero_almost(void)
+{
+    zero_but_one(TREMBLE);
 }
 
 static void load(uint32_t hand, uint32_t needle)
@@ -72,8 +80,32 @@ void test_SWR_FORCE_572_both_channels_are_zeroed_by_as_many_readings(void)
     TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_DONE, zeroed.ends[NEEDLE]);
     TEST_ASSERT_FALSE(force_sensor_is_zeroing(&sensor));
     TEST_ASSERT_EQUAL_HEX32(0U, doubts(HAND) | doubts(NEEDLE));
-    TEST_ASSERT_EQUAL_INT32(0, sensor.sealed.force_mn[HAND]);
+    TEST_ASSERT_INT32_WITHIN(TREMBLE_MN, 0, sensor.sealed.force_mn[HAND]);
     TEST_ASSERT_EQUAL_INT32(0, sensor.sealed.force_mn[NEEDLE]);
+}
+
+/* Of a needle that rests in air nothing else is asked; it may stand still. */
+void test_SWR_FORCE_700_a_hand_that_does_not_tremble_is_doubted(void)
+{
+    zero_but_one(1U);
+    TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_DONE, zero().ends[HAND]);
+    TEST_ASSERT_EQUAL_HEX32(force_doubt_bit(FORCE_DOUBT_TOO_QUIET), doubts(HAND));
+    TEST_ASSERT_EQUAL_HEX32(0U, doubts(NEEDLE));
+    zero_almost();
+    (void)zero();
+    TEST_ASSERT_EQUAL_HEX32(0U, doubts(HAND));
+}
+
+void test_SWR_FORCE_700_a_zeroing_that_has_failed_says_no_more(void)
+{
+    load(HAND_AT_REST + (4U * LOAD), NEEDLE_AT_REST);
+    force_sensor_begin_zero(&sensor);
+    for (uint32_t i = 0U; i < LIMIT_FORCE_ZERO_CYCLES; i++) {
+        step(HAND_AT_REST + (4U * LOAD), NEEDLE_AT_REST);
+        (void)zero();
+    }
+    TEST_ASSERT_NOT_EQUAL_HEX32(0U, doubts(HAND) & force_doubt_bit(FORCE_DOUBT_ZERO_WANDERED));
+    TEST_ASSERT_EQUAL_HEX32(0U, doubts(HAND) & force_doubt_bit(FORCE_DOUBT_TOO_QUIET));
 }
 
 void test_SWR_FORCE_572_a_cycle_without_a_report_is_not_counted(void)

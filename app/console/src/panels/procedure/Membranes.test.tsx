@@ -78,6 +78,8 @@ test("SWR-PUNCT-620 depths are sent as they are typed in", async () => {
   expect(button().disabled).toBe(true);
   write("1 2 3 4 5 6 7 8 9");
   expect(button().disabled).toBe(true);
+  write("20,55");
+  expect(button().disabled).toBe(true);
   write("12.5, 30");
   fireEvent.click(button());
   expect(commander.acts()).toEqual([

@@ -41,8 +41,9 @@ export function membranesText(membranes: Membranes): string {
   return `${list}; ${unexpected} unexpected. ${membranes.says}${insertionText(membranes)}`;
 }
 
-/** The depths in the text; null: it is no list of depths. */
+/** The depths in the text; null: it is no list of depths, as with "20,5", which may be one or two. */
 function readDepths(text: string): number[] | null {
+  if (/\d,\d/.test(text)) return null;
   const count = text.trim() === "" ? 0 : text.trim().split(/[\s,;]+/).length;
   return count === 0 ? [] : count > MOST ? null : readNumbers(text, count);
 }
@@ -67,7 +68,9 @@ export function MembraneOrder({
   const id = useId();
   const depths = readDepths(text);
   const missing =
-    depths === null ? `Write at most ${MOST} depths in mm.` : null;
+    depths === null
+      ? `Write at most ${MOST} depths in mm, with a space between two.`
+      : null;
   return (
     <div className="orders">
       <label htmlFor={id}>Membranes, mm below the entry point</label>
