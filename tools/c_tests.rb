@@ -67,6 +67,9 @@ class CTests
   VERDICT = /^(?<file>\S+\.c):(?<line>\d+):(?<test>test_.+?):(?<word>PASS|FAIL|IGNORE)(?:: ?(?<message>.*))?$/
   WORDS = { 'PASS' => 'pass', 'FAIL' => 'fail', 'IGNORE' => 'ignore' }.freeze
   LAST_LINES = 25
+  # No program takes a tenth of it; one that never ends would take the whole run with it.
+  LONGEST_S = 900
+  TIMED_OUT = 124
 
   # A compiler or a program did not end well.
   class Failed < StandardError; end
@@ -146,7 +149,8 @@ class CTests
   end
 
   def rows_of(test)
-    output, status = Open3.capture2e(@profiles, *@options[:runner], build(test))
+    output, status = Open3.capture2e(@profiles, 'timeout', LONGEST_S.to_s, *@options[:runner], build(test))
+    output << "\nIt was ended after #{LONGEST_S} s.\n" if status.exitstatus == TIMED_OUT
     CTests.rows(test, output.scrub, status.success?)
   rescue Failed => e
     CTests.rows(test, e.message.scrub, false)
