@@ -185,17 +185,21 @@ static void note_event(controller_t *self, const cycle_t *cycle, const membrane_
     }
 }
 
-static membrane_sight_t sight_of(const membrane_run_t *run, bool is_believed)
+static membrane_sight_t sight_of(const membrane_run_t *run, bool is_believed, bool is_vibrating)
 {
     membrane_sight_t sight = MEMBRANE_SIGHT_DOUBTFUL;
-    if (is_believed) {
+    if (is_believed && is_vibrating) {
+        sight = MEMBRANE_SIGHT_VIBRATING;
+    } else if (is_believed) {
         sight = membrane_detector_is_looking(&run->detector) ? MEMBRANE_SIGHT_LOOKING
                                                              : MEMBRANE_SIGHT_PAUSED;
+    } else {
+        /* Doubtful, whatever it does. */
     }
     return sight;
 }
 
-static void feel(controller_t *self, const cycle_t *cycle)
+static bool feel(controller_t *self, const cycle_t *cycle, bool is_vibrating)
 {
     membrane_watch_t *const watch = &self->membranes;
     const force_channel_t *const channel = &self->force.sealed.channels[FORCE_CHANNEL_NEEDLE];
@@ -206,21 +210,23 @@ static void feel(controller_t *self, const cycle_t *cycle)
         .force_mn = reading_mn(channel, &cycle->robot->force.channels[FORCE_CHANNEL_NEEDLE]),
         .depth_um = watch->depth_um,
         .is_inserting = self->axes[needle_of(cycle)].sealed.setpoint_speed_ticks_per_s_q8 > 0,
-        .is_blind = !is_believed};
+        .is_blind = !is_believed || is_vibrating};
     const membrane_event_t event =
         membrane_detector_step(&watch->run.detector, &watch->plan.list, &view);
     if (event.kind != (uint32_t)MEMBRANE_EVENT_NONE) {
         note_event(self, cycle, &event);
         seal_list(watch);
     }
-    watch->sight = (uint32_t)sight_of(&watch->run, is_believed);
+    watch->sight = (uint32_t)sight_of(&watch->run, is_believed, is_vibrating);
     if (!is_believed && (before != watch->sight)) {
         controller_note(self, cycle, EVENT_MEMBRANES_UNSEEN, 0U, 0);
     }
     seal_run(watch);
+    return (event.kind == (uint32_t)MEMBRANE_EVENT_EXPECTED) ||
+           (event.kind == (uint32_t)MEMBRANE_EVENT_UNEXPECTED);
 }
 
-void controller_feel_membranes(controller_t *self, const cycle_t *cycle)
+bool controller_feel_membranes(controller_t *self, const cycle_t *cycle)
 {
     const mode_kind_t kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
     const bool is_by_hand = procedure_is_armed(&self->procedure) && mode_is_by_hand(kind);
@@ -236,9 +242,7 @@ void controller_feel_membranes(controller_t *self, const cycle_t *cycle)
     } else {
         /* As before. */
     }
-    if (is_by_hand) {
-        feel(self, cycle);
-    }
+    return is_by_hand && feel(self, cycle, mode_is_vibrating(&self->mode, kind));
 }
 
 /* All of them lie between entry point and target. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file Membranes on the way to the target, in a cycle of a robot with a force sensor. They are
- * reported; no motion rests on them. */
+ * reported; no motion rests on them but the vibration that answers a puncture. */
 #ifndef BORESIGHT_CONTROLLER_MEMBRANES_H
 #define BORESIGHT_CONTROLLER_MEMBRANES_H
 
@@ -11,7 +11,10 @@ void controller_clear_membranes(controller_t *self);
 
 /**
  * Once in each cycle, after the force was read and before a mode moves anything. While a hand
- * inserts the needle the detector gets the last reading, unfiltered, and the depth.
+ * inserts the needle the detector gets the last reading, unfiltered, and the depth. It is blind
+ * while the needle vibrates.
+ *
+ * @return a puncture was found in this cycle
  *
  * @satisfies SWR-PUNCT-610
  * @satisfies SWR-PUNCT-611
@@ -19,8 +22,9 @@ void controller_clear_membranes(controller_t *self);
  * @satisfies SWR-PUNCT-613
  * @satisfies SWR-PUNCT-616
  * @satisfies SWR-PUNCT-617
+ * @satisfies SWR-VIB-705
  */
-void controller_feel_membranes(controller_t *self, const cycle_t *cycle);
+bool controller_feel_membranes(controller_t *self, const cycle_t *cycle);
 
 /**
  * Takes the depths of expected membranes.

@@ -109,6 +109,9 @@ void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *res
     } else {
         leg_stop(&self->sealed.leg);
         trajectory_mode_pause(&self->sealed.trajectory);
+        if (kind == MODE_COOPERATE) {
+            cooperate_mode_pause(&self->request.own.cooperate);
+        }
         mode_rest(frame, result);
         result->progress = is_done ? MODE_DONE : MODE_RUNNING;
     }
@@ -171,6 +174,11 @@ mode_aim_t mode_aim_of(uint32_t kind)
 bool mode_is_by_hand(mode_kind_t kind)
 {
     return mode_rows[kind].is_by_hand;
+}
+
+bool mode_is_vibrating(const mode_state_t *self, mode_kind_t kind)
+{
+    return (kind == MODE_COOPERATE) && cooperate_mode_is_vibrating(&self->request.own.cooperate);
 }
 
 bool mode_may_be_unhomed(mode_kind_t kind)

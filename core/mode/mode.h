@@ -106,6 +106,10 @@ mode_aim_t mode_aim_of(uint32_t kind);
 /** A hand moves the needle in `kind`. */
 bool mode_is_by_hand(mode_kind_t kind);
 
+/** The needle answers a puncture in `kind`, which was begun last: it comes to rest for it, or
+ * vibrates. */
+bool mode_is_vibrating(const mode_state_t *self, mode_kind_t kind);
+
 /**
  * `kind` may drive an axis that is not homed.
  *

@@ -179,6 +179,14 @@ typedef struct {
     uint32_t stop_ticks_per_s2; /**< Change of the set-point's speed once the hand pushes less. */
 } hand_law_t;
 
+/** How the needle vibrates as a feedback to the hand (motion/vibration.h). All 0: it does not. */
+typedef struct {
+    uint32_t amplitude_ticks;
+    uint32_t stroke_cycles; /**< Of one way, back or forward. */
+    uint32_t dwell_cycles;  /**< Rest before each. */
+    uint32_t periods;       /**< Number of strokes back, each with one forward. */
+} vibration_law_t;
+
 /** A robot. No padding before `seal`. */
 typedef struct {
     char name[12];
@@ -200,6 +208,7 @@ typedef struct {
     uint8_t probe_within[ROBOT_PROBE_LENGTHS]; /**< 1 + place of the length that it may not exceed;
                                                   0: of none. */
     hand_law_t hand;                           /**< How a hand moves the needle. */
+    vibration_law_t vibration;                 /**< How that hand is answered. */
     uint32_t seal;                             /**< seal_of() all before it. */
     axis_config_t axes[ROBOT_AXIS_MAX];
     pose_t poses[POSE_NAME_COUNT]; /**< By pose_name_t. */

@@ -82,12 +82,13 @@ module Robot
 
     # Parts of the table, in order.
     def parts
-      sealed = head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values, **probe, 'hand' => hand)
+      sealed = head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values, **probe, 'hand' => hand, 'vibration' => vibration)
       [*head.map { |field, value| "    .#{field} = #{value}" },
        *array('coupled_limits', coupled_limits.each_with_index.map { |limit, i| "        [#{i}] = {#{initializers(limit)}}" }),
        *array('geometry_nm', geometry.map { |name, nm| "        [#{name}] = #{nm}" }),
        *probe.map { |field, value| "    .#{field} = #{probe_initializer(value)}" },
        "    .hand = {#{initializers(hand)}}",
+       "    .vibration = {#{initializers(vibration)}}",
        "    .seal = #{seal('robot_t', sealed)}",
        *array('axes', @robot.axes.each_with_index.map { |axis, i| entry(axis, i) }),
        *array('poses', @robot.poses.map { |name, ticks| pose(name, ticks) }),
@@ -163,6 +164,10 @@ module Robot
 
     def hand
       @robot.hand.values.transform_values { |value| "#{value}U" }
+    end
+
+    def vibration
+      @robot.hand.vibration.values.transform_values { |value| "#{value}U" }
     end
 
     # C knows no initializer without an element.

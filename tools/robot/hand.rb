@@ -3,6 +3,7 @@
 
 require_relative 'document'
 require_relative 'limit'
+require_relative 'vibration'
 
 module Robot
   # How a hand that pushes moves the needle (core/motion/admittance.h).
@@ -21,9 +22,13 @@ module Robot
     # Of hand_law_t, as C writes them.
     attr_reader :values
 
+    # Its answer to a puncture.
+    attr_reader :vibration
+
     # `node`: nil without. `needle`: its Axis; `force`: the robot has a sensor for it.
     def initialize(node, needle, force)
       @values = NONE
+      @vibration = Vibration.new(nil, needle)
       read(node, needle, force) if node
     end
 
@@ -31,7 +36,8 @@ module Robot
 
     def read(node, needle, force)
       node.refuse('is of a robot without a force sensor; expected one') unless force
-      nodes = node.mapping(%w[dead_zone_n gain_mm_per_s_n speed_mm_per_s stop_mm_per_s2])
+      nodes = node.mapping(%w[dead_zone_n gain_mm_per_s_n speed_mm_per_s stop_mm_per_s2], %w[vibration])
+      @vibration = Vibration.new(nodes['vibration'], needle)
       ticks = needle['ticks_per_unit']
       fastest = (needle['speed_ticks_per_s'] / ticks).floor(3).to_f
       gain = nodes['gain_mm_per_s_n'].decimal(GAIN_MM_PER_S_N)

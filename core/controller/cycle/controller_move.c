@@ -20,17 +20,18 @@ static void follow_pedal(controller_t *self, const cycle_t *cycle)
     }
 }
 
-/* As far as it was seen off the handle before. */
-static hand_t feel_hand(controller_t *self, const cycle_t *cycle)
+/* The hand as far as it was seen off the handle before, and the membranes. */
+static void feel(controller_t *self, const cycle_t *cycle, mode_frame_t *frame)
 {
-    hand_t hand = controller_hand(self, cycle);
+    hand_t *const hand = &frame->hand;
+    *hand = controller_hand(self, cycle);
+    frame->is_puncture = false;
     if (cycle->robot->force.is_there != 0U) {
-        hand.force_mn =
-            hand_guard_step(&self->sealed.hand_guard, &cycle->robot->hand, &hand,
+        hand->force_mn =
+            hand_guard_step(&self->sealed.hand_guard, &cycle->robot->hand, hand,
                             procedure_is_moving(&self->procedure), cycle->inputs->elapsed_us);
-        controller_feel_membranes(self, cycle);
+        frame->is_puncture = controller_feel_membranes(self, cycle);
     }
-    return hand;
 }
 
 /* The cap is the permit's, known before the mode plans anything. */
@@ -50,7 +51,7 @@ static void fill_frame(controller_t *self, const cycle_t *cycle, bool is_every_a
     frame->is_dose_reached = cycle->inputs->dose_reached != 0U;
     frame->is_treatment_stopped = cycle->inputs->treatment_stopped != 0U;
     frame->links = self->links;
-    frame->hand = feel_hand(self, cycle);
+    feel(self, cycle, frame);
     for (uint32_t i = 0U; i < self->sealed.axis_count; i++) {
         frame->speed_cap_percent[i] = percent;
     }

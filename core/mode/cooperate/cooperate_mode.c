@@ -5,6 +5,7 @@
 #include "limits/requirement_limits.h"
 #include "motion/admittance.h"
 #include "motion/ramp.h"
+#include "motion/vibration.h"
 
 /* Way of the needle to its depth; negative beyond it. */
 static int64_t left_ticks(const move_mode_t *move, const robot_t *robot,
@@ -45,14 +46,20 @@ static int64_t step_q8(uint32_t ticks_per_s2)
     return fixed_divide_by((int64_t)ticks_per_s2 * 256, RAMP_CYCLES_PER_S);
 }
 
-/* The speed that the hand asks for, as far as the axis may have it. */
-static int64_t most_q8(const mode_frame_t *frame, uint32_t index)
+/* The speed that the hand asks for. */
+static int64_t asked_q8(const mode_frame_t *frame)
+{
+    return admittance_speed_q8(&frame->robot->hand, frame->hand.force_mn);
+}
+
+/* That speed as far as the axis may have it, and 0 behind a puncture. */
+static int64_t most_q8(const cooperate_mode_t *self, const mode_frame_t *frame, uint32_t index)
 {
     const axis_config_t *const config = &frame->robot->axes[index];
-    const int64_t asked_q8 = admittance_speed_q8(&frame->robot->hand, frame->hand.force_mn);
+    const int64_t wanted_q8 = cooperate_mode_is_vibrating(self) ? 0 : asked_q8(frame);
     const int64_t axis_q8 = fixed_divide_by(
         (int64_t)config->speed_ticks_per_s * 256 * (int64_t)frame->speed_cap_percent[index], 100U);
-    return fixed_within(asked_q8, 0, axis_q8);
+    return fixed_within(wanted_q8, 0, axis_q8);
 }
 
 /* Where the set-point goes on from: a needle that rests begins where it stands. */
@@ -72,7 +79,7 @@ static int64_t next_q8(const cooperate_mode_t *self, const mode_frame_t *frame, 
     const ramp_steps_t steps = {
         .up_q8 = step_q8((uint32_t)frame->robot->axes[index].acceleration_ticks_per_s2),
         .down_q8 = step_q8(frame->robot->hand.stop_ticks_per_s2)};
-    return ramp_next(now_q8, most_q8(frame, index), &steps,
+    return ramp_next(now_q8, most_q8(self, frame, index), &steps,
                      (room_ticks * RAMP_TICK) - (int64_t)self->rest);
 }
 
@@ -91,14 +98,66 @@ static card_drive_t push(cooperate_mode_t *self, const mode_frame_t *frame, uint
                        frame->elapsed_us);
 }
 
+/* No motion begins that the axis has no room for behind it. */
+static bool may_vibrate(const mode_frame_t *frame, uint32_t index)
+{
+    const int64_t room_ticks = (int64_t)frame->axes[index].sealed.encoder.position_ticks -
+                               (int64_t)frame->robot->axes[index].minimum_ticks;
+    return room_ticks > (int64_t)frame->robot->vibration.amplitude_ticks;
+}
+
+/* A hand that has let go, or pulls, ends it. */
+static void choose_stage(cooperate_mode_t *self, const mode_frame_t *frame, uint32_t index)
+{
+    const bool is_resting = frame->axes[index].sealed.setpoint_speed_ticks_per_s_q8 == 0;
+    if (asked_q8(frame) == 0) {
+        self->stage = (uint32_t)COOPERATE_FOLLOWS;
+    } else if ((self->stage == (uint32_t)COOPERATE_FOLLOWS) && frame->is_puncture &&
+               (frame->robot->vibration.periods != 0U) && may_vibrate(frame, index)) {
+        self->stage = (uint32_t)COOPERATE_BRAKES;
+    } else if ((self->stage == (uint32_t)COOPERATE_BRAKES) && is_resting) {
+        self->stage = (uint32_t)COOPERATE_VIBRATES;
+        self->cycle = 0U;
+    } else if ((self->stage == (uint32_t)COOPERATE_VIBRATES) &&
+               vibration_at(&frame->robot->vibration, self->cycle).is_over) {
+        self->stage = (uint32_t)COOPERATE_FOLLOWS;
+    } else {
+        /* As before. */
+    }
+}
+
+/* It begins where the needle stands at the end of the first rest. */
+static card_drive_t vibrate(cooperate_mode_t *self, const mode_frame_t *frame, uint32_t index)
+{
+    const vibration_law_t *const law = &frame->robot->vibration;
+    axis_t *const axis = &frame->axes[index];
+    const vibration_point_t point = vibration_at(law, self->cycle);
+    self->cycle++;
+    if (self->cycle <= law->dwell_cycles) {
+        self->begin_ticks = axis->sealed.encoder.position_ticks;
+        return axis_rest(axis, frame->elapsed_us);
+    }
+    return axis_follow(axis, &frame->robot->axes[index], self->begin_ticks - point.behind_ticks,
+                       point.speed_ticks_per_s_q8, frame->elapsed_us);
+}
+
+static card_drive_t drive_needle(cooperate_mode_t *self, const mode_frame_t *frame, uint32_t index,
+                                 int32_t target_ticks)
+{
+    choose_stage(self, frame, index);
+    return (self->stage == (uint32_t)COOPERATE_VIBRATES) ? vibrate(self, frame, index)
+                                                         : push(self, frame, index, target_ticks);
+}
+
 static void go(cooperate_mode_t *self, const move_mode_t *move, const mode_frame_t *frame,
                mode_result_t *result)
 {
     const uint32_t needle = frame->robot->needle_axis;
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         axis_t *const axis = &frame->axes[i];
-        result->requests[i] = (i == needle) ? push(self, frame, needle, move->target_ticks[needle])
-                                            : axis_rest(axis, frame->elapsed_us);
+        result->requests[i] = (i == needle)
+                                  ? drive_needle(self, frame, needle, move->target_ticks[needle])
+                                  : axis_rest(axis, frame->elapsed_us);
     }
     /* At its depth, and the set-point rests. */
     if ((left_ticks(move, frame->robot, frame->axes) <=

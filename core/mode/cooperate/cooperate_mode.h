@@ -2,8 +2,10 @@
 /**
  * @file
  * Cooperative insertion: the hand on the handle moves the needle towards its depth at the target,
- * as fast as it pushes (motion/admittance.h), and never back. All other axes rest. A design of this
- * project after thesis 5.5, which names the mode and gives no law.
+ * as fast as it pushes (motion/admittance.h), and never back but to vibrate: a puncture stops the
+ * needle, which then goes back and forward again a few times (motion/vibration.h), while the hand
+ * still pushes and is not followed. All other axes rest. A design of this project after thesis 5.5,
+ * which names the mode and gives no law.
  */
 #ifndef BORESIGHT_COOPERATE_MODE_H
 #define BORESIGHT_COOPERATE_MODE_H
@@ -12,11 +14,22 @@
 #include "mode/move/move_mode.h"
 #include "robot/joints.h"
 
+#include <stdbool.h>
 #include <stdint.h>
+
+/** What the needle does. */
+typedef enum {
+    COOPERATE_FOLLOWS = 0, /**< It follows the hand. */
+    COOPERATE_BRAKES = 1,  /**< A puncture was found: its set-point comes to rest. */
+    COOPERATE_VIBRATES = 2
+} cooperate_stage_t;
 
 /** At first all zero. */
 typedef struct {
-    int32_t rest; /**< Part by which the set-point is less than its place, of RAMP_TICK. */
+    int32_t rest;        /**< Part by which the set-point is less than its place, of RAMP_TICK. */
+    uint32_t stage;      /**< cooperate_stage_t. */
+    uint32_t cycle;      /**< While it vibrates: cycles of the train that are over. */
+    int32_t begin_ticks; /**< While it vibrates: where it began. */
 } cooperate_mode_t;
 
 /**
@@ -39,8 +52,24 @@ solution_t cooperate_mode_judge(const move_mode_t *move, const robot_t *robot,
  * @satisfies SWR-COOP-004
  * @satisfies SWR-COOP-005
  * @satisfies SWR-COOP-007
+ * @satisfies SWR-VIB-700
+ * @satisfies SWR-VIB-703
+ * @satisfies SWR-VIB-704
+ * @satisfies SWR-VIB-707
  */
 void cooperate_mode_step(cooperate_mode_t *self, const move_mode_t *move, const mode_frame_t *frame,
                          mode_result_t *result);
+
+/** The pedal does not let it run: a vibration is over. */
+static inline void cooperate_mode_pause(cooperate_mode_t *self)
+{
+    self->stage = (uint32_t)COOPERATE_FOLLOWS;
+}
+
+/** The needle comes to rest for a vibration, or vibrates. */
+static inline bool cooperate_mode_is_vibrating(const cooperate_mode_t *self)
+{
+    return self->stage != (uint32_t)COOPERATE_FOLLOWS;
+}
 
 #endif

@@ -40,6 +40,7 @@ typedef struct {
     bool is_treatment_stopped;                  /**< The same. */
     const link_t *links;                        /**< To the cards, by slot. */
     hand_t hand;                                /**< On the needle's handle. */
+    bool is_puncture;                           /**< A puncture was found in this cycle. */
     uint32_t speed_cap_percent[ROBOT_AXIS_MAX]; /**< Share of its speed that the permit lets each
                                                    axis have, 1..100. */
 } mode_frame_t;

@@ -32,6 +32,51 @@ class TestRobotHand < Minitest::Test
                     '.hand = {.dead_zone_mn = 0U, .gain_q8 = 0U, .speed_ticks_per_s = 0U, .stop_ticks_per_s2 = 0U}'
   end
 
+  VIBRATION = /, vibration: \{[^}]*\}/
+
+  # 116 of 116.67 ticks; of 125 ms a stroke has what a rest of 15 ms leaves.
+  def test_SWR_VIB_706_the_table_has_the_vibration_in_ticks_and_cycles
+    assert_includes compile(WHOLE).last,
+                    '.vibration = {.amplitude_ticks = 116U, .stroke_cycles = 110U, .dwell_cycles = 15U, .periods = 3U}'
+  end
+
+  def test_SWR_VIB_706_a_hand_without_a_vibration_has_none
+    assert_match VIBRATION, WHOLE
+    none = '.vibration = {.amplitude_ticks = 0U, .stroke_cycles = 0U, .dwell_cycles = 0U, .periods = 0U}'
+    assert_includes compile(WHOLE.sub(VIBRATION, '')).last, none
+    assert_includes compile(WHOLE.sub(/^hand:.*\n/, '')).last, none
+  end
+
+  # The most that may stand there is not refused: 0.1 mm need 130 ms a stroke.
+  def test_SWR_VIB_706_the_fastest_that_fits_is_taken
+    slow = WHOLE.sub('amplitude_mm: 0.07, frequency_hz: 4', 'amplitude_mm: 0.1, frequency_hz: 3.44')
+    assert_includes compile(slow).last, '.vibration = {.amplitude_ticks = 166U, .stroke_cycles = 130U'
+  end
+
+  VIBRATION_REFUSALS = {
+    'more than 0.1 mm' => ['amplitude_mm: 0.07', 'amplitude_mm: 0.101', 'hand.vibration.amplitude_mm: is 0.101; expected 0.01 to 0.1'],
+    'strokes above the acceleration of the axis' =>
+      ['frequency_hz: 4', 'frequency_hz: 6', 'hand.vibration.frequency_hz: leaves a stroke 68 ms of 108; expected 4.06 at most'],
+    'a vibration without a number of periods' => [', periods: 3', '', 'periods'],
+    'a train without an end' => ['periods: 3', 'periods: 11', 'hand.vibration.periods: is 11; expected 1 to 10']
+  }.freeze
+
+  VIBRATION_REFUSALS.each do |what, (old, new, reason)|
+    define_method("test_SWR_VIB_706_refuses_#{what.tr(' .', '_')}") do
+      assert_includes WHOLE, old
+      status, errors, = compile(WHOLE.sub(old, new))
+      assert_equal 1, status
+      assert_match(/robot\.yml:#{LINE}: .*#{Regexp.escape(reason)}/, errors)
+    end
+  end
+
+  def test_SWR_VIB_706_refuses_strokes_above_the_speed_of_the_axis
+    text = WHOLE.gsub('acceleration_ticks_per_s2: 40000', 'acceleration_ticks_per_s2: 1000000')
+    status, errors, = compile(text.sub('frequency_hz: 4', 'frequency_hz: 20'))
+    assert_equal 1, status
+    assert_match(/robot\.yml:#{LINE}: .*frequency_hz: leaves a stroke 10 ms of 24; expected 12\.82 at most/, errors)
+  end
+
   # [what is written, what is written instead, what the refusal says]
   REFUSALS = {
     'a hand that a tremor moves' => ['dead_zone_n: 0.3', 'dead_zone_n: 0.09', 'hand.dead_zone_n: is 0.09; expected 0.1 to 2'],

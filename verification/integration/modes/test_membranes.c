@@ -9,9 +9,11 @@
 
 #include "unity.h"
 
+#include "base/seal.h"
 #include "controller/controller.h"
 #include "limits/requirement_limits.h"
 
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -195,10 +197,13 @@ void test_SWR_PUNCT_610_a_needle_that_goes_in_anew_has_all_of_them_ahead(void)
     TEST_ASSERT_EQUAL_UINT32(0U, shown()->unexpected);
 }
 
-/* Of two boxes with the same hand and tissue, one has a controller that is blinded each cycle. */
+/* Of two boxes with the same hand and tissue, one has a controller that is blinded each cycle. No
+ * vibration answers a puncture. */
 void test_SWR_PUNCT_611_the_same_drives_whatever_was_found(void)
 {
     static rig_t blind;
+    rig.robot.vibration = (vibration_law_t){0};
+    rig.robot.seal = seal_of(SEAL_START, (const uint8_t *)&rig.robot, offsetof(robot_t, seal));
     begin();
     blind = rig;
     for (uint32_t i = 0U; i < LONG_CYCLES; i++) {
@@ -213,6 +218,30 @@ void test_SWR_PUNCT_611_the_same_drives_whatever_was_found(void)
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
     TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&blind, EVENT_MEMBRANE_UNEXPECTED));
+}
+
+/* Both vibrate alike: one has a membrane where it expects it, and misses another. */
+void test_SWR_PUNCT_611_the_same_drives_whatever_is_expected(void)
+{
+    static rig_t other;
+    const int32_t depths_um[] = {FIRST_UM, NOWHERE_UM};
+    other = rig;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(2U, depths_um));
+    rig_cycle(&other);
+    begin();
+    by_hand_enter(&other);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&other, cooperate).status);
+    rig_press(&other);
+    by_hand_push(&other, GRIP_MN);
+    for (uint32_t i = 0U; i < LONG_CYCLES; i++) {
+        move_hand(&other);
+        cycle();
+        rig_cycle(&other);
+        TEST_ASSERT_EQUAL_MEMORY(rig.outputs.frames, other.outputs.frames,
+                                 sizeof rig.outputs.frames);
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANE_MISSED));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&other, EVENT_MEMBRANE_MISSED));
 }
 
 void test_SWR_PUNCT_612_a_membrane_that_was_passed_is_missed(void)

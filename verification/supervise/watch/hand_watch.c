@@ -3,7 +3,10 @@
 
 #include "supervise/watch/truth.h"
 
+#include <math.h>
+
 #define DEEPER_MM 0.1
+#define VIBRATION_MM ((double)LIMIT_VIBRATION_MOST_UM / 1000.0)
 #define PUSH_N 0.15 /* Half of a dead zone: less is no push, whatever the noise. */
 #define TOUCH_N 0.02
 #define IDLE_CYCLES 120U /* Latency and filter of the sensor, and the time for hands off. */
@@ -33,12 +36,21 @@ static void doubt_sensor(hand_watch_t *self, const rig_t *rig)
         self->is_untrue || (is_zeroing && ((force_n > TOUCH_N) || (force_n < -TOUCH_N)));
 }
 
+/* Outwards it is driven by a vibration only, which no needle leaves its amplitude in. */
+static bool is_drawn_out(const hand_watch_t *self, const rig_t *rig, double needle_ticks)
+{
+    const uint32_t needle = rig->box.robot->needle_axis;
+    const axis_config_t *const config = &rig->box.robot->axes[needle];
+    const card_drive_t drive = rig_sent(rig, needle).drive;
+    const double out_mm = truth_measure(config, self->deepest_ticks - needle_ticks);
+    return is_sent(rig, needle) && !motor_model_is_upwards(config, &drive) &&
+           (out_mm > VIBRATION_MM);
+}
+
 static bool is_beside(const rig_t *rig)
 {
     const uint32_t needle = rig->box.robot->needle_axis;
-    const card_drive_t drive = rig_sent(rig, needle).drive;
-    bool is_any =
-        is_sent(rig, needle) && !motor_model_is_upwards(&rig->box.robot->axes[needle], &drive);
+    bool is_any = false;
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
         is_any = is_any || ((i != needle) && is_sent(rig, i));
     }
@@ -70,13 +82,16 @@ uint32_t hand_watch_look(hand_watch_t *self, const order_watch_t *order, const r
         self->armed = order->armed[COMMAND_COOPERATE];
         self->is_insertion = true;
         self->target_ticks = rig->controller.plan.target_ticks[needle];
+        self->deepest_ticks = truth[needle];
     } else {
         self->is_insertion = self->is_insertion && (is_armed || (order->kind == COMMAND_NONE));
     }
     const double deeper =
         truth_measure(&rig->box.robot->axes[needle], truth[needle] - (double)self->target_ticks);
     const bool is_driven_on = is_ghost(self, rig, is_armed);
-    return rule(HAND_ALONE, is_armed && is_beside(rig)) |
+    self->deepest_ticks = fmax(self->deepest_ticks, truth[needle]);
+    return rule(HAND_ALONE,
+                is_armed && (is_beside(rig) || is_drawn_out(self, rig, truth[needle]))) |
            rule(HAND_DEPTH, self->is_insertion && (deeper > DEEPER_MM)) |
            rule(HAND_PUSH, is_driven_on);
 }

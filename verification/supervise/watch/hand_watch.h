@@ -15,7 +15,7 @@
 
 /** Each a bit of hand_watch_look(). */
 typedef enum {
-    HAND_ALONE = 0, /**< It drives the needle alone, and in. */
+    HAND_ALONE = 0, /**< It drives the needle alone, and in; out by a vibration's way at most. */
     HAND_DEPTH = 1, /**< The true needle is never deeper than the target by more than 0.1 mm. */
     HAND_PUSH = 2   /**< It drives while a hand truly pushes; by an untrue sensor not for long. */
 } hand_rule_t;
@@ -31,6 +31,7 @@ typedef struct {
     uint32_t idle_cycles;  /**< No hand has truly pushed for so long. */
     uint32_t ghost_cycles; /**< The needle has been driven for so long meanwhile. */
     uint32_t off_cycles;   /**< It has not been driven for so long. */
+    double deepest_ticks;  /**< The deepest place of the true needle in this insertion. */
 } hand_watch_t;
 
 /** Looks at the cycle that `rig` has just run, and `order` has. @return the rules that it broke */

@@ -62,7 +62,7 @@ const char *motion_oracle_sentence(sentence_t sentence)
         "While the gate says stop, no treatment program drives",
         "A step ends at its place, after its dwell or by the dose it waits for",
         "A treatment program is done once each of its steps is",
-        "An insertion by hand drives the needle alone, and inwards",
+        "An insertion by hand drives the needle alone, inwards, and out by 0.1 mm at most",
         "No hand takes the true needle past its target by 0.1 mm",
         "Without a hand that truly pushes no insertion by hand goes on",
         "One commands: between two it is lost, and the axes rest",

@@ -23,6 +23,9 @@ static const move_mode_t move = {{-400, 150, -200, DEEP_TICKS, 500, 30, -60}};
 /* That of the ProstateRobot. */
 static const hand_law_t law = {300U, 2133U, 8333U, 333334U};
 
+/* 70 um of it, at 4 Hz. */
+static const vibration_law_t vibration = {116U, 110U, 15U, 3U};
+
 static cooperate_mode_t mode;
 
 void setUp(void)
@@ -203,4 +206,150 @@ void test_SWR_COOP_009_it_is_armed_on_the_line_and_short_of_the_depth_of_a_robot
     TEST_ASSERT_EQUAL(STATUS_NOT_ALIGNED, cooperate_mode_judge(&move, &robot, axes).status);
     robot.hand = (hand_law_t){0};
     TEST_ASSERT_EQUAL(STATUS_NO_HAND, cooperate_mode_judge(&move, &robot, axes).status);
+}
+
+/* The needle of a robot that answers a puncture, pushed to a speed, has just met one. */
+static void puncture(int32_t force_mn)
+{
+    robot.vibration = vibration;
+    steps(force_mn, 300U);
+    frame.is_puncture = true;
+    step(force_mn);
+    frame.is_puncture = false;
+}
+
+/* Until it stands. */
+static void brake(int32_t force_mn)
+{
+    for (uint32_t i = 0U; (i < 100U) && (speed_q8() != 0); i++) {
+        step(force_mn);
+    }
+    TEST_ASSERT_EQUAL_INT32(0, speed_q8());
+    TEST_ASSERT_TRUE(cooperate_mode_is_vibrating(&mode));
+}
+
+void test_SWR_VIB_700_a_puncture_stops_the_needle_by_the_stop_slope(void)
+{
+    const int32_t down = ((int32_t)law.stop_ticks_per_s2 * 256) / 1000;
+    puncture(1000);
+    int32_t before = speed_q8();
+    while (speed_q8() != 0) {
+        step(HARD_MN);
+        TEST_ASSERT_TRUE((speed_q8() == 0) || (speed_q8() == (before - down)));
+        before = speed_q8();
+    }
+}
+
+void test_SWR_VIB_700_it_vibrates_once_and_the_hand_is_followed_again(void)
+{
+    puncture(1000);
+    brake(1000);
+    const int32_t there = axes[NEEDLE].sealed.encoder.position_ticks;
+    int32_t farthest = 0;
+    uint32_t turns = 0U;
+    bool was_back = false;
+    uint32_t cycles = 0U;
+    while (cooperate_mode_is_vibrating(&mode)) {
+        step(1000);
+        const int32_t behind = there - axes[NEEDLE].sealed.setpoint_ticks;
+        farthest = (behind > farthest) ? behind : farthest;
+        turns += ((speed_q8() < 0) && !was_back) ? 1U : 0U;
+        was_back = (speed_q8() < 0) || (was_back && (speed_q8() == 0));
+        cycles++;
+        TEST_ASSERT_LESS_THAN_UINT32(LONG_CYCLES, cycles);
+    }
+    TEST_ASSERT_EQUAL_INT32(vibration.amplitude_ticks, farthest);
+    TEST_ASSERT_EQUAL_UINT32(vibration.periods, turns);
+    steps(1000, 300U);
+    TEST_ASSERT_EQUAL_INT64(admittance_speed_q8(&law, 1000), speed_q8());
+    TEST_ASSERT_FALSE(cooperate_mode_is_vibrating(&mode));
+}
+
+void test_SWR_VIB_700_a_puncture_while_it_brakes_or_vibrates_begins_nothing_anew(void)
+{
+    static const uint32_t ends[] = {0U, 1U};
+    uint32_t cycles[2] = {0U, 0U};
+    for (uint32_t i = 0U; i < 2U; i++) {
+        setUp();
+        puncture(1000);
+        frame.is_puncture = ends[i] != 0U;
+        brake(1000);
+        while (cooperate_mode_is_vibrating(&mode) && (cycles[i] < LONG_CYCLES)) {
+            step(1000);
+            cycles[i]++;
+        }
+        frame.is_puncture = false;
+    }
+    TEST_ASSERT_EQUAL_UINT32(cycles[0], cycles[1]);
+}
+
+void test_SWR_VIB_700_a_robot_without_a_vibration_goes_on(void)
+{
+    puncture(1000);
+    setUp();
+    steps(1000, 300U);
+    frame.is_puncture = true;
+    step(1000);
+    TEST_ASSERT_EQUAL_INT64(admittance_speed_q8(&law, 1000), speed_q8());
+    TEST_ASSERT_FALSE(cooperate_mode_is_vibrating(&mode));
+}
+
+void test_SWR_VIB_702_no_vibration_where_the_axis_has_no_room_behind_it(void)
+{
+    robot.vibration = vibration;
+    robot.axes[NEEDLE].minimum_ticks = 1000 - (int32_t)vibration.amplitude_ticks;
+    frame.is_puncture = true;
+    step(1000);
+    TEST_ASSERT_FALSE(cooperate_mode_is_vibrating(&mode));
+    robot.axes[NEEDLE].minimum_ticks--;
+    step(1000);
+    TEST_ASSERT_TRUE(cooperate_mode_is_vibrating(&mode));
+}
+
+/* Hard and soft by chance, but never off. */
+void test_SWR_VIB_703_no_push_moves_the_needle_while_it_vibrates(void)
+{
+    uint64_t random = 1U;
+    puncture(1000);
+    brake(1000);
+    const int32_t there = axes[NEEDLE].sealed.encoder.position_ticks;
+    step(1000);
+    for (uint32_t i = 0U; cooperate_mode_is_vibrating(&mode) && (i < LONG_CYCLES); i++) {
+        TEST_ASSERT_INT32_WITHIN(vibration.amplitude_ticks,
+                                 there - (int32_t)vibration.amplitude_ticks,
+                                 axes[NEEDLE].sealed.setpoint_ticks);
+        TEST_ASSERT_LESS_OR_EQUAL_INT32(there, axes[NEEDLE].sealed.setpoint_ticks);
+        random = (random * 6364136223846793005U) + 1442695040888963407U;
+        step(HARD_MN - (int32_t)((random >> 33U) % (HARD_MN - 400U)));
+    }
+}
+
+/* In every part of it: while it brakes, and in each stroke and rest. */
+void test_SWR_VIB_704_a_hand_that_lets_go_or_pulls_ends_it_in_the_same_cycle(void)
+{
+    for (uint32_t after = 0U; after < 200U; after += 7U) {
+        setUp();
+        puncture(1000);
+        steps(1000, after);
+        TEST_ASSERT_TRUE(cooperate_mode_is_vibrating(&mode));
+        const int32_t there = axes[NEEDLE].sealed.encoder.position_ticks;
+        step((after % 2U) == 0U ? (int32_t)law.dead_zone_mn : -HARD_MN);
+        TEST_ASSERT_FALSE(cooperate_mode_is_vibrating(&mode));
+        TEST_ASSERT_GREATER_OR_EQUAL_INT32(there, axes[NEEDLE].sealed.setpoint_ticks);
+        TEST_ASSERT_TRUE((speed_q8() > 0) || world_rests(NEEDLE));
+        steps((int32_t)law.dead_zone_mn, 100U);
+        TEST_ASSERT_TRUE(world_rests(NEEDLE));
+    }
+}
+
+void test_SWR_VIB_704_it_is_not_resumed_after_a_pause(void)
+{
+    puncture(1000);
+    steps(1000, 150U);
+    cooperate_mode_pause(&mode);
+    (void)axis_rest(&axes[NEEDLE], LIMIT_CYCLE_US);
+    for (uint32_t i = 0U; i < 300U; i++) {
+        step(1000);
+        TEST_ASSERT_GREATER_OR_EQUAL_INT32(0, speed_q8());
+    }
 }

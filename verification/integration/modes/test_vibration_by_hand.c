@@ -1,0 +1,377 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: a puncture is answered by a vibration of the true needle that stays behind the
+ * place where it began, under pedal, hand and permit, while nothing is found.
+ */
+#include "integration/support/by_hand.h"
+#include "integration/support/rig.h"
+
+#include "unity.h"
+
+#include "controller/controller.h"
+#include "limits/requirement_limits.h"
+#include "robot/robot_prostate.h"
+#include "unit/support/scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#define ENTRY_Z_NM 32000000
+#define TARGET_Z_NM 92000000
+#define LONG_CYCLES 60000U
+#define GRIP_MN 800
+#define TICKS_PER_MM 1666.67
+#define TICKS_PER_UM (TICKS_PER_MM / 1000.0)
+#define STILL_TICKS 3.0 /* What a motor runs on for after it was switched off. */
+#define PUSH_CYCLES 5000U
+#define FILTERED_CYCLES 30U /* From a hand that lets go to a force below the dead zone. */
+#define BEGUN_CYCLES 60U    /* After a puncture its stroke has surely begun. */
+#define RANDOM_SCENES 25U
+#define SOFT_MN 500
+#define NEAR_TRIALS 10U
+
+static const command_t cooperate = {.kind = (uint32_t)COMMAND_COOPERATE};
+
+/* The true needle through one vibration. */
+typedef struct {
+    bool was_on;
+    bool has_begun; /* The set-point has gone back. */
+    double begin_ticks;
+    double deepest_ticks; /* Of all, against where each began. */
+    double farthest_ticks;
+    double ended_ticks; /* The largest distance between end and beginning of one that was whole. */
+    uint32_t count;
+} witness_t;
+
+static rig_t rig;
+static rig_t ready;
+static bool is_ready = false;
+static uint32_t pushed;
+static witness_t witness;
+static uint64_t random_state;
+
+/* Aligned once and copied. */
+void setUp(void)
+{
+    if (!is_ready) {
+        by_hand_align(&ready, ENTRY_Z_NM, TARGET_Z_NM);
+        by_hand_zero(&ready);
+        is_ready = true;
+    }
+    rig = ready;
+    rig_forget(&rig);
+    witness = (witness_t){0};
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
+}
+
+static uint32_t random_below(uint32_t count)
+{
+    random_state = (random_state * UINT64_C(6364136223846793005)) + UINT64_C(1442695040888963407);
+    return (uint32_t)(random_state >> 33U) % count;
+}
+
+static double needle_ticks(void)
+{
+    return rig.box.axes[BY_HAND_NEEDLE].motor.position_ticks;
+}
+
+static double target_ticks(void)
+{
+    return (double)rig.controller.plan.target_ticks[BY_HAND_NEEDLE];
+}
+
+static bool is_vibrating(void)
+{
+    return rig.outputs.snapshot.membranes.sight == (uint32_t)MEMBRANE_SIGHT_VIBRATING;
+}
+
+static bool is_driven(void)
+{
+    return rig.outputs.snapshot.axes[BY_HAND_NEEDLE].drive_mode != (uint32_t)CARD_DRIVE_OFF;
+}
+
+static bool is_over(void)
+{
+    return rig.outputs.snapshot.order == (uint32_t)ARMING_STATE_NONE;
+}
+
+static int32_t speed_q8(void)
+{
+    return rig.outputs.snapshot.axes[BY_HAND_NEEDLE].setpoint_speed_ticks_per_s_q8;
+}
+
+static uint32_t found(void)
+{
+    return rig_count(&rig, EVENT_MEMBRANE_FOUND) + rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED);
+}
+
+/* Where it truly stands, before the first stroke, is where the vibration begins. */
+static void look(void)
+{
+    const bool is_on = is_vibrating();
+    if (is_on && !witness.has_begun && (speed_q8() < 0)) {
+        witness.has_begun = true;
+        witness.begin_ticks = needle_ticks();
+        witness.count++;
+    }
+    if (is_on && witness.has_begun) {
+        const double deeper_ticks = needle_ticks() - witness.begin_ticks;
+        witness.deepest_ticks = fmax(witness.deepest_ticks, deeper_ticks);
+        witness.farthest_ticks = fmax(witness.farthest_ticks, -deeper_ticks);
+    }
+    if (!is_on && witness.was_on && witness.has_begun) {
+        witness.ended_ticks = fmax(witness.ended_ticks, fabs(needle_ticks() - witness.begin_ticks));
+    }
+    witness.has_begun = witness.has_begun && is_on;
+    witness.was_on = is_on;
+    TEST_ASSERT_TRUE(needle_ticks() <=
+                     (target_ticks() + (LIMIT_VIBRATION_DEEPER_UM * TICKS_PER_UM)));
+}
+
+static void expect_behind(void)
+{
+    TEST_ASSERT_TRUE(witness.deepest_ticks <= (LIMIT_VIBRATION_DEEPER_UM * TICKS_PER_UM));
+    TEST_ASSERT_TRUE(witness.farthest_ticks <= (LIMIT_VIBRATION_MOST_UM * TICKS_PER_UM));
+}
+
+static void begin(void)
+{
+    by_hand_enter(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, cooperate).status);
+    rig_press(&rig);
+    pushed = 0U;
+}
+
+/* No push lasts so long that it moves nothing any more. */
+static void cycle(int32_t force_mn)
+{
+    if ((pushed % PUSH_CYCLES) == 0U) {
+        by_hand_push(&rig, force_mn);
+    } else if (((pushed % PUSH_CYCLES) == (PUSH_CYCLES - BY_HAND_OFF_CYCLES)) && !is_vibrating()) {
+        rig_box(&rig, "hand release");
+    } else {
+        /* As it is. */
+    }
+    rig_cycle(&rig);
+    pushed++;
+    look();
+}
+
+/* The needle is in its first stroke, a little behind where it began. */
+static void begin_vibration(void)
+{
+    begin();
+    for (uint32_t i = 0U; (i < LONG_CYCLES) && !witness.has_begun; i++) {
+        cycle(GRIP_MN);
+    }
+    for (uint32_t i = 0U; i < BEGUN_CYCLES; i++) {
+        cycle(GRIP_MN);
+    }
+    TEST_ASSERT_TRUE(is_vibrating());
+    TEST_ASSERT_TRUE((witness.begin_ticks - needle_ticks()) > (10.0 * TICKS_PER_UM));
+}
+
+static void insert(void)
+{
+    begin();
+    for (uint32_t i = 0U; (i < LONG_CYCLES) && !is_over(); i++) {
+        cycle(GRIP_MN);
+    }
+    TEST_ASSERT_TRUE(is_over());
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig.answers[rig.answer_count - 1U].kind);
+}
+
+/* A pause from the box, and the membranes at these depths behind the first layer's. */
+static void lay_membranes(double apart_mm)
+{
+    sim_phantom_file_t phantom = rig.box.force.phantom;
+    phantom.tissue.layers[1] = phantom.tissue.layers[0];
+    phantom.tissue.layers[0].thickness_mm = apart_mm;
+    phantom.tissue.layers[0].stiffness_n_per_mm = 2.0;
+    phantom.tissue.layers[1].stiffness_n_per_mm = 2.0;
+    phantom.tissue.layers[1].thickness_mm = 140.0;
+    phantom.tissue.layers[1].rupture_n = 1.5;
+    box_force_lay(&rig.box.force, &phantom);
+    by_hand_zero(&rig);
+}
+
+/* It cannot follow its set-point to the last tick: half of the amplitude it makes at least. */
+void test_SWR_VIB_700_each_puncture_is_felt_as_a_motion_of_the_true_needle(void)
+{
+    insert();
+    TEST_ASSERT_EQUAL_UINT32(2U, found());
+    TEST_ASSERT_EQUAL_UINT32(2U, witness.count);
+    TEST_ASSERT_TRUE(witness.farthest_ticks >
+                     (0.5 * (double)robot_prostate.vibration.amplitude_ticks));
+}
+
+void test_SWR_VIB_707_the_true_needle_stays_behind_and_ends_where_it_began(void)
+{
+    insert();
+    expect_behind();
+    TEST_ASSERT_TRUE(witness.ended_ticks <= (LIMIT_VIBRATION_DEEPER_UM * TICKS_PER_UM));
+}
+
+/* It jerks and presses as hard as the sensor shows while it vibrates, and inserts in between. */
+void test_SWR_VIB_707_nor_does_any_hand_lead_it_forward(void)
+{
+    uint32_t vibrations = 0U;
+    for (uint32_t scene = 0U; scene < SCENES(RANDOM_SCENES); scene++) {
+        setUp();
+        random_state = scene;
+        begin();
+        for (uint32_t i = 0U; (i < LONG_CYCLES) && !is_over(); i++) {
+            if (is_vibrating() && (random_below(30U) == 0U)) {
+                by_hand_push(&rig, SOFT_MN + (int32_t)random_below(3000U));
+            }
+            if (is_vibrating() && (random_below(2000U) == 0U)) {
+                rig_box(&rig, "hand release");
+            }
+            cycle(SOFT_MN + (int32_t)random_below(600U));
+        }
+        expect_behind();
+        vibrations += witness.count;
+    }
+    TEST_ASSERT_GREATER_THAN_UINT32(SCENES(RANDOM_SCENES), vibrations);
+}
+
+/* The motor may be a fifth faster or slower than its model. */
+void test_SWR_VIB_707_nor_does_another_motor(void)
+{
+    static const double paces[] = {0.8, 0.9, 1.1, 1.2};
+    for (uint32_t i = 0U; i < (sizeof paces / sizeof paces[0]); i++) {
+        setUp();
+        rig.box.axes[BY_HAND_NEEDLE].motor.full_speed_ticks_per_s *= paces[i];
+        count_balance_init(
+            &rig.controller.axes[BY_HAND_NEEDLE].supervision.sealed.account); /* Another motor. */
+        controller_seal(&rig.controller);
+        insert();
+        expect_behind();
+        TEST_ASSERT_EQUAL_UINT32(2U, witness.count);
+    }
+}
+
+/* The needle comes to rest for it just in front of its depth, or there. */
+void test_SWR_VIB_707_nor_beyond_the_target_behind_a_membrane_close_to_it(void)
+{
+    lay_membranes(6.0);
+    const double surface_mm = rig.box.force.phantom.tissue.surface_mm;
+    begin_vibration();
+    const double left_mm = (target_ticks() - witness.begin_ticks) / TICKS_PER_MM;
+    uint32_t vibrations = 0U;
+    for (uint32_t i = 0U; i < NEAR_TRIALS; i++) {
+        setUp();
+        lay_membranes(6.0);
+        sim_phantom_file_t phantom = rig.box.force.phantom;
+        phantom.tissue.surface_mm = surface_mm + left_mm + 0.02 - (0.01 * (double)i);
+        box_force_lay(&rig.box.force, &phantom);
+        by_hand_zero(&rig);
+        insert();
+        expect_behind();
+        vibrations += witness.count;
+        TEST_ASSERT_LESS_OR_EQUAL_UINT32(1U, witness.count);
+    }
+    TEST_ASSERT_GREATER_THAN_UINT32(0U, vibrations);
+    TEST_ASSERT_LESS_THAN_UINT32(NEAR_TRIALS, vibrations);
+}
+
+/* In each part of the vibration. */
+void test_SWR_VIB_704_without_the_pedal_it_stops_in_the_same_cycle_and_is_not_resumed(void)
+{
+    for (uint32_t after = 0U; after < 400U; after += 23U) {
+        setUp();
+        begin_vibration();
+        for (uint32_t i = 0U; i < after; i++) {
+            cycle(GRIP_MN);
+        }
+        rig_box(&rig, "pedal release");
+        const uint32_t pressed = rig.outputs.snapshot.pedal;
+        while (rig.outputs.snapshot.pedal == pressed) {
+            rig_cycle(&rig);
+        }
+        TEST_ASSERT_FALSE(is_driven());
+        rig_cycle(&rig);
+        TEST_ASSERT_FALSE(is_vibrating());
+        const double there = needle_ticks();
+        rig_cycles(&rig, 300U);
+        TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, there, needle_ticks());
+        rig_box(&rig, "hand release");
+        rig_cycles(&rig, BY_HAND_OFF_CYCLES);
+        rig_press(&rig);
+        rig_cycles(&rig, 300U);
+        TEST_ASSERT_FALSE(is_vibrating());
+        TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, there, needle_ticks());
+    }
+}
+
+void test_SWR_VIB_704_without_the_hand_it_stops_soon(void)
+{
+    begin_vibration();
+    rig_box(&rig, "hand release");
+    rig_cycles(&rig, FILTERED_CYCLES);
+    TEST_ASSERT_FALSE(is_driven());
+    TEST_ASSERT_FALSE(is_vibrating());
+    const double there = needle_ticks();
+    rig_cycles(&rig, 500U);
+    TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, there, needle_ticks());
+}
+
+/* Whatever ends the insertion ends it, in the cycle that notices. */
+void test_SWR_VIB_704_scanner_emergency_stop_and_doubt_end_it(void)
+{
+    static const char *const ends[] = {"scanner on", "estop pull", "force hand broken"};
+    for (uint32_t i = 0U; i < (sizeof ends / sizeof ends[0]); i++) {
+        setUp();
+        begin_vibration();
+        rig_box(&rig, ends[i]);
+        uint32_t cycles = 0U;
+        while (is_vibrating() && (cycles < 20U)) {
+            rig_cycle(&rig);
+            cycles++;
+        }
+        TEST_ASSERT_FALSE(is_driven());
+        TEST_ASSERT_FALSE(is_vibrating());
+        const double there = needle_ticks();
+        rig_cycles(&rig, 500U);
+        TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, there, needle_ticks());
+    }
+}
+
+/* Two membranes are farther apart than a puncture hides; the second one is found as well. */
+void test_SWR_VIB_705_it_is_blind_meanwhile_and_sees_again_afterwards(void)
+{
+    lay_membranes(6.0);
+    insert();
+    TEST_ASSERT_EQUAL_UINT32(2U, rig.box.force.tissue.popped);
+    TEST_ASSERT_EQUAL_UINT32(2U, found());
+    TEST_ASSERT_EQUAL_UINT32(2U, witness.count);
+}
+
+void test_SWR_VIB_705_a_membrane_close_behind_another_begins_no_second_one(void)
+{
+    lay_membranes(1.0);
+    insert();
+    TEST_ASSERT_EQUAL_UINT32(2U, rig.box.force.tissue.popped);
+    TEST_ASSERT_EQUAL_UINT32(1U, found());
+    TEST_ASSERT_EQUAL_UINT32(1U, witness.count);
+}
+
+/* Its force falls while it vibrates, as that of a puncture does. */
+void test_SWR_VIB_705_nothing_is_found_while_it_vibrates(void)
+{
+    begin_vibration();
+    const uint32_t before = found();
+    sim_phantom_file_t none = rig.box.force.phantom;
+    none.tissue.layer_count = 0U;
+    box_force_lay(&rig.box.force, &none);
+    while (is_vibrating()) {
+        cycle(GRIP_MN);
+        TEST_ASSERT_EQUAL_UINT32(before, found());
+    }
+    TEST_ASSERT_EQUAL_UINT32(before, found());
+}
