@@ -242,7 +242,11 @@ bool controller_feel_membranes(controller_t *self, const cycle_t *cycle)
     } else {
         /* As before. */
     }
-    return is_by_hand && feel(self, cycle, mode_is_vibrating(&self->mode, kind));
+    bool is_puncture = false;
+    if (is_by_hand) {
+        is_puncture = feel(self, cycle, mode_is_vibrating(&self->mode, kind));
+    }
+    return is_puncture;
 }
 
 /* All of them lie between entry point and target. */

@@ -370,8 +370,8 @@ void test_SWR_VIB_705_nothing_is_found_while_it_vibrates(void)
     none.tissue.layer_count = 0U;
     box_force_lay(&rig.box.force, &none);
     while (is_vibrating()) {
+        TEST_ASSERT_EQUAL_UINT32(1U, rig.controller.membranes.run.detector.is_blind);
         cycle(GRIP_MN);
         TEST_ASSERT_EQUAL_UINT32(before, found());
     }
-    TEST_ASSERT_EQUAL_UINT32(before, found());
 }
