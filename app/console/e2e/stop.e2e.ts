@@ -168,6 +168,8 @@ test("SWR-CON-007 a stop that was not confirmed stands across the page until con
   }
   await page.locator('.panels[data-freshness="live"]').waitFor();
   await pressStop();
+  // It has arrived, and stops nothing of the next test.
+  await waitForText(".stop-result", "Control has stopped all motion.");
   await page.locator(".stop-failed").waitFor({ state: "detached" });
 });
 
