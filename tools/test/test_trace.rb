@@ -151,6 +151,17 @@ class TestTrace < Minitest::Test
     assert_includes findings, 'E03 requirements/core/pedal.yml:1: SWR-PEDAL-001 has no passed test'
   end
 
+  def test_SWR_TRACE_001_e06_an_assertion_in_an_included_part_is_one_of_the_test
+    test = COMPLETE.fetch('verification/unit/test_gate.c')
+    helper = test[/\A.*?^}\n/m]
+    files = { 'verification/unit/test_gate.c' => test.sub(helper, %(#include "unit/support/gate_world.inc"\n)) }
+    { helper => false, helper.sub('TEST_ASSERT_EQUAL_INT(1, value)', '(void)value') => true }.each do |part, is_empty|
+      in_project(files.merge('verification/unit/support/gate_world.inc' => part)) do |root|
+        assert_equal is_empty, trace('check', root).first.include?('test_SWR_PEDAL_001_waits asserts nothing')
+      end
+    end
+  end
+
   def test_SWR_TRACE_001_e06_runner_counted_no_assertion
     ruby = { test: 'test_SWR_PEDAL_001_x', file: 'verification/system/test_x.rb', result: 'pass', assertions: 0 }
     assert_finding 'E06 verification/system/test_x.rb:1: test_SWR_PEDAL_001_x asserts nothing',

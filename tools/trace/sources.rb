@@ -24,6 +24,7 @@ module Trace
     CHECK = %r{/\*@\s*check\b}.freeze
     RUBY_TESTS = '{verification,tools/test,tools/chartc}/**/test_*.rb'
     SUPPORT = 'verification/unit/support/*.{h,c}'
+    PART = /^#include "([^"]+\.inc)"$/.freeze
     LEFT_OUT = %r{node_modules/|/dist/|tools/test/|tools/chartc/(?:conformance|faults|proof|test)/|\.test\.tsx?\z|\.spec\.ts\z}
 
     SATISFIES = %r{\A\s*(?:/\*\*|\*|\#|//+)\s*@satisfies\s+(.+?)\s*(?:\*/\s*)?\z}
@@ -109,15 +110,24 @@ module Trace
     end
 
     def c_tests
-      helpers = glob(SUPPORT).flat_map { |file| CFunctions.new(read(file)).callables }
+      helpers = glob(SUPPORT).flat_map { |file| callables(file) }
       glob(C_TESTS).flat_map do |file|
         functions = CFunctions.new(read(file))
-        asserting = functions.asserting(helpers)
+        asserting = functions.asserting(helpers + included(file).flat_map { |part| callables(part) })
         functions.all.select { |function| function.name.start_with?('test_') }.map do |function|
           Declaration.new(name: function.name, is_empty: !asserting.include?(function.name),
                           place: Place.new(file, function.line))
         end
       end
+    end
+
+    def callables(file)
+      CFunctions.new(read(file)).callables
+    end
+
+    # Parts that a test shares with another one.
+    def included(file)
+      read(file).scan(PART).flatten.flat_map { |part| glob("{verification/#{part},#{part},core/#{part}}") }
     end
 
     # What a harness of the prover proves in every run of the gate; what is for the night has no result by day.

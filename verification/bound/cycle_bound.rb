@@ -70,7 +70,7 @@ class LoopBounds
     found = @table['conditions'].select { |entry| parts.include?(entry['part']) && fits?(entry, file) }
     raise Refused, "no bound of the loop (#{text}) of #{function}, #{file}" if found.empty?
 
-    found.each { |entry| @used[entry] = true }.map { |entry| value(entry) }.min
+    found.each { |entry| @used[entry] = true }.map { |entry| entry.key?('rows') ? rows(file, entry['rows']) : value(entry) }.min
   end
 
   # Without the parentheses around all of it.
@@ -89,6 +89,16 @@ class LoopBounds
 
     @used[entry] = true
     value(entry)
+  end
+
+  # Of an array of structures in the source of the loop: the braces that open in those of the array.
+  def rows(file, array)
+    body = source(file).join[/ #{array}\[\] = \{\n(.*?)^\};/m, 1] || raise(Refused, "no array #{array} in #{file}")
+    depth = 0
+    body.gsub(%r{/\*.*?\*/}m, '').scan(/[{}]/).count do |brace|
+      depth += brace == '{' ? 1 : -1
+      brace == '{' && depth == 1
+    end
   end
 
   def value(entry)

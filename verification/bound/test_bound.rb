@@ -90,6 +90,13 @@ class TestBoundOfSmallCode < Minitest::Test
     assert_equal 'no bound of the loop of step at small.c:4', error.message
   end
 
+  def test_SWR_COST_420_a_bound_by_the_rows_of_an_array_is_their_number
+    source = ['static const remedy_t remedies[] = {', '    {1, {2}}, {3, {4}},', '    {5,', '     {6}}, /* {Seldom.} */', '};', 'while (left_for(remedies)) {']
+    bound = ->(array) { rows_bound(source, array).of_function('step', [loop_at('small.c:6')]).first.last }
+    assert_equal 3, bound.call('remedies')
+    assert_equal 'no array others in small.c', assert_raises(LoopBounds::Refused) { bound.call('others') }.message
+  end
+
   def test_SWR_COST_420_a_bound_that_fits_no_loop_is_named
     bounds = loop_bounds
     CycleBound.new(MachineCode.new("#{WORK}\n"), 'work', bounds)
@@ -134,6 +141,16 @@ class TestBoundOfSmallCode < Minitest::Test
 
   def bound(text, start: 'step', part: 'i < robot->axis_count', axes: 5, at_most: {})
     CycleBound.new(MachineCode.new(text), start, loop_bounds(part, axes), at_most: at_most)
+  end
+
+  def loop_at(place)
+    Struct.new(:places, :blocks).new([place], Set[1])
+  end
+
+  def rows_bound(source, array)
+    @root ||= Dir.mktmpdir.tap { |folder| File.write(File.join(folder, 'small.c'), source.join("\n")) }
+    table = { 'conditions' => [{ 'part' => 'left_for(remedies)', 'rows' => array }], 'outer' => [], 'machine' => [] }
+    LoopBounds.new(table, {}, root: @root)
   end
 
   def loop_bounds(part = 'i < robot->axis_count', axes = 5)

@@ -9,12 +9,14 @@
  * PEER KIND FIRST SECOND`, the first two words of what the command says. Printed are each answer,
  * each reply, and once a second a hash of all bytes of inputs and outputs so far, in which a
  * difference stays. With OTHER, a file with another scene, only what is said of the first cycle in
- * which that differs, as scene_run.ts asks for it.
+ * which that differs, as scene_run.ts asks for it. Without any argument it prints where scene.mjs
+ * finds the answers in the outputs, in words.
  */
 #include "site/exports.h"
 #include "site/watch.h"
 
 #include <inttypes.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -171,8 +173,24 @@ static void compare(char **words, uint32_t cycles)
     free(kept);
 }
 
+#define WORDS(bytes) ((bytes) / sizeof(uint32_t))
+
+static void print_layout(void)
+{
+    (void)printf("{\"count\": %zu, \"first\": %zu, \"words\": %zu, \"id\": %zu, \"kind\": %zu, "
+                 "\"status\": %zu}\n",
+                 WORDS(offsetof(controller_outputs_t, answer_count)),
+                 WORDS(offsetof(controller_outputs_t, answers)), WORDS(sizeof(answer_t)),
+                 WORDS(offsetof(answer_t, id)), WORDS(offsetof(answer_t, kind)),
+                 WORDS(offsetof(answer_t, status)));
+}
+
 int main(int count, char **words)
 {
+    if (count == 1) {
+        print_layout();
+        return EXIT_SUCCESS;
+    }
     if ((count != 4) && (count != 5)) {
         (void)fprintf(stderr, "usage: closed-loop-scene ROBOT SEED CYCLES [OTHER] <SCENE\n");
         return EXIT_FAILURE;

@@ -2,7 +2,9 @@
 
 // Plays a scene by robot.wasm; scene.c says what the lines in and out are.
 //
-//   node scene.mjs ROBOT.wasm ROBOT SEED CYCLES <SCENE
+//   node scene.mjs ROBOT.wasm LAYOUT ROBOT SEED CYCLES <SCENE
+//
+// LAYOUT says where the outputs have their answers, as scene.c prints it.
 
 import { readFileSync } from "node:fs";
 import { Robot } from "./robot.mjs";
@@ -10,13 +12,10 @@ import { Robot } from "./robot.mjs";
 const SECOND_CYCLES = 1000;
 const FNV_BASIS = 2166136261;
 const FNV_PRIME = 16777619;
-// In the words of the outputs.
-const ANSWER_COUNT = 1;
-const ANSWERS = 4;
-const ANSWER = { words: 20, id: 0, kind: 4, status: 5 };
 const COMMAND_WORDS = 6;
 
-const [file, name, seed, cycles] = process.argv.slice(2);
+const [file, layout, name, seed, cycles] = process.argv.slice(2);
+const answer = JSON.parse(layout);
 const robot = new Robot(file);
 const { exports } = robot;
 
@@ -36,9 +35,9 @@ function act(what) {
 }
 
 function printAnswers(cycle, outputs) {
-  for (let index = 0; index < outputs[ANSWER_COUNT]; index++) {
-    const at = ANSWERS + index * ANSWER.words;
-    console.log(`${cycle} answer ${outputs[at + ANSWER.id]} ${outputs[at + ANSWER.kind]} ${outputs[at + ANSWER.status]}`);
+  for (let index = 0; index < outputs[answer.count]; index++) {
+    const at = answer.first + index * answer.words;
+    console.log(`${cycle} answer ${outputs[at + answer.id]} ${outputs[at + answer.kind]} ${outputs[at + answer.status]}`);
   }
 }
 

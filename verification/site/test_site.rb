@@ -233,10 +233,15 @@ class TestSite < Minitest::Test
     assert_match(/\Athe run has no end: the last cycle is \d+\n\z/, replayed_alone(bytes))
   end
 
+  # Where the outputs have their answers.
+  def layout
+    Open3.capture2e(NATIVE).first
+  end
+
   def test_SWR_SITE_003_controller_and_box_live_through_a_scene_as_in_native_code
     lived = ROBOTS.to_h do |robot|
       native, = Open3.capture2e(NATIVE, robot, SEED.to_s, CYCLES.to_s, stdin_data: SCENE)
-      said, = node("#{__dir__}/scene.mjs", MODULE, robot, SEED.to_s, CYCLES.to_s, stdin_data: SCENE)
+      said, = node("#{__dir__}/scene.mjs", MODULE, layout, robot, SEED.to_s, CYCLES.to_s, stdin_data: SCENE)
       assert_match(/^#{CYCLES} hash \d+$/, native, robot)
       assert_equal native.lines, said.lines, robot
       [robot, said]
@@ -248,7 +253,7 @@ class TestSite < Minitest::Test
 
   def test_SWR_BOX_524_hand_tissue_and_load_cells_are_in_a_page_as_in_native_code
     native, = Open3.capture2e(NATIVE, 'prostate', SEED.to_s, FORCE_CYCLES.to_s, stdin_data: FORCE_SCENE)
-    said, = node("#{__dir__}/scene.mjs", MODULE, 'prostate', SEED.to_s, FORCE_CYCLES.to_s, stdin_data: FORCE_SCENE)
+    said, = node("#{__dir__}/scene.mjs", MODULE, layout, 'prostate', SEED.to_s, FORCE_CYCLES.to_s, stdin_data: FORCE_SCENE)
     assert_match(/2 ruptured$/, native)
     assert_match(/^#{FORCE_CYCLES} hash \d+$/, native)
     assert_equal native.lines, said.lines

@@ -37,7 +37,7 @@ export const glossary: readonly Word[] = [
   },
   {
     term: "data",
-    says: "What this page shows. LIVE: new within 0.3 s. STALE: nothing new for 0.7 s; what is shown is old.",
+    says: "The age of the data on this page. LIVE: new within 0.3 s. STALE: nothing new for 0.7 s; the values shown are old.",
   },
   {
     term: "e-stop",
@@ -57,7 +57,7 @@ export const glossary: readonly Word[] = [
   },
   {
     term: "following error",
-    says: "How far an axis lags behind its set-point. Too much of it is a fault.",
+    says: "The distance by which an axis lags behind its set-point. Too large a distance is a fault.",
   },
   {
     term: "homing",
@@ -81,11 +81,11 @@ export const glossary: readonly Word[] = [
   },
   {
     term: "pedal",
-    says: "What lets the robot move: it moves only while the pedal is pressed. RELEASE ONCE: the pedal must be seen released before it counts.",
+    says: "The pedal lets the robot move, and only while it is pressed. RELEASE ONCE: the pedal must be seen released before it counts.",
   },
   {
     term: "permit",
-    says: "What an axis needs to be driven. It has reasons as long as it is not given, and each is shown.",
+    says: "The permission that an axis needs to be driven. It has reasons as long as it is not given, and each is shown.",
   },
   {
     term: "planning",
@@ -97,7 +97,7 @@ export const glossary: readonly Word[] = [
   },
   {
     term: "probe",
-    says: "What the robot holds, the needle among it, with its lengths. All poses go by them.",
+    says: "The instrument that the robot holds, the needle among it, with its lengths. All poses go by them.",
   },
   {
     term: "proposal",
@@ -153,7 +153,7 @@ export const glossary: readonly Word[] = [
   },
   {
     term: "time since start, at so many %",
-    says: "How long control has run, by the time of the box, and how fast that time passes. A simulated box can be slower than the world; its speeds in mm/s are of its own time.",
+    says: "The time for which control has run, by the clock of the box, and the pace of that clock. A simulated box can be slower than the world; its speeds in mm/s are of its own time.",
   },
   {
     term: "treatment point",

@@ -17,7 +17,7 @@ export const stops: readonly TourStop[] = [
   {
     selector: ".banner-text",
     title: "Why, and what next",
-    says: "What keeps the robot from moving, what is needed next, and the workphase.",
+    says: "The cause that keeps the robot from moving, the next step, and the workphase.",
   },
   {
     selector: ".stop-button",

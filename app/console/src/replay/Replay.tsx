@@ -141,7 +141,7 @@ function Panels({
       <Panel title="The 30 s until this cycle" className="panel-wide">
         <Plots axes={robot.motors.axes} trace={trace} />
       </Panel>
-      <Panel title="What left to each card" className="panel-wide">
+      <Panel title="Frames to each card" className="panel-wide">
         <Frames frames={frames} robot={recording.robot} />
       </Panel>
       <Panel title="Charts" className="panel-wide">

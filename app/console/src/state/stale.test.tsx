@@ -102,7 +102,7 @@ test("SWR-CON-061 under stale data it is not known who commands", async () => {
   screen.getByText("This page commands.");
   await becomeStale();
   expect(screen.queryByText("This page commands.")).toBeNull();
-  screen.getByText("Who commands is not known.");
+  screen.getByText("The commanding client is not known.");
   expect(screen.queryByRole("button", { name: /command/i })).toBeNull();
 });
 

@@ -55,7 +55,7 @@ test("SWR-CON-032 every mode is listed with what the server says of it", async (
 test("SWR-CON-032 what the server has not said is not guessed", async () => {
   await show(null);
   expect(
-    screen.getByText("What may be commanded is not known yet."),
+    screen.getByText("The allowed commands are not known yet."),
   ).toBeTruthy();
   expect(screen.queryAllByRole("radio")).toEqual([]);
 });

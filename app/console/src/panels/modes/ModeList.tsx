@@ -23,7 +23,7 @@ export function ModeList({
   return (
     <fieldset className="modes">
       <legend className="hidden">Mode</legend>
-      {outlook === null && <p>What may be commanded is not known yet.</p>}
+      {outlook === null && <p>The allowed commands are not known yet.</p>}
       {outlook?.modes.map(({ name, reason }) => (
         <label key={name} className="mode" data-allowed={reason === null}>
           <input

@@ -244,7 +244,7 @@ function View({ scene, box, direction, width, scale }: ViewProperties) {
       </figcaption>
       <svg
         role="img"
-        aria-label={`${title}, ${axes}. What it shows is listed with it.`}
+        aria-label={`${title}, ${axes}. Its contents are listed beside it.`}
         viewBox={`0 0 ${width} ${height}`}
         width="100%"
         height={height}

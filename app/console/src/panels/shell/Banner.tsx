@@ -47,7 +47,7 @@ function StaleBanner({ view, sign }: { view: ConsoleView; sign: Sign }) {
   return (
     <Frame sign={sign}>
       <p className="banner-next">To stop the robot, release the pedal.</p>
-      <p className="banner-state">{reason} What is shown is old.</p>
+      <p className="banner-state">{reason} The values shown are old.</p>
     </Frame>
   );
 }

@@ -48,7 +48,7 @@ function Anothers({
 
 function Way({ own, authority }: { own: PageAuthority; authority: Authority }) {
   if (useContext(Stale)) {
-    return <p>Who commands is not known.</p>;
+    return <p>The commanding client is not known.</p>;
   }
   if (own.isMine(authority)) {
     return <Mine own={own} />;

@@ -17,7 +17,7 @@ const columns = [
   { number: "Damaged reports" },
   { number: "Disordered reports" },
   { number: "Missed reports" },
-  "What is wrong",
+  "Trouble",
 ];
 
 function degrees(tenths: number): string {
