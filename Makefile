@@ -65,7 +65,8 @@ HARD_LINK := -Wl,-z,relro,-z,now
 LDFLAGS_gcc := -pie $(HARD_LINK)
 LDFLAGS_static := -static -no-pie $(HARD_LINK) -L$(OUT)/lib \
     -Wl,--wrap=dlopen,--wrap=getaddrinfo,--wrap=gethostbyname,--wrap=getpwnam
-LDFLAGS_arm := $(LDFLAGS_static) -L$(ARMHF)/root/usr/lib/arm-linux-gnueabihf
+# Without it the linker would put branches of its own round an erratum of the Cortex-A8, where a program happens to lie so.
+LDFLAGS_arm := $(LDFLAGS_static) -Wl,--no-fix-cortex-a8 -L$(ARMHF)/root/usr/lib/arm-linux-gnueabihf
 LDFLAGS := $(LDFLAGS_$(CONFIG)) -Wl,--fatal-warnings
 BUILD_ID := $(shell git rev-parse --short=12 HEAD 2>/dev/null || echo unknown)$(shell git diff --quiet HEAD 2>/dev/null || echo +)
 # The newest heading of the changelog: a release, or what follows it.

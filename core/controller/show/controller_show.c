@@ -85,11 +85,11 @@ static next_step_t step_by_pose(const controller_t *self, const robot_t *robot, 
     return step;
 }
 
-/* The reason stays for the operator after it has ended an insertion by hand. */
-static bool is_hand_doubtful(const controller_t *self, const robot_t *robot)
+/* The reason, which every axis has, stays for the operator after it has ended an insertion by hand.
+ */
+static bool is_hand_doubtful(const controller_t *self)
 {
-    const uint32_t needle = robot->needle_axis % ROBOT_AXIS_MAX; /* Of a damaged table. */
-    return (self->records[needle].sealed.reason_hold.shown &
+    return (self->records[0].sealed.reason_hold.shown &
             permit_reason(true, PERMIT_REASON_FORCE_DOUBTFUL)) != 0U;
 }
 
@@ -105,7 +105,7 @@ static next_step_t step_to_target(const controller_t *self, const robot_t *robot
         step = step_in(&self->procedure, WORKPHASE_TARGETING, NEXT_STEP_TARGET);
     } else if (present != WORKPHASE_MOVE_TO_TARGET) {
         step = step_in(&self->procedure, WORKPHASE_TARGETING, NEXT_STEP_MOVE);
-    } else if (is_hand_doubtful(self, robot)) {
+    } else if (is_hand_doubtful(self)) {
         step = robot_is_force_damaged(robot) ? NEXT_STEP_MEMORY : NEXT_STEP_ZERO_FORCE;
     } else {
         /* Commanded once more. */

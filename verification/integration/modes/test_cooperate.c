@@ -25,7 +25,7 @@
 #define FILTERED_CYCLES 30U /* From a hand that lets go to a force below the dead zone. */
 #define STILL_TICKS 2       /* What a motor runs on for after it was switched off. */
 #define TICKS_PER_MM 1666.67
-#define SWING_TRIALS 60U
+#define SWING_TRIALS (ARE_SCENES_WHOLE ? 500U : 60U)
 #define SWING_CYCLES 500U
 #define OFF_CYCLES 200U /* The hand is seen off. */
 #define JERK_SCENES 40U

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Axis, Force, RobotState } from "@interface";
+import type { Axis, Force, Membrane, RobotState } from "@interface";
 import { STALE_MS } from "../state/freshness";
 import { isKnown } from "../state/trust";
 
@@ -27,6 +27,26 @@ interface Row {
   /** By axis; null: for a while nothing came. */
   axes: ReadonlyMap<string, Values> | null;
   forces: Newtons;
+  line: Line;
+}
+
+/** The way of the needle through entry point and target. */
+interface Line {
+  key: string;
+  /** Position of the needle's axis with the needle at the entry point; null until an insertion by hand has shown it. */
+  entry: number | null;
+  expected: readonly Membrane[];
+}
+
+function lineOf({ status, motors, targeting }: RobotState, last?: Line): Line {
+  const { target, entry_mm, membranes } = targeting;
+  const key = JSON.stringify([target, entry_mm]);
+  const depth = membranes?.depth_mm ?? null;
+  const needle = motors.axes.find(({ name }) => name === status.needle.axis);
+  const before = last?.key === key ? last.entry : null;
+  const entry =
+    depth === null || needle === undefined ? before : needle.position - depth;
+  return { key, entry, expected: membranes?.expected ?? [] };
 }
 
 /** Forces in newton; none of a channel that is doubtful. */
@@ -72,8 +92,10 @@ export class Trace {
   }
 
   /** `nowMs`: when it came. */
-  take({ status, motors }: RobotState, nowMs: number): void {
+  take(robot: RobotState, nowMs: number): void {
+    const { status, motors } = robot;
     const last = this.rows.at(-1);
+    const line = lineOf(robot, last?.line);
     // Its counter wraps.
     const wayS = ((motors.time_us - this.timeUs) >>> 0) / US_PER_S;
     if (status.boot_id !== this.bootId || last === undefined) {
@@ -83,13 +105,13 @@ export class Trace {
       return; // Control stands still.
     } else if (nowMs - this.takenMs > STALE_MS) {
       const timeS = last.timeS + wayS / 2;
-      this.rows.push({ timeS, axes: null, forces: new Map() });
+      this.rows.push({ timeS, axes: null, forces: new Map(), line });
     }
     this.timeUs = motors.time_us;
     this.takenMs = nowMs;
     const timeS = this.rows.length === 0 ? 0 : (last?.timeS ?? 0) + wayS;
     const axes = new Map(motors.axes.map((one) => [one.name, valuesOf(one)]));
-    this.rows.push({ timeS, axes, forces: believed(status.forces) });
+    this.rows.push({ timeS, axes, forces: believed(status.forces), line });
     this.forget(timeS - this.spanS);
     this.revision += 1;
   }
@@ -136,6 +158,17 @@ export class Trace {
   /** Null where there is a gap, and where the force was doubtful. */
   force(channel: Force["channel"]): (number | null)[] {
     return this.rows.map(({ forces }) => forces.get(channel) ?? null);
+  }
+
+  /** Membranes at positions of the needle's axis, one that was found where it was punctured. */
+  membranes(): { state: Membrane["state"]; place: number }[] {
+    const { entry = null, expected = [] } = this.rows.at(-1)?.line ?? {};
+    return entry === null
+      ? []
+      : expected.map(({ state, depth_mm, found_mm }) => ({
+          state,
+          place: entry + (found_mm ?? depth_mm),
+        }));
   }
 
   /** Values `agoS` seconds before the last row, or nearest to that; null in a gap. */

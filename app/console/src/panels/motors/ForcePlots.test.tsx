@@ -143,6 +143,67 @@ test("SWR-CON-610 they are saved where depth and force of the needle are known",
   ]);
 });
 
+/** The needle is at `depth`, which is so far `below` the entry point. */
+function takeInsertion(depth: number, below: number | null, z = 0): void {
+  const axis = makeAxis("insertion", { position: depth });
+  const robot = makeRobot({ forces: [makeForce({})] }, [axis]);
+  robot.targeting.entry_mm = [0, 0, z];
+  robot.targeting.membranes = {
+    expected: [
+      { depth_mm: 4, found_mm: 6, state: "FOUND" },
+      { depth_mm: 11, found_mm: null, state: "MISSED" },
+      { depth_mm: 16, found_mm: null, state: "AHEAD" },
+    ],
+    left: 1,
+    unexpected: 0,
+    sight: "OFF",
+    says: "",
+    depth_mm: below,
+    least_fall_mn: null,
+  };
+  timeUs += 50_000;
+  robot.motors.time_us = timeUs;
+  trace.take(robot, timeUs / 1000);
+}
+
+/** Places across of the marks, by their look. */
+function marks(): Record<string, number> {
+  const found = document.querySelectorAll(".plot .plot-mark");
+  const places = [...found].map((mark): [string, number] => [
+    /plot-mark-(\w+)/.exec(mark.getAttribute("class") ?? "")?.[1] ?? "",
+    Number(/^M([\d.]+),/.exec(mark.getAttribute("d") ?? "")?.[1]),
+  ]);
+  return Object.fromEntries(places);
+}
+
+test("SWR-CON-700 membranes stand in the force over depth, one that was found where it was punctured", () => {
+  takeInsertion(18, 4);
+  const { rerender } = show();
+  // The entry point is at 14 mm of the axis.
+  const [[ten, twenty] = []] = drawn(OVER_DEPTH, "needle");
+  const perMm = (twenty![0] - ten![0]) / 10;
+  const { found, missed, ahead } = marks();
+  expect(found).toBeCloseTo(twenty![0], 0);
+  expect(missed! - twenty![0]).toBeCloseTo(5 * perMm, 0);
+  expect(ahead! - twenty![0]).toBeCloseTo(10 * perMm, 0);
+  expect(document.querySelector(".plots-kinds")?.textContent).toContain(
+    "membrane foundmembrane missedmembrane ahead",
+  );
+  takeInsertion(10, null);
+  rerender(<ForcePlots needle={needle} trace={trace} />);
+  expect(Object.keys(marks())).toHaveLength(3);
+});
+
+test("SWR-CON-700 no membrane stands where the entry point is not known", () => {
+  takeInsertion(18, null);
+  const { rerender } = show();
+  expect(marks()).toEqual({});
+  takeInsertion(18, 4);
+  takeInsertion(18, null, 1);
+  rerender(<ForcePlots needle={needle} trace={trace} />);
+  expect(marks()).toEqual({});
+});
+
 test("SWR-CON-611 a doubtful force is a gap, and no number", () => {
   take(21, null, 1600);
   take(22, 2000, 1700);

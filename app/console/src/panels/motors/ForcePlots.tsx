@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Needle } from "@interface";
 import { saveText } from "../../words/download";
-import { formatNumber, formatValue } from "../../words/format";
+import { formatNumber, formatValue, words } from "../../words/format";
 import type { Newtons, Trace } from "../../words/trace";
 import { Figure, rangeOf } from "./Plot";
 import { overTime, PlotTools, useShown, whenOf, type Shown } from "./PlotTools";
@@ -44,9 +44,11 @@ function Reading({ needle, plots }: { needle: Needle; plots: Shown }) {
 }
 
 /**
- * Forces of hand and needle in the last 30 s, over time with the depth below, and over the depth.
+ * Forces of hand and needle in the last 30 s, over time with the depth below, and over the depth with the
+ * membranes.
  *
  * @satisfies SWR-CON-610
+ * @satisfies SWR-CON-700
  */
 export function ForcePlots({
   needle,
@@ -69,6 +71,9 @@ export function ForcePlots({
     cursor: agoS === null ? null : -agoS,
     onCursor: setCursor,
   };
+  const marks = shown
+    .membranes()
+    .map(({ state, place }) => ({ look: words(state).toLowerCase(), place }));
   const there = agoS === null ? null : shown.at(needle.axis, agoS);
   return (
     <>
@@ -86,9 +91,10 @@ export function ForcePlots({
           title="Force over depth, N"
           curves={forces}
           places={depths}
-          across={rangeOf([depths])}
+          across={rangeOf([depths, marks.map(({ place }) => place)])}
           unit={needle.unit}
           cursor={there?.isKnown ? there.position : null}
+          marks={marks}
         />
         <Figure
           title={`Depth over time, ${needle.unit}`}

@@ -29,6 +29,13 @@ export interface PlotCurve {
   values: Column;
 }
 
+/** A line across all curves. */
+export interface PlotMark {
+  /** Its look: the end of its class, and its kind in the legend. */
+  look: string;
+  place: number;
+}
+
 export function rangeOf(columns: readonly Column[]): Range {
   const values = columns.flat().filter((value) => value !== null);
   const low = values.reduce((a, b) => Math.min(a, b), values[0] ?? 0);
@@ -107,6 +114,26 @@ export interface PlotProperties {
   /** A place across; null: there is none. */
   cursor: number | null;
   onCursor?: (place: number | null) => void;
+  marks?: readonly PlotMark[] | undefined;
+}
+
+/** Lines from the top of the plot to its bottom. */
+function Marks({
+  marks,
+  x,
+  bottom,
+}: {
+  marks: readonly PlotMark[];
+  x: (value: number) => number;
+  bottom: number;
+}) {
+  return marks.map(({ look, place }) => (
+    <path
+      key={`${look} ${place}`}
+      className={`plot-mark plot-mark-${look}`}
+      d={`M${x(place)},${TOP}V${bottom}`}
+    />
+  ));
 }
 
 /**
@@ -116,7 +143,7 @@ export interface PlotProperties {
  * @satisfies SWR-CON-611
  */
 function Plot(properties: PlotProperties) {
-  const { curves, places, across, unit, cursor, onCursor } = properties;
+  const { curves, places, across, unit, cursor, onCursor, marks } = properties;
   const { width, place } = useWidth();
   const [right, bottom] = [width - RIGHT, HEIGHT - BOTTOM];
   const range = properties.range ?? rangeOf(curves.map(({ values }) => values));
@@ -157,6 +184,7 @@ function Plot(properties: PlotProperties) {
           {tick}
         </text>
       ))}
+      {marks !== undefined && <Marks marks={marks} x={x} bottom={bottom} />}
       {curves.map(({ look, dash, values }) => (
         <path
           key={look}
@@ -172,8 +200,12 @@ function Plot(properties: PlotProperties) {
   );
 }
 
-/** Which curve is which. */
-function Legend({ curves }: { curves: readonly PlotCurve[] }) {
+/** Which curve is which, and which mark. */
+function Legend({
+  curves,
+  marks = [],
+}: Pick<PlotProperties, "curves" | "marks">) {
+  const looks = [...new Set(marks.map(({ look }) => look))];
   return (
     <ul className="plot-legend">
       {curves.map(({ look, label, dash }) => (
@@ -190,6 +222,14 @@ function Legend({ curves }: { curves: readonly PlotCurve[] }) {
           {label}
         </li>
       ))}
+      {looks.map((look) => (
+        <li key={look}>
+          <svg viewBox="0 0 30 10" aria-hidden="true">
+            <path className={`plot-mark plot-mark-${look}`} d="M15,0V10" />
+          </svg>
+          membrane {look}
+        </li>
+      ))}
     </ul>
   );
 }
@@ -199,12 +239,12 @@ export function Figure({
   title,
   ...properties
 }: PlotProperties & { title: string }) {
-  const { curves } = properties;
+  const { curves, marks } = properties;
   return (
     <figure>
       <figcaption>
         {title}
-        {curves.length > 1 && <Legend curves={curves} />}
+        {curves.length > 1 && <Legend curves={curves} marks={marks} />}
       </figcaption>
       <Plot {...properties} />
     </figure>
