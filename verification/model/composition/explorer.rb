@@ -17,6 +17,8 @@ class Explorer
   HERE = "#{ROOT}/verification/model/composition".freeze
   PARTS = ["#{HERE}/found.c", *Dir["#{ROOT}/core/safety/permit.c"].sort].freeze
   FOLDERS = %w[core build/gen].freeze
+  # Its tables of some hundred megabytes are read in no order: in large pages fewer addresses are looked up.
+  LARGE_PAGES = { 'GLIBC_TUNABLES' => 'glibc.malloc.hugetlb=1' }.freeze
   # [kind, source] => file
   OBJECTS = {}
   private_constant :OBJECTS
@@ -60,7 +62,7 @@ class Explorer
 
   # Its lines, and how it ended; nil if it was not let to its end.
   def explored(command, wanted)
-    Open3.popen2e(*command) do |_input, output, process|
+    Open3.popen2e(LARGE_PAGES, *command) do |_input, output, process|
       lines = []
       output.each_line(chomp: true) do |line|
         lines << line
