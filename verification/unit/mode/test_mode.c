@@ -230,6 +230,16 @@ static bool heeds(mode_kind_t kind, uint32_t axis, bool is_driven)
     return (mode_heeding_needle(&mode, kind, &robot, driven) & LEG_AXIS(axis)) != 0U;
 }
 
+/* Its parameters lie where another mode has its own. */
+void test_SWR_VIB_705_the_needle_vibrates_in_that_mode_alone(void)
+{
+    mode.request.own.cooperate.stage = (uint32_t)COOPERATE_VIBRATES;
+    for (uint32_t kind = 0U; kind < MODE_KIND_COUNT; kind++) {
+        TEST_ASSERT_EQUAL_INT(kind == (uint32_t)MODE_COOPERATE,
+                              mode_is_vibrating(&mode, (mode_kind_t)kind));
+    }
+}
+
 void test_SWR_JOG_001_the_jogged_axis_heeds_the_needle(void)
 {
     mode_begin(&mode, MODE_JOG, &request);
