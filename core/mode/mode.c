@@ -181,6 +181,11 @@ bool mode_is_vibrating(const mode_state_t *self, mode_kind_t kind)
     return (kind == MODE_COOPERATE) && cooperate_mode_is_vibrating(&self->request.own.cooperate);
 }
 
+bool mode_wants_hand_off(const mode_state_t *self, mode_kind_t kind)
+{
+    return (kind == MODE_COOPERATE) && cooperate_mode_wants_hand_off(&self->request.own.cooperate);
+}
+
 bool mode_may_be_unhomed(mode_kind_t kind)
 {
     return mode_rows[kind].may_be_unhomed;

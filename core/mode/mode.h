@@ -110,6 +110,9 @@ bool mode_is_by_hand(mode_kind_t kind);
  * vibrates. */
 bool mode_is_vibrating(const mode_state_t *self, mode_kind_t kind);
 
+/** In `kind`, which was begun last, the hand is to be seen off before it moves the needle again. */
+bool mode_wants_hand_off(const mode_state_t *self, mode_kind_t kind);
+
 /**
  * `kind` may drive an axis that is not homed.
  *

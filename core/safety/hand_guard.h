@@ -28,7 +28,8 @@ typedef struct {
 } hand_guard_t;
 
 /**
- * One cycle, `elapsed_us` after the one before. `is_moving`: the pedal lets the armed order run.
+ * One cycle, `elapsed_us` after the one before. `is_moving`: the pedal lets the armed order run,
+ * which does not ask for the hand to be seen off anew.
  *
  * @return the force that may move the needle: that of the hand, and 0 until it was seen off, and
  * from LIMIT_HAND_PUSH_US after that on

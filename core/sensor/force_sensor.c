@@ -68,6 +68,7 @@ void force_sensor_begin_zero(force_sensor_t *self)
     self->sealed.zeroing = (uint8_t)((1U << ROBOT_FORCE_CHANNELS) - 1U);
     for (uint32_t i = 0U; i < ROBOT_FORCE_CHANNELS; i++) {
         self->sealed.channels[i].doubts |= force_doubt_bit(FORCE_DOUBT_NOT_ZEROED);
+        self->sealed.channels[i].doubts &= ~force_doubt_bit(FORCE_DOUBT_TOO_QUIET); /* Anew. */
     }
 }
 

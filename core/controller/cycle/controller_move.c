@@ -27,9 +27,11 @@ static void feel(controller_t *self, const cycle_t *cycle, mode_frame_t *frame)
     *hand = controller_hand(self, cycle);
     frame->is_puncture = false;
     if (cycle->robot->force.is_there != 0U) {
-        hand->force_mn =
-            hand_guard_step(&self->sealed.hand_guard, &cycle->robot->hand, hand,
-                            procedure_is_moving(&self->procedure), cycle->inputs->elapsed_us);
+        const bool goes_on =
+            procedure_is_moving(&self->procedure) &&
+            !mode_wants_hand_off(&self->mode, mode_in(&self->mode, frame->workphase));
+        hand->force_mn = hand_guard_step(&self->sealed.hand_guard, &cycle->robot->hand, hand,
+                                         goes_on, cycle->inputs->elapsed_us);
         frame->is_puncture = controller_feel_membranes(self, cycle);
     }
 }

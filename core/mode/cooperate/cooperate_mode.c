@@ -120,7 +120,7 @@ static void choose_stage(cooperate_mode_t *self, const mode_frame_t *frame, uint
         self->cycle = 0U;
     } else if ((self->stage == (uint32_t)COOPERATE_VIBRATES) &&
                vibration_at(&frame->robot->vibration, self->cycle).is_over) {
-        self->stage = (uint32_t)COOPERATE_FOLLOWS;
+        self->stage = (uint32_t)COOPERATE_ENDED;
     } else {
         /* As before. */
     }

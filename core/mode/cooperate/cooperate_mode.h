@@ -21,7 +21,8 @@
 typedef enum {
     COOPERATE_FOLLOWS = 0, /**< It follows the hand. */
     COOPERATE_BRAKES = 1,  /**< A puncture was found: its set-point comes to rest. */
-    COOPERATE_VIBRATES = 2
+    COOPERATE_VIBRATES = 2,
+    COOPERATE_ENDED = 3 /**< It has vibrated: the hand is to be seen off before it is followed. */
 } cooperate_stage_t;
 
 /** At first all zero. */
@@ -70,6 +71,12 @@ static inline void cooperate_mode_pause(cooperate_mode_t *self)
 static inline bool cooperate_mode_is_vibrating(const cooperate_mode_t *self)
 {
     return self->stage != (uint32_t)COOPERATE_FOLLOWS;
+}
+
+/** The hand is to be seen off before the needle follows it again. */
+static inline bool cooperate_mode_wants_hand_off(const cooperate_mode_t *self)
+{
+    return self->stage == (uint32_t)COOPERATE_ENDED;
 }
 
 #endif

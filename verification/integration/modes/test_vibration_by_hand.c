@@ -342,6 +342,30 @@ void test_SWR_VIB_704_scanner_emergency_stop_and_doubt_end_it(void)
     }
 }
 
+/* It pushes hardest just behind the membrane, as it has braced itself against a needle that stood.
+ */
+void test_SWR_VIB_703_a_hand_that_never_lets_go_leads_it_nowhere_afterwards(void)
+{
+    begin_vibration();
+    by_hand_push(&rig, 2 * GRIP_MN);
+    while (is_vibrating()) {
+        rig_cycle(&rig);
+        look();
+    }
+    const double there = needle_ticks();
+    rig_cycles(&rig, 2000U);
+    TEST_ASSERT_FALSE(is_driven());
+    TEST_ASSERT_TRUE(fabs(needle_ticks() - there) <= TICKS_PER_UM);
+    TEST_ASSERT_NOT_EQUAL_HEX32(0U, rig.outputs.snapshot.axes[BY_HAND_NEEDLE].permit_reasons &
+                                        permit_reason(true, PERMIT_REASON_HAND_UNPROVEN));
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_LET_GO, rig.outputs.snapshot.next_step);
+    rig_box(&rig, "hand release");
+    rig_cycles(&rig, BY_HAND_OFF_CYCLES);
+    by_hand_push(&rig, GRIP_MN);
+    rig_cycles(&rig, BY_HAND_OFF_CYCLES);
+    TEST_ASSERT_TRUE(is_driven());
+}
+
 /* Two membranes are farther apart than a puncture hides; the second one is found as well. */
 void test_SWR_VIB_705_it_is_blind_meanwhile_and_sees_again_afterwards(void)
 {

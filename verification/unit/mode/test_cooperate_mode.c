@@ -240,7 +240,7 @@ void test_SWR_VIB_700_a_puncture_stops_the_needle_by_the_stop_slope(void)
     }
 }
 
-void test_SWR_VIB_700_it_vibrates_once_and_the_hand_is_followed_again(void)
+void test_SWR_VIB_700_it_vibrates_once(void)
 {
     puncture(1000);
     brake(1000);
@@ -249,7 +249,7 @@ void test_SWR_VIB_700_it_vibrates_once_and_the_hand_is_followed_again(void)
     uint32_t turns = 0U;
     bool was_back = false;
     uint32_t cycles = 0U;
-    while (cooperate_mode_is_vibrating(&mode)) {
+    while (!cooperate_mode_wants_hand_off(&mode)) {
         step(1000);
         const int32_t behind = there - axes[NEEDLE].sealed.setpoint_ticks;
         farthest = (behind > farthest) ? behind : farthest;
@@ -260,9 +260,23 @@ void test_SWR_VIB_700_it_vibrates_once_and_the_hand_is_followed_again(void)
     }
     TEST_ASSERT_EQUAL_INT32(vibration.amplitude_ticks, farthest);
     TEST_ASSERT_EQUAL_UINT32(vibration.periods, turns);
+}
+
+void test_SWR_VIB_703_a_hand_that_pushes_on_is_followed_only_after_it_has_let_go(void)
+{
+    puncture(1000);
+    for (uint32_t i = 0U; (i < LONG_CYCLES) && !cooperate_mode_wants_hand_off(&mode); i++) {
+        step(1000);
+    }
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        step(1000);
+        TEST_ASSERT_TRUE(cooperate_mode_wants_hand_off(&mode));
+        TEST_ASSERT_TRUE(world_rests(NEEDLE));
+    }
+    step(0);
+    TEST_ASSERT_FALSE(cooperate_mode_is_vibrating(&mode));
     steps(1000, 300U);
     TEST_ASSERT_EQUAL_INT64(admittance_speed_q8(&law, 1000), speed_q8());
-    TEST_ASSERT_FALSE(cooperate_mode_is_vibrating(&mode));
 }
 
 void test_SWR_VIB_700_a_puncture_while_it_brakes_or_vibrates_begins_nothing_anew(void)

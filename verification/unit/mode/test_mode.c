@@ -230,6 +230,15 @@ static bool heeds(mode_kind_t kind, uint32_t axis, bool is_driven)
     return (mode_heeding_needle(&mode, kind, &robot, driven) & LEG_AXIS(axis)) != 0U;
 }
 
+void test_SWR_VIB_703_the_hand_is_wanted_off_in_that_mode_alone(void)
+{
+    mode.request.own.cooperate.stage = (uint32_t)COOPERATE_ENDED;
+    for (uint32_t kind = 0U; kind < MODE_KIND_COUNT; kind++) {
+        TEST_ASSERT_EQUAL_INT(kind == (uint32_t)MODE_COOPERATE,
+                              mode_wants_hand_off(&mode, (mode_kind_t)kind));
+    }
+}
+
 /* Its parameters lie where another mode has its own. */
 void test_SWR_VIB_705_the_needle_vibrates_in_that_mode_alone(void)
 {
@@ -237,6 +246,7 @@ void test_SWR_VIB_705_the_needle_vibrates_in_that_mode_alone(void)
     for (uint32_t kind = 0U; kind < MODE_KIND_COUNT; kind++) {
         TEST_ASSERT_EQUAL_INT(kind == (uint32_t)MODE_COOPERATE,
                               mode_is_vibrating(&mode, (mode_kind_t)kind));
+        TEST_ASSERT_FALSE(mode_wants_hand_off(&mode, (mode_kind_t)kind));
     }
 }
 

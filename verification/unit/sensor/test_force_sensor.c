@@ -91,6 +91,9 @@ void test_SWR_FORCE_700_a_hand_that_does_not_tremble_is_doubted(void)
     TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_DONE, zero().ends[HAND]);
     TEST_ASSERT_EQUAL_HEX32(force_doubt_bit(FORCE_DOUBT_TOO_QUIET), doubts(HAND));
     TEST_ASSERT_EQUAL_HEX32(0U, doubts(NEEDLE));
+    force_sensor_begin_zero(&sensor);
+    TEST_ASSERT_EQUAL_HEX32(force_doubt_bit(FORCE_DOUBT_NOT_ZEROED),
+                            doubts(HAND)); /* Judged anew. */
     zero_almost();
     (void)zero();
     TEST_ASSERT_EQUAL_HEX32(0U, doubts(HAND));
