@@ -4,8 +4,6 @@
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"
 
-#include <stdbool.h>
-
 static void column_of(const rigid_t *self, uint32_t column, int32_t vector_q30[3])
 {
     for (uint32_t row = 0U; row < 3U; row++) {
@@ -149,6 +147,14 @@ point_t rigid_apply(const rigid_t *self, const point_t *point)
     const int64_t y_nm = fixed_dot_q30(point_nm, self->rotation_q30[1]) + self->translation.y_nm;
     const int64_t z_nm = fixed_dot_q30(point_nm, self->rotation_q30[2]) + self->translation.z_nm;
     return (point_t){fixed_saturate(x_nm), fixed_saturate(y_nm), fixed_saturate(z_nm)};
+}
+
+bool rigid_is_same_point(const point_t *a, const point_t *b)
+{
+    const uint32_t x = (uint32_t)a->x_nm ^ (uint32_t)b->x_nm;
+    const uint32_t y = (uint32_t)a->y_nm ^ (uint32_t)b->y_nm;
+    const uint32_t z = (uint32_t)a->z_nm ^ (uint32_t)b->z_nm;
+    return (x | y | z) == 0U;
 }
 
 void rigid_cross(const int32_t a[3], const int32_t b_q30[3], int32_t result[3])

@@ -9,6 +9,7 @@
 
 #include "interface/status.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /** A point or a difference of points. Each coordinate within +-2.1 m. */
@@ -50,6 +51,9 @@ void rigid_invert(const rigid_t *self, rigid_t *result);
 
 /** The point `self * point`. Coordinates saturate. */
 point_t rigid_apply(const rigid_t *self, const point_t *point);
+
+/** Both are the same to the last bit. */
+bool rigid_is_same_point(const point_t *a, const point_t *b);
 
 /** Vector product of `a` and `b_q30`, in the unit of `a`, saturated. `result` may be neither. */
 void rigid_cross(const int32_t a[3], const int32_t b_q30[3], int32_t result[3]);

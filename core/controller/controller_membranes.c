@@ -54,21 +54,13 @@ static void check(controller_t *self, const cycle_t *cycle, bool is_by_hand)
     }
 }
 
-static bool are_same(const point_t *one, const point_t *other)
-{
-    const uint32_t x = (uint32_t)one->x_nm ^ (uint32_t)other->x_nm;
-    const uint32_t y = (uint32_t)one->y_nm ^ (uint32_t)other->y_nm;
-    const uint32_t z = (uint32_t)one->z_nm ^ (uint32_t)other->z_nm;
-    return (x | y | z) == 0U;
-}
-
 /* Expected membranes belong to the entry point and the target that they were sent for. */
 static void forget_others(controller_t *self, const cycle_t *cycle)
 {
     const membrane_plan_t *const plan = &self->membranes.plan;
     const bool is_same = (plan_judge_entry(&self->plan) == STATUS_OK) &&
-                         are_same(&plan->entry, &self->plan.entry) &&
-                         are_same(&plan->target, &self->plan.scanner_target.translation);
+                         rigid_is_same_point(&plan->entry, &self->plan.entry) &&
+                         rigid_is_same_point(&plan->target, &self->plan.scanner_target.translation);
     if (!is_same) {
         controller_clear_membranes(self);
         controller_note(self, cycle, EVENT_MEMBRANES_FORGOTTEN, 0U, 0);

@@ -363,14 +363,22 @@ status_t plan_propose_target(plan_t *self, const robot_t *robot, const rigid_t *
     return status;
 }
 
+/* The same one again stays that of the target. */
+static void take_entry(plan_t *self, const point_t *entry)
+{
+    if ((self->has_entry == 0U) || !rigid_is_same_point(&self->entry, entry)) {
+        self->is_entry_of_target = 0U;
+    }
+    self->entry = *entry;
+    self->has_entry = 1U;
+    plan_seal(self);
+}
+
 status_t plan_set_entry(plan_t *self, const rigid_t *pose)
 {
     const status_t status = rigid_check(pose);
     if (status == STATUS_OK) {
-        self->entry = pose->translation;
-        self->has_entry = 1U;
-        self->is_entry_of_target = 0U;
-        plan_seal(self);
+        take_entry(self, &pose->translation);
     }
     return status;
 }
@@ -380,10 +388,7 @@ status_t plan_accept_entry(plan_t *self)
     if (self->has_proposed_entry == 0U) {
         return STATUS_NOT_PROPOSED;
     }
-    self->entry = self->proposed_entry;
-    self->has_entry = 1U;
-    self->is_entry_of_target = 0U;
-    plan_seal(self);
+    take_entry(self, &self->proposed_entry);
     return STATUS_OK;
 }
 

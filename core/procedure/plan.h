@@ -192,7 +192,8 @@ status_t plan_propose_registration(plan_t *self, const robot_t *robot,
 
 /**
  * Takes the place of `pose` (scanner coordinates) as the entry point of the targets to come. A
- * target that was accepted stays as it is: its depth was decided with it.
+ * target that was accepted stays as it is: its depth was decided with it; the same entry point
+ * again stays that of it.
  *
  * @return as rigid_check()
  *

@@ -361,6 +361,20 @@ void test_SWR_PUNCT_614_and_until_the_entry_point_is(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_ENTRY_POINT, expect(1U, &(int32_t){FIRST_UM}));
 }
 
+void test_SWR_PUNCT_614_the_same_entry_point_again_forgets_nothing(void)
+{
+    expect_one(FIRST_UM);
+    command_t entry = {.kind = (uint32_t)COMMAND_ENTRY};
+    entry.as.pose.pose = rig.controller.plan.scanner_target;
+    entry.as.pose.pose.translation = rig.controller.plan.entry;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, entry).status);
+    const rigid_t target = rig.controller.plan.scanner_target;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &target).status);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, shown()->count);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANES_FORGOTTEN));
+}
+
 /* Both commands come in one cycle, so that no cycle sees the target without an entry point. */
 void test_SWR_PUNCT_614_nor_with_another_entry_point_of_the_same_target(void)
 {
