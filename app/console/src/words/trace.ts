@@ -39,8 +39,8 @@ interface Line {
 }
 
 function lineOf({ status, motors, targeting }: RobotState, last?: Line): Line {
-  const { target, entry_mm, membranes } = targeting;
-  const key = JSON.stringify([target, entry_mm]);
+  const { target, entry_mm, membranes, probe, registration } = targeting;
+  const key = JSON.stringify([target, entry_mm, probe, registration]);
   const depth = membranes?.depth_mm ?? null;
   const needle = motors.axes.find(({ name }) => name === status.needle.axis);
   const before = last?.key === key ? last.entry : null;
@@ -95,7 +95,9 @@ export class Trace {
   take(robot: RobotState, nowMs: number): void {
     const { status, motors } = robot;
     const last = this.rows.at(-1);
-    const line = lineOf(robot, last?.line);
+    const isGap = nowMs - this.takenMs > STALE_MS;
+    // In a gap another plan may have come and gone.
+    const line = lineOf(robot, isGap ? undefined : last?.line);
     // Its counter wraps.
     const wayS = ((motors.time_us - this.timeUs) >>> 0) / US_PER_S;
     if (status.boot_id !== this.bootId || last === undefined) {
@@ -103,7 +105,7 @@ export class Trace {
       this.bootId = status.boot_id;
     } else if (wayS === 0) {
       return; // Control stands still.
-    } else if (nowMs - this.takenMs > STALE_MS) {
+    } else if (isGap) {
       const timeS = last.timeS + wayS / 2;
       this.rows.push({ timeS, axes: null, forces: new Map(), line });
     }

@@ -202,6 +202,11 @@ test("SWR-CON-700 no membrane stands where the entry point is not known", () => 
   takeInsertion(18, null, 1);
   rerender(<ForcePlots needle={needle} trace={trace} />);
   expect(marks()).toEqual({});
+  takeInsertion(18, 4);
+  timeUs += 5_000_000;
+  takeInsertion(18, null);
+  rerender(<ForcePlots needle={needle} trace={trace} />);
+  expect(marks()).toEqual({});
 });
 
 test("SWR-CON-611 a doubtful force is a gap, and no number", () => {
