@@ -2,6 +2,7 @@
 #include "motion/vibration.h"
 
 #include "base/fixed.h"
+#include "limits/requirement_limits.h"
 #include "motion/ramp.h"
 
 /* A stroke and the rest before it. */
@@ -44,7 +45,7 @@ static vibration_point_t stroke_at(const vibration_law_t *law, uint32_t cycle)
 vibration_point_t vibration_at(const vibration_law_t *law, uint32_t cycle)
 {
     vibration_point_t point = {.is_over = true};
-    if ((cycle < train_cycles(law)) && (law->stroke_cycles <= VIBRATION_MOST_CYCLES)) {
+    if ((cycle < train_cycles(law)) && (law->stroke_cycles <= LIMIT_VIBRATION_STROKE_CYCLES)) {
         const uint32_t leg = cycle / leg_cycles(law);
         const uint32_t in_leg = cycle % leg_cycles(law);
         const uint32_t in_stroke = (in_leg > law->dwell_cycles) ? (in_leg - law->dwell_cycles) : 0U;

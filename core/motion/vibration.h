@@ -20,9 +20,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** The longest stroke. */
-#define VIBRATION_MOST_CYCLES 256U
-
 /** The set-point of a cycle. */
 typedef struct {
     int32_t behind_ticks;         /**< Way behind the place where it began, 0..amplitude. */
@@ -32,7 +29,8 @@ typedef struct {
 
 /**
  * @param cycle since the train began, from 0 on; the first rest comes first
- * @return the set-point; of a law without periods, or with a stroke that is too long, it is over
+ * @return the set-point; of a law without periods, or with a stroke of more than
+ * LIMIT_VIBRATION_STROKE_CYCLES, it is over
  *
  * @satisfies SWR-VIB-701
  * @satisfies SWR-VIB-702

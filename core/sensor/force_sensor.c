@@ -78,7 +78,7 @@ static void add(force_readings_t *readings, uint32_t count)
     readings->squares += count * count;
 }
 
-/* A hand whose reading never changes could not be told from a sensor that is stuck. */
+/* A sensor that is stuck looks like a hand of which the reading never changes. */
 static void doubt_quiet_hand(force_channel_t *hand)
 {
     if ((hand->noise_q8 <= LIMIT_FORCE_STILL_NOISE) && force_channel_is_believed(hand)) {

@@ -15,11 +15,11 @@ module Robot
     MS_PER_S = 1000
     CYCLE_MS = Limit.of('cycle_us') / 1000
     AMPLITUDE_MM = (0.01..(Limit.of('vibration_most_um') / UM_PER_MM.to_f))
-    # A stroke of 256 cycles is the longest (VIBRATION_MOST_CYCLES).
-    FREQUENCY_HZ = (2..20)
+    # The lowest frequency has no longer stroke than there may be.
+    FREQUENCY_HZ = ((MS_PER_S / (2.0 * Limit.of('vibration_stroke_cycles') * CYCLE_MS)).ceil..20)
     PERIODS = (1..10)
 
-    # Of vibration_law_t, as C writes them.
+    # The values of the fields of vibration_law_t, as C writes them.
     attr_reader :values
 
     # `node`: nil without. `needle`: its Axis.

@@ -91,7 +91,7 @@ class LoopBounds
     value(entry)
   end
 
-  # Of an array of structures in the source of the loop: the braces that open in those of the array.
+  # The number of rows in an array of structures: the braces that open inside those of the array.
   def rows(file, array)
     body = source(file).join[/ #{array}\[\] = \{\n(.*?)^\};/m, 1] || raise(Refused, "no array #{array} in #{file}")
     depth = 0

@@ -17,7 +17,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What the needle does. */
+/** Stage of an insertion by hand. */
 typedef enum {
     COOPERATE_FOLLOWS = 0, /**< It follows the hand. */
     COOPERATE_BRAKES = 1,  /**< A puncture was found: its set-point comes to rest. */

@@ -53,6 +53,13 @@ class TestRobotHand < Minitest::Test
     assert_includes compile(slow).last, '.vibration = {.amplitude_ticks = 166U, .stroke_cycles = 130U'
   end
 
+  def assert_refused(old, new, reason)
+    assert_includes WHOLE, old
+    status, errors, = compile(WHOLE.sub(old, new))
+    assert_equal 1, status
+    assert_match(/robot\.yml:#{LINE}: .*#{Regexp.escape(reason)}/, errors)
+  end
+
   VIBRATION_REFUSALS = {
     'more than 0.1 mm' => ['amplitude_mm: 0.07', 'amplitude_mm: 0.101', 'hand.vibration.amplitude_mm: is 0.101; expected 0.01 to 0.1'],
     'strokes above the acceleration of the axis' =>
@@ -63,10 +70,7 @@ class TestRobotHand < Minitest::Test
 
   VIBRATION_REFUSALS.each do |what, (old, new, reason)|
     define_method("test_SWR_VIB_706_refuses_#{what.tr(' .', '_')}") do
-      assert_includes WHOLE, old
-      status, errors, = compile(WHOLE.sub(old, new))
-      assert_equal 1, status
-      assert_match(/robot\.yml:#{LINE}: .*#{Regexp.escape(reason)}/, errors)
+      assert_refused(old, new, reason)
     end
   end
 
@@ -88,10 +92,7 @@ class TestRobotHand < Minitest::Test
 
   REFUSALS.each do |what, (old, new, reason)|
     define_method("test_SWR_COOP_010_refuses_#{what.tr(' ', '_')}") do
-      assert_includes WHOLE, old
-      status, errors, = compile(WHOLE.sub(old, new))
-      assert_equal 1, status
-      assert_match(/robot\.yml:#{LINE}: .*#{Regexp.escape(reason)}/, errors)
+      assert_refused(old, new, reason)
     end
   end
 

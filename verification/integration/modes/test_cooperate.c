@@ -23,7 +23,7 @@
 #define DEADBAND_TICKS 10.0   /* Of the axis, a count, and what homing is inexact by. */
 #define LONG_CYCLES 60000U
 #define FILTERED_CYCLES 30U /* From a hand that lets go to a force below the dead zone. */
-#define STILL_TICKS 2       /* What a motor runs on for after it was switched off. */
+#define STILL_TICKS 2       /* Way that a motor runs on after it was switched off. */
 #define TICKS_PER_MM 1666.67
 #define SWING_TRIALS (ARE_SCENES_WHOLE ? 500U : 60U)
 #define SWING_CYCLES 500U

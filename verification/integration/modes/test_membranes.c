@@ -33,20 +33,11 @@
 static const command_t cooperate = {.kind = (uint32_t)COMMAND_COOPERATE};
 
 static rig_t rig;
-static rig_t ready;
-static bool is_ready = false;
 static uint32_t pushed; /* Cycles since the hand has begun to push. */
 
-/* Aligned once and copied. */
 void setUp(void)
 {
-    if (!is_ready) {
-        by_hand_align(&ready, ENTRY_Z_NM, TARGET_Z_NM);
-        by_hand_zero(&ready);
-        is_ready = true;
-    }
-    rig = ready;
-    rig_forget(&rig);
+    by_hand_start(&rig, ENTRY_Z_NM, TARGET_Z_NM);
 }
 
 void tearDown(void)
@@ -197,7 +188,7 @@ void test_SWR_PUNCT_610_a_needle_that_goes_in_anew_has_all_of_them_ahead(void)
     TEST_ASSERT_EQUAL_UINT32(0U, shown()->unexpected);
 }
 
-/* Of two boxes with the same hand and tissue, one has a controller that is blinded each cycle. No
+/* Two boxes have the same hand and tissue, and the controller of one is blinded in each cycle. No
  * vibration answers a puncture. */
 void test_SWR_PUNCT_611_the_same_drives_whatever_was_found(void)
 {
@@ -495,7 +486,7 @@ void test_SWR_PUNCT_617_the_least_fall_comes_from_the_noise_of_the_zeroing(void)
     begin();
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(LIMIT_MEMBRANE_LEAST_MN, shown()->least_fall_mn);
-    rig = ready;
+    setUp();
     sim_phantom_file_t phantom = rig.box.force.phantom;
     phantom.cells[SIM_CELL_NEEDLE].noise_n = 0.1;
     box_force_lay(&rig.box.force, &phantom);

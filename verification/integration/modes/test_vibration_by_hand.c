@@ -23,7 +23,7 @@
 #define GRIP_MN 800
 #define TICKS_PER_MM 1666.67
 #define TICKS_PER_UM (TICKS_PER_MM / 1000.0)
-#define STILL_TICKS 3.0 /* What a motor runs on for after it was switched off. */
+#define STILL_TICKS 3.0 /* Way that a motor runs on after it was switched off. */
 #define PUSH_CYCLES 5000U
 #define FILTERED_CYCLES 30U /* From a hand that lets go to a force below the dead zone. */
 #define BEGUN_CYCLES 60U    /* After a puncture its stroke has surely begun. */
@@ -38,29 +38,20 @@ typedef struct {
     bool was_on;
     bool has_begun; /* The set-point has gone back. */
     double begin_ticks;
-    double deepest_ticks; /* Of all, against where each began. */
+    double deepest_ticks; /* The largest way beyond where one began. */
     double farthest_ticks;
     double ended_ticks; /* The largest distance between end and beginning of one that was whole. */
     uint32_t count;
 } witness_t;
 
 static rig_t rig;
-static rig_t ready;
-static bool is_ready = false;
 static uint32_t pushed;
 static witness_t witness;
 static uint64_t random_state;
 
-/* Aligned once and copied. */
 void setUp(void)
 {
-    if (!is_ready) {
-        by_hand_align(&ready, ENTRY_Z_NM, TARGET_Z_NM);
-        by_hand_zero(&ready);
-        is_ready = true;
-    }
-    rig = ready;
-    rig_forget(&rig);
+    by_hand_start(&rig, ENTRY_Z_NM, TARGET_Z_NM);
     witness = (witness_t){0};
 }
 

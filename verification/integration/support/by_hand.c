@@ -43,6 +43,17 @@ void by_hand_align(rig_t *rig, int32_t entry_z_nm, int32_t target_z_nm)
     rig_cycles(rig, 500U);
 }
 
+void by_hand_start(rig_t *rig, int32_t entry_z_nm, int32_t target_z_nm)
+{
+    static rig_t ready;
+    if (ready.box.robot == NULL) {
+        by_hand_align(&ready, entry_z_nm, target_z_nm);
+        by_hand_zero(&ready);
+    }
+    *rig = ready;
+    rig_forget(rig);
+}
+
 void by_hand_enter(rig_t *rig)
 {
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(rig, WORKPHASE_MOVE_TO_TARGET).status);

@@ -17,6 +17,9 @@ void by_hand_align(rig_t *rig, int32_t entry_z_nm, int32_t target_z_nm);
 /** The force sensor is zeroed. */
 void by_hand_zero(rig_t *rig);
 
+/** Aligned and zeroed: once in a program, of which all tests name the same z, and copied. */
+void by_hand_start(rig_t *rig, int32_t entry_z_nm, int32_t target_z_nm);
+
 /** MOVE_TO_TARGET is entered, and the hand is seen off. */
 void by_hand_enter(rig_t *rig);
 

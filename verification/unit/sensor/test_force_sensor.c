@@ -84,7 +84,7 @@ void test_SWR_FORCE_572_both_channels_are_zeroed_by_as_many_readings(void)
     TEST_ASSERT_EQUAL_INT32(0, sensor.sealed.force_mn[NEEDLE]);
 }
 
-/* Of a needle that rests in air nothing else is asked; it may stand still. */
+/* A needle that rests in air may stand still. */
 void test_SWR_FORCE_700_a_hand_that_does_not_tremble_is_doubted(void)
 {
     zero_but_one(1U);
