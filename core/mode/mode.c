@@ -110,7 +110,6 @@ void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *res
         run(self, kind, frame, result);
     } else {
         leg_stop(&self->sealed.leg);
-        steer_stop(&self->sealed.steer);
         trajectory_mode_pause(&self->sealed.trajectory);
         if (kind == MODE_COOPERATE) {
             cooperate_mode_pause(&self->request.own.cooperate);

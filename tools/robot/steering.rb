@@ -20,6 +20,7 @@ module Robot
     FULL_PERCENT = 100
     UM_PER_MM = 1000.0
     TURN_STEPS = 720
+    MARGIN_TICKS = 17
     WIDTH_RAD = Math::PI / 3 # c of core/motion/curv.h
 
     # Of steering_law_t, as C writes them.
@@ -36,6 +37,7 @@ module Robot
     def read(node, axes)
       about = axes.index { |axis| axis['needle'] == 'about' }
       node.refuse('is of a robot without an axis about the needle; expected one') unless about
+      refuse_short(node, axes[about])
       nodes = node.mapping(%w[curvature_per_m alpha])
       curvatures = points(nodes['curvature_per_m'], CURVATURE_PER_M, PER_KM)
       alphas = points(nodes['alpha'], ALPHA, ONE_Q16)
@@ -46,6 +48,14 @@ module Robot
       percent = needle_percent(axes.find(&:needle?), axes[about], [alpha, alphas.last].min)
       @values = { 'axis' => "#{about}U", 'points' => "#{curvatures.size}U", 'most_per_km' => "#{most}U", 'needle_percent' => "#{percent}U",
                   'curvature_per_km' => filled(curvatures), 'alpha_q16' => filled(alphas) }
+    end
+
+    # A whole turn, and beyond each end the ramp of a rotation that turns back, with some counts (core/mode/leg/steer.c).
+    def refuse_short(node, axis)
+      run_out = (Rational(axis['speed_ticks_per_s']**2, 2 * axis['acceleration_ticks_per_s2'])).ceil + MARGIN_TICKS
+      least = (2 * Math::PI * axis['ticks_per_unit']).ceil + (2 * run_out)
+      range = axis['maximum_ticks'] - axis['minimum_ticks']
+      node.refuse("needs #{least} ticks of #{axis['name']}, which has #{range}; expected one turn and two ramps") if range < least
     end
 
     def points(node, range, scale)

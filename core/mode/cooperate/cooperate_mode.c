@@ -145,39 +145,49 @@ static card_drive_t vibrate(cooperate_mode_t *self, const mode_frame_t *frame, u
                        point.speed_ticks_per_s_q8, frame->elapsed_us);
 }
 
+/* Without its rotation it rests where it is. */
 static card_drive_t drive_needle(cooperate_mode_t *self, const move_mode_t *move,
-                                 const mode_frame_t *frame, uint32_t index)
+                                 const mode_frame_t *frame, uint32_t index, bool may_go_in)
 {
-    choose_stage(self, frame, index);
-    return (self->stage == (uint32_t)COOPERATE_VIBRATES) ? vibrate(self, frame, index)
-                                                         : push(self, move, frame, index);
+    card_drive_t drive;
+    if (cooperate_mode_is_stroke(self)) {
+        drive = vibrate(self, frame, index);
+    } else if (may_go_in) {
+        drive = push(self, move, frame, index);
+    } else {
+        self->rest = 0;
+        drive = axis_rest(&frame->axes[index], frame->elapsed_us);
+    }
+    return drive;
 }
 
-/* What the axes but the needle do: only the rotation of one that is steered turns. */
+/* What the axes but the needle do: only the rotation of one that is steered turns, while a hand pushes:
+ * the permit stands against every drive otherwise. */
 static bool drive_others(const move_mode_t *move, steer_t *steer, const mode_frame_t *frame,
                          mode_result_t *result)
 {
     const bool is_steered = steering_is_on(&move->steering);
+    const bool is_turning = is_steered && (asked_q8(frame) > 0);
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         if ((i != frame->robot->needle_axis) &&
-            !(is_steered && (i == frame->robot->steering.axis))) {
+            !(is_turning && (i == frame->robot->steering.axis))) {
             result->requests[i] = axis_rest(&frame->axes[i], frame->elapsed_us);
         }
     }
-    return !is_steered || steer_step(steer, &move->steering, frame, result);
+    bool may_go_in = !is_steered;
+    if (is_turning) {
+        may_go_in = steer_step(steer, &move->steering, frame, result);
+    }
+    return may_go_in;
 }
 
 static void go(cooperate_mode_t *self, const move_mode_t *move, steer_t *steer,
                const mode_frame_t *frame, mode_result_t *result)
 {
     const uint32_t needle = frame->robot->needle_axis;
+    choose_stage(self, frame, needle);
     const bool may_go_in = drive_others(move, steer, frame, result);
-    if (may_go_in || cooperate_mode_is_stroke(self)) {
-        result->requests[needle] = drive_needle(self, move, frame, needle);
-    } else {
-        self->rest = 0;
-        result->requests[needle] = axis_rest(&frame->axes[needle], frame->elapsed_us);
-    }
+    result->requests[needle] = drive_needle(self, move, frame, needle, may_go_in);
     /* At its depth, and the set-point rests. */
     if ((left_ticks(move, frame->robot, frame->axes) <=
          (int64_t)frame->robot->axes[needle].deadband_ticks) &&

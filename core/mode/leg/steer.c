@@ -47,7 +47,9 @@ static void begin(steer_t *self, const axis_config_t *config, const steering_t *
     const int64_t low = (int64_t)config->minimum_ticks + run_out_ticks(config);
     const int64_t high = (int64_t)config->maximum_ticks - run_out_ticks(config);
     const int64_t first = (int64_t)ticks_of(config, (int64_t)steering->direction_bam);
-    int64_t middle = first + (turn * fixed_divide_rounded((int64_t)from_ticks - first, turn));
+    const int64_t near =
+        fixed_within((int64_t)from_ticks, low + (turn / 2), high - (turn / 2)) - first;
+    int64_t middle = first + (turn * fixed_divide_rounded(near, turn));
     middle += ((middle - (turn / 2)) < low) ? turn : 0;
     middle -= ((middle + (turn / 2)) > high) ? turn : 0;
     int64_t down = middle - (turn / 2);

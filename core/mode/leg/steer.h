@@ -26,7 +26,8 @@ typedef struct {
 /** Share of its speed that the needle has while it is steered, percent, within that of the permit. */
 uint32_t steer_needle_percent(const mode_frame_t *frame);
 
-/** It begins anew, from where the axis is then. */
+/** It begins anew, from where the axis is then. Without it a rotation that has rested goes on as it did
+ * before: so no pause changes over which angles the needle has advanced. */
 void steer_stop(steer_t *self);
 
 /**
