@@ -111,8 +111,8 @@ bool mode_is_by_hand(mode_kind_t kind);
 bool mode_is_vibrating(const mode_state_t *self, mode_kind_t kind);
 
 /**
- * The needle must not go deeper in `kind`, which was begun last: it is steered, its rotation does not
- * follow its law, and what it does is no stroke of a vibration.
+ * The needle must not go deeper in `kind`, which was begun last: it is steered, its rotation does
+ * not follow its law, and what it does is no stroke of a vibration.
  *
  * @satisfies SWR-STEER-006
  */

@@ -190,9 +190,9 @@ typedef struct {
 
 /** How far the needle is bent by its rotation (robot/steering.h). All 0: it is not steered. */
 typedef struct {
-    uint32_t axis;        /**< Index of the axis that turns it. */
-    uint32_t points;      /**< Of the table that are used, 2..ROBOT_STEERING_POINTS. */
-    uint32_t most_per_km; /**< Largest curvature: that of the slowest drive of the axis. */
+    uint32_t axis;           /**< Index of the axis that turns it. */
+    uint32_t points;         /**< Of the table that are used, 2..ROBOT_STEERING_POINTS. */
+    uint32_t most_per_km;    /**< Largest curvature: that of the slowest drive of the axis. */
     uint32_t needle_percent; /**< Share of its speed with which the needle goes in: at the largest
                                 curvature by LIMIT_STEERING_ADVANCE_UM in a turn. */
     uint32_t curvature_per_km[ROBOT_STEERING_POINTS]; /**< 1 / radius; from 0, each larger than the

@@ -15,7 +15,8 @@ uint32_t steering_alpha_q16(const steering_law_t *law, uint32_t curvature_per_km
         const uint32_t low = law->curvature_per_km[i - 1U];
         const uint32_t high = law->curvature_per_km[i];
         if (curvature_per_km >= low) {
-            const uint32_t into = (curvature_per_km < high) ? (curvature_per_km - low) : (high - low);
+            const uint32_t into =
+                (curvature_per_km < high) ? (curvature_per_km - low) : (high - low);
             const uint32_t rise = law->alpha_q16[i] - law->alpha_q16[i - 1U];
             alpha_q16 = law->alpha_q16[i - 1U] + ((rise * into) / (high - low));
         }
@@ -38,8 +39,8 @@ status_t steering_set(steering_t *self, const steering_law_t *law, uint32_t meth
         self->method = method;
         self->curvature_per_km = curvature_per_km;
         self->direction_deg = direction_deg;
-        self->direction_bam = fixed_wrap_bam(
-            fixed_divide_rounded((int64_t)direction_deg * TURN_BAM, TURN_DEG));
+        self->direction_bam =
+            fixed_wrap_bam(fixed_divide_rounded((int64_t)direction_deg * TURN_BAM, TURN_DEG));
         self->alpha_q16 = steering_alpha_q16(law, curvature_per_km);
     } else {
         /* It is not steered. */

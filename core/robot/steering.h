@@ -18,8 +18,8 @@
 typedef struct {
     uint32_t method;           /**< steering_method_t. */
     uint32_t curvature_per_km; /**< Of the path: 1 / radius, 0..steering_law_t's most. */
-    int32_t direction_deg;    /**< Of the rotation's axis, at which the bevel bends the needle the
-                                  way that is wanted; as it was sent, */
+    int32_t direction_deg;     /**< Of the rotation's axis, at which the bevel bends the needle the
+                                   way that is wanted; as it was sent, */
     int32_t direction_bam;     /**< and wrapped. */
     uint32_t alpha_q16;        /**< Strength for that curvature, 0..most_alpha_q16. */
 } steering_t;

@@ -8,8 +8,8 @@
 
 static bool is_near(const axis_config_t *config, const axis_t *axis)
 {
-    const int64_t lag_ticks = (int64_t)axis->sealed.setpoint_ticks -
-                              (int64_t)axis->sealed.encoder.position_ticks;
+    const int64_t lag_ticks =
+        (int64_t)axis->sealed.setpoint_ticks - (int64_t)axis->sealed.encoder.position_ticks;
     return !joints_is_beyond(config, fixed_magnitude(lag_ticks), 0U, LIMIT_STEERING_LAG_BAM);
 }
 

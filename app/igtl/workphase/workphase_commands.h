@@ -66,8 +66,8 @@ const workphase_command_t *workphase_commands_find(const igtl_message_t *message
  * way from where it stands. VELOCITY has axes, each with a speed and mm/s or deg/s, then the time
  * and s. SWEEP has an axis, and FREE if the operator has confirmed that it is. PROBE has each
  * length of the robot's probe once, by its name and then mm within +-2000, in any order. MEMBRANES
- * has depths below the entry point in mm, or nothing. STEER has NONE, or another method, a curvature
- * with /m and a direction with deg.
+ * has depths below the entry point in mm, or nothing. STEER has NONE, or another method, a
+ * curvature with /m and a direction with deg.
  *
  * @return as its reader; STATUS_WRONG_UNIT for a number without the unit of its axis;
  * STATUS_OUT_OF_RANGE also beyond IGTL_TEXT_MAX characters

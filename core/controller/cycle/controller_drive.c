@@ -78,8 +78,8 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
         .is_needle_in = ((view->heeding_needle & bit) != 0U) &&
                         needle_forbids_jog(cycle->robot, self->axes, index,
                                            is_on && motor_model_is_upwards(config, request)),
-        .is_unsteered = ((view->unsteered & bit) != 0U) && is_on &&
-                        motor_model_is_upwards(config, request),
+        .is_unsteered =
+            ((view->unsteered & bit) != 0U) && is_on && motor_model_is_upwards(config, request),
     };
     return permit_decide(&view->common, &facts);
 }
@@ -226,10 +226,10 @@ void controller_drive(controller_t *self, const cycle_t *cycle, uint32_t guards,
     gather_sent(self, sent);
     if (facts.is_armed) {
         view.heeding_needle = mode_heeding_needle(&self->mode, kind, cycle->robot, view.driven);
-        view.unsteered = (mode_waits_for_rotation(&self->mode, kind, cycle->robot, self->axes)
-                              ? (uint32_t)1U
-                              : (uint32_t)0U)
-                         << (cycle->robot->needle_axis % ROBOT_AXIS_MAX);
+        view.unsteered =
+            (mode_waits_for_rotation(&self->mode, kind, cycle->robot, self->axes) ? (uint32_t)1U
+                                                                                  : (uint32_t)0U)
+            << (cycle->robot->needle_axis % ROBOT_AXIS_MAX);
     }
     if (!facts.is_memory_damaged) {
         view.at_coupled_limit = coupled_guard_blocks(cycle->robot, &view.axes);

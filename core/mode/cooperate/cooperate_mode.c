@@ -60,8 +60,8 @@ static int64_t most_q8(const cooperate_mode_t *self, const move_mode_t *move,
     const uint32_t percent = steering_is_on(&move->steering) ? steer_needle_percent(frame)
                                                              : frame->speed_cap_percent[index];
     const int64_t wanted_q8 = cooperate_mode_is_vibrating(self) ? 0 : asked_q8(frame);
-    const int64_t axis_q8 = fixed_divide_by(
-        (int64_t)config->speed_ticks_per_s * 256 * (int64_t)percent, 100U);
+    const int64_t axis_q8 =
+        fixed_divide_by((int64_t)config->speed_ticks_per_s * 256 * (int64_t)percent, 100U);
     return fixed_within(wanted_q8, 0, axis_q8);
 }
 
@@ -88,8 +88,8 @@ static int64_t next_q8(const cooperate_mode_t *self, const move_mode_t *move,
 }
 
 /* No rest of the way is made up for once the hand has let go: the set-point is the position. */
-static card_drive_t push(cooperate_mode_t *self, const move_mode_t *move,
-                         const mode_frame_t *frame, uint32_t index)
+static card_drive_t push(cooperate_mode_t *self, const move_mode_t *move, const mode_frame_t *frame,
+                         uint32_t index)
 {
     axis_t *const axis = &frame->axes[index];
     const int64_t speed_q8 = next_q8(self, move, frame, index);
@@ -161,8 +161,8 @@ static card_drive_t drive_needle(cooperate_mode_t *self, const move_mode_t *move
     return drive;
 }
 
-/* What the axes but the needle do: only the rotation of one that is steered turns, while a hand pushes:
- * the permit stands against every drive otherwise. */
+/* What the axes but the needle do: only the rotation of one that is steered turns, while a hand
+ * pushes: the permit stands against every drive otherwise. */
 static bool drive_others(const move_mode_t *move, steer_t *steer, const mode_frame_t *frame,
                          mode_result_t *result)
 {

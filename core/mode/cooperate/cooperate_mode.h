@@ -4,8 +4,8 @@
  * Cooperative insertion: the hand on the handle moves the needle towards its depth at the target,
  * as fast as it pushes (motion/admittance.h), and never back but to vibrate: a puncture stops the
  * needle, which then goes back and forward again a few times (motion/vibration.h), while the hand
- * still pushes and is not followed. All other axes rest but the rotation of a needle that is steered,
- * for which a push waits as an insertion does. A design of this project after thesis 5.5,
+ * still pushes and is not followed. All other axes rest but the rotation of a needle that is
+ * steered, for which a push waits as an insertion does. A design of this project after thesis 5.5,
  * which names the mode and gives no law.
  */
 #ifndef BORESIGHT_COOPERATE_MODE_H

@@ -38,8 +38,8 @@ static int64_t run_out_ticks(const axis_config_t *config)
            MARGIN_TICKS;
 }
 
-/* Whole turns about the direction, of which the one in the middle is the nearest to the axis that has room for all:
- * one, or as many as the range of the axis holds. */
+/* Whole turns about the direction, of which the one in the middle is the nearest to the axis that
+ * has room for all: one, or as many as the range of the axis holds. */
 static void begin(steer_t *self, const axis_config_t *config, const steering_t *steering,
                   int32_t from_ticks)
 {
@@ -94,8 +94,8 @@ bool steer_step(steer_t *self, const steering_t *steering, const mode_frame_t *f
     }
     const int64_t speed_q8 = (int64_t)self->heading * next_q8(self, steering, frame, index);
     const int32_t place = ramp_place(axis->sealed.setpoint_ticks, speed_q8, &self->rest);
-    result->requests[index] = axis_follow(axis, &frame->robot->axes[index], place,
-                                          (int32_t)speed_q8, frame->elapsed_us);
+    result->requests[index] =
+        axis_follow(axis, &frame->robot->axes[index], place, (int32_t)speed_q8, frame->elapsed_us);
     if (speed_q8 == 0) {
         self->heading = -self->heading;
     }

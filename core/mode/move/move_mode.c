@@ -84,8 +84,7 @@ static void insert_steered(const move_mode_t *self, leg_t *leg, steer_t *steer,
         if (leg->is_running == 0U) {
             mode_frame_t slow;
             (void)memcpy(&slow, frame, sizeof slow);
-            slow.speed_cap_percent[frame->robot->needle_axis] =
-                steer_needle_percent(frame);
+            slow.speed_cap_percent[frame->robot->needle_axis] = steer_needle_percent(frame);
             leg_begin(leg, &slow, LEG_EVERY_AXIS & ~LEG_AXIS(rotation), self->target_ticks);
             leg->lent = LEG_AXIS(rotation);
         }

@@ -26,7 +26,8 @@
 #define TICKS_PER_MM 1666.67
 #define DEADBAND_TICKS 10 /* Of the axis, and what it counts meanwhile. */
 #define PER_KM 1200U
-/* The law's average over a turn at the strength of 1.2 per m, 0.833: of cos(d), weighted by time. */
+/* The law's average over a turn at the strength of 1.2 per m, 0.833: of cos(d), weighted by time.
+ */
 #define SHARE 0.415
 #define SHARE_OFF 0.05
 #define PUSH_MN 3000

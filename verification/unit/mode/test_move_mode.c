@@ -109,7 +109,7 @@ void test_SWR_MOTION_002_an_axis_that_is_not_aligned_lets_the_needle_be_retracte
         for (uint32_t axis = 0U; axis < robot.axis_count; axis++) {
             world_start();
             leg = (leg_t){.axes = 0U};
-    steer = (steer_t){0};
+            steer = (steer_t){0};
             for (uint32_t i = 0U; i < robot.axis_count; i++) {
                 world_put(i, move.target_ticks[i]);
             }

@@ -64,10 +64,10 @@ void test_SWR_STEER_001_it_wraps_on_both_sides_and_over_turns(void)
     for (uint32_t i = 0U; i < (sizeof rows / sizeof rows[0]); i++) {
         const double at_rad = rows[i].at_deg * TURN_RAD / 360.0;
         const double direction_rad = rows[i].direction_deg * TURN_RAD / 360.0;
-        const steering_t steering = {
-            .method = (uint32_t)STEERING_BIDIRECTIONAL,
-            .direction_bam = (int32_t)(uint32_t)(int64_t)lround(rows[i].direction_deg / 360.0 * TURN_BAM),
-            .alpha_q16 = 52429U};
+        const steering_t steering = {.method = (uint32_t)STEERING_BIDIRECTIONAL,
+                                     .direction_bam = (int32_t)(uint32_t)(int64_t)lround(
+                                         rows[i].direction_deg / 360.0 * TURN_BAM),
+                                     .alpha_q16 = 52429U};
         const int32_t ticks = (int32_t)lround(at_rad * 265.27);
         const double true_rad = (double)ticks / 265.27;
         const double expected = law(0.8, true_rad - direction_rad) * 1285.0;

@@ -37,8 +37,9 @@ static void expect_none(void)
 
 void test_SWR_STEER_004_the_strength_is_that_of_the_points_and_straight_between_them(void)
 {
-    static const uint32_t rows[][2] = {{0U, 0U},        {1U, 32U},       {500U, 16384U}, {1000U, 32768U},
-                                       {1250U, 40960U}, {2000U, 65536U}, {9999U, 65536U}};
+    static const uint32_t rows[][2] = {{0U, 0U},        {1U, 32U},       {500U, 16384U},
+                                       {1000U, 32768U}, {1250U, 40960U}, {2000U, 65536U},
+                                       {9999U, 65536U}};
     for (uint32_t i = 0U; i < (sizeof rows / sizeof rows[0]); i++) {
         TEST_ASSERT_EQUAL_UINT32(rows[i][1], steering_alpha_q16(&law, rows[i][0]));
     }
@@ -58,12 +59,14 @@ void test_SWR_STEER_004_no_point_is_read_beyond_the_table(void)
 void test_SWR_STEER_004_the_published_points_are_those_of_the_robot(void)
 {
     TEST_ASSERT_EQUAL_UINT32(52429U, steering_alpha_q16(&robot_prostate.steering, 1000U)); /* 0.8 */
-    TEST_ASSERT_EQUAL_UINT32(62259U, steering_alpha_q16(&robot_prostate.steering, 2200U)); /* 0.95 */
+    TEST_ASSERT_EQUAL_UINT32(62259U,
+                             steering_alpha_q16(&robot_prostate.steering, 2200U)); /* 0.95 */
 }
 
 void test_SWR_STEER_002_what_is_wanted_is_taken(void)
 {
-    TEST_ASSERT_EQUAL(STATUS_OK, steering_set(&steering, &law, (uint32_t)STEERING_UNIDIRECTIONAL, 1500U, -90));
+    TEST_ASSERT_EQUAL(STATUS_OK,
+                      steering_set(&steering, &law, (uint32_t)STEERING_UNIDIRECTIONAL, 1500U, -90));
     TEST_ASSERT_TRUE(steering_is_on(&steering));
     TEST_ASSERT_EQUAL_UINT32(STEERING_UNIDIRECTIONAL, steering.method);
     TEST_ASSERT_EQUAL_UINT32(1500U, steering.curvature_per_km);
@@ -76,7 +79,8 @@ void test_SWR_STEER_002_a_direction_counts_as_the_angle_that_it_looks_like(void)
 {
     static const int32_t turns_deg[] = {450, 90, -270};
     for (uint32_t i = 0U; i < (sizeof turns_deg / sizeof turns_deg[0]); i++) {
-        TEST_ASSERT_EQUAL(STATUS_OK, steering_set(&steering, &law, (uint32_t)STEERING_BIDIRECTIONAL, 0U, turns_deg[i]));
+        TEST_ASSERT_EQUAL(STATUS_OK, steering_set(&steering, &law, (uint32_t)STEERING_BIDIRECTIONAL,
+                                                  0U, turns_deg[i]));
         TEST_ASSERT_EQUAL_INT32(1073741824, steering.direction_bam);
     }
 }
@@ -89,10 +93,13 @@ void test_SWR_STEER_002_none_is_taken_whatever_stands_beside_it(void)
 
 void test_SWR_STEER_002_what_cannot_be_is_refused(void)
 {
-    TEST_ASSERT_EQUAL(STATUS_STEERING_CURVATURE, steering_set(&steering, &law, (uint32_t)STEERING_BIDIRECTIONAL, 1501U, 0));
+    TEST_ASSERT_EQUAL(STATUS_STEERING_CURVATURE,
+                      steering_set(&steering, &law, (uint32_t)STEERING_BIDIRECTIONAL, 1501U, 0));
     expect_none();
-    TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND, steering_set(&steering, &law, STEERING_METHOD_COUNT, 1U, 0));
+    TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND,
+                      steering_set(&steering, &law, STEERING_METHOD_COUNT, 1U, 0));
     expect_none();
-    TEST_ASSERT_EQUAL(STATUS_NO_STEERING, steering_set(&steering, &robot_neuro.steering, (uint32_t)STEERING_BIDIRECTIONAL, 1U, 0));
+    TEST_ASSERT_EQUAL(STATUS_NO_STEERING, steering_set(&steering, &robot_neuro.steering,
+                                                       (uint32_t)STEERING_BIDIRECTIONAL, 1U, 0));
     expect_none();
 }

@@ -27,8 +27,8 @@ void setUp(void)
     for (uint32_t i = 0U; i < robot_prostate.axis_count; i++) {
         axis_init(&axes[i]);
     }
-    (void)steering_set(&steering, &robot_prostate.steering, (uint32_t)STEERING_BIDIRECTIONAL,
-                       1000U, 90);
+    (void)steering_set(&steering, &robot_prostate.steering, (uint32_t)STEERING_BIDIRECTIONAL, 1000U,
+                       90);
 }
 
 void tearDown(void)

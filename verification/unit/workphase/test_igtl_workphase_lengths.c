@@ -238,12 +238,16 @@ void test_SWR_STEER_010_steering_is_passed_on_and_the_result_is_reported(void)
 
 void test_SWR_STEER_010_no_steering_is_refused_and_not_passed_on(void)
 {
-    static const char *const wrong[] = {
-        "BIDIRECTIONAL 1.2 /m 90",       "BIDIRECTIONAL 1.2 90 deg",
-        "BIDIRECTIONAL -0.1 /m 90 deg",  "BIDIRECTIONAL 21 /m 90 deg",
-        "BIDIRECTIONAL 1.2 /m 361 deg",  "BIDIRECTIONAL nan /m 90 deg",
-        "BIDIRECTIONAL 1.2 /m 90 deg 1", "NONE 1.2 /m 90 deg",
-        "BOTH 1.2 /m 90 deg",            ""};
+    static const char *const wrong[] = {"BIDIRECTIONAL 1.2 /m 90",
+                                        "BIDIRECTIONAL 1.2 90 deg",
+                                        "BIDIRECTIONAL -0.1 /m 90 deg",
+                                        "BIDIRECTIONAL 21 /m 90 deg",
+                                        "BIDIRECTIONAL 1.2 /m 361 deg",
+                                        "BIDIRECTIONAL nan /m 90 deg",
+                                        "BIDIRECTIONAL 1.2 /m 90 deg 1",
+                                        "NONE 1.2 /m 90 deg",
+                                        "BOTH 1.2 /m 90 deg",
+                                        ""};
 
     for (uint32_t i = 0U; i < (sizeof wrong / sizeof wrong[0]); i++) {
         say(0U, "STEER", wrong[i]);
