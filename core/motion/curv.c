@@ -6,6 +6,7 @@
 
 #define SEGMENTS 64U
 #define SEGMENT_BITS 25U /* Half a turn has 2^31 bam. */
+#define SEGMENT_MASK 0x1FFFFFFU
 #define ONE_Q16 65536
 
 /* exp(-d^2 / (2 c^2)) at d = n / 64 of half a turn, c = 60 degrees, 16 fraction bits. */
@@ -23,23 +24,24 @@ static int64_t bell_at(int32_t away_bam)
     const uint32_t place = (uint32_t)(away >> SEGMENT_BITS);
     int64_t value = (int64_t)bell_q16[SEGMENTS];
     if (place < SEGMENTS) {
-        const int64_t into = (int64_t)(away & ((UINT64_C(1) << SEGMENT_BITS) - 1U));
+        const uint32_t below = (uint32_t)away & SEGMENT_MASK;
+        const int64_t into = (int64_t)below;
         const int64_t fall = (int64_t)bell_q16[place] - (int64_t)bell_q16[place + 1U];
         value = (int64_t)bell_q16[place] - fixed_shift_rounded(fall * into, SEGMENT_BITS);
     }
     return value;
 }
 
-uint32_t curv_share_q16(uint32_t alpha_q16, int32_t away_bam)
+/* Of the whole speed, 0..65536. */
+static int64_t share_q16(uint32_t alpha_q16, int32_t away_bam)
 {
     const int64_t alpha = fixed_within((int64_t)alpha_q16, 0, ONE_Q16);
-    return (uint32_t)(ONE_Q16 - fixed_shift_rounded(alpha * bell_at(away_bam), 16U));
+    return ONE_Q16 - fixed_shift_rounded(alpha * bell_at(away_bam), 16U);
 }
 
 int64_t curv_speed_q8(const axis_config_t *config, const steering_t *steering, int32_t ticks)
 {
     const int32_t away_bam =
         fixed_wrap_bam(joints_value(config, ticks) - (int64_t)steering->direction_bam);
-    const int64_t share_q16 = (int64_t)curv_share_q16(steering->alpha_q16, away_bam);
-    return ((int64_t)config->speed_ticks_per_s * share_q16) / 256;
+    return ((int64_t)config->speed_ticks_per_s * share_q16(steering->alpha_q16, away_bam)) / 256;
 }

@@ -20,18 +20,10 @@
 #include <stdint.h>
 
 /**
- * @param alpha_q16 0..65536
- * @param away_bam  theta - theta_d, wraps
- * @return w / w_most, 0..65536, within 20 / 65536
- *
- * @satisfies SWR-STEER-001
- */
-uint32_t curv_share_q16(uint32_t alpha_q16, int32_t away_bam);
-
-/**
  * The speed of the law where the rotation's axis stands at `ticks`, at its whole speed.
  *
- * @return ticks/s, 8 fraction bits, 0 or more
+ * @return ticks/s, 8 fraction bits, 0 or more; the share of the whole speed is within 20 / 65536,
+ * and that of a strength above 1 is taken for 1
  *
  * @satisfies SWR-STEER-001
  */

@@ -31,17 +31,8 @@ static inline bool steering_is_on(const steering_t *self)
 }
 
 /**
- * Strength for a curvature: between two points of the needle's table along a straight line.
- *
- * @param curvature_per_km at most that of the last point; more is taken for that
- * @return 0..65536, 16 fraction bits; 0 of a law without points
- *
- * @satisfies SWR-STEER-004
- */
-uint32_t steering_alpha_q16(const steering_law_t *law, uint32_t curvature_per_km);
-
-/**
- * Makes `self` of what is wanted.
+ * Makes `self` of what is wanted: the strength lies between two points of the needle's table on a
+ * straight line.
  *
  * @param direction_deg any angle of the rotation's axis, degrees
  * @return STATUS_OK; STATUS_NO_STEERING of a robot whose file says nothing of it;
@@ -49,6 +40,7 @@ uint32_t steering_alpha_q16(const steering_law_t *law, uint32_t curvature_per_km
  * that the needle would be bent so much. What is refused leaves `self` all zero.
  *
  * @satisfies SWR-STEER-002
+ * @satisfies SWR-STEER-004
  */
 status_t steering_set(steering_t *self, const steering_law_t *law, uint32_t method,
                       uint32_t curvature_per_km, int32_t direction_deg);

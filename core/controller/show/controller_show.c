@@ -455,11 +455,11 @@ static void show_steering(const controller_t *self, const cycle_t *cycle, mode_k
     shown->steering_curvature_per_km = steering->curvature_per_km;
     shown->steering_direction_deg = steering->direction_deg;
     shown->steering_most_per_km = cycle->robot->steering.most_per_km;
-    shown->is_rotation_awaited =
-        (procedure_is_moving(&self->procedure) &&
-         mode_waits_for_rotation(&self->mode, kind, cycle->robot, self->axes))
-            ? 1U
-            : 0U;
+    shown->is_rotation_awaited = 0U;
+    if (procedure_is_moving(&self->procedure) &&
+        mode_waits_for_rotation(&self->mode, kind, cycle->robot, self->axes)) {
+        shown->is_rotation_awaited = 1U;
+    }
 }
 
 void controller_look_ahead(controller_t *self, const cycle_t *cycle, uint32_t guards)

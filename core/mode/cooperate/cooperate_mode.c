@@ -156,7 +156,8 @@ static card_drive_t drive_needle(cooperate_mode_t *self, const move_mode_t *move
         drive = push(self, move, frame, index);
     } else {
         self->rest = 0;
-        drive = axis_rest(&frame->axes[index], frame->elapsed_us);
+        axis_t *const axis = &frame->axes[index];
+        drive = axis_rest(axis, frame->elapsed_us);
     }
     return drive;
 }
@@ -169,9 +170,10 @@ static bool drive_others(const move_mode_t *move, steer_t *steer, const mode_fra
     const bool is_steered = steering_is_on(&move->steering);
     const bool is_turning = is_steered && (asked_q8(frame) > 0);
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
+        axis_t *const axis = &frame->axes[i];
         if ((i != frame->robot->needle_axis) &&
             !(is_turning && (i == frame->robot->steering.axis))) {
-            result->requests[i] = axis_rest(&frame->axes[i], frame->elapsed_us);
+            result->requests[i] = axis_rest(axis, frame->elapsed_us);
         }
     }
     bool may_go_in = !is_steered;

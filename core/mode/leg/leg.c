@@ -106,9 +106,10 @@ bool leg_step(leg_t *self, const mode_frame_t *frame, mode_result_t *result)
 {
     profile_step(&self->profile);
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
+        axis_t *const axis = &frame->axes[i];
         if ((self->lent & LEG_AXIS(i)) == 0U) {
-            result->requests[i] = has_axis(self, i) ? follow(self, frame, i)
-                                                    : axis_rest(&frame->axes[i], frame->elapsed_us);
+            result->requests[i] =
+                has_axis(self, i) ? follow(self, frame, i) : axis_rest(axis, frame->elapsed_us);
         }
     }
     self->settled_cycles = is_at_end(self, frame) ? (self->settled_cycles + 1U) : 0U;

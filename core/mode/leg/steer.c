@@ -62,7 +62,10 @@ static void begin(steer_t *self, const axis_config_t *config, const steering_t *
     self->high_ticks = fixed_saturate(up);
     self->run_out_ticks = fixed_saturate(run_out_ticks(config));
     self->rest = 0;
-    self->heading = (from_ticks < self->high_ticks) ? 1 : -1;
+    self->heading = 1;
+    if (from_ticks >= self->high_ticks) {
+        self->heading = -1;
+    }
 }
 
 /* Speed of the set-point in this cycle; its place does not pass the end that it goes to. */

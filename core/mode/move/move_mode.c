@@ -66,8 +66,9 @@ void move_mode_go(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame
 static void hold_others(const mode_frame_t *frame, uint32_t rotation, mode_result_t *result)
 {
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
+        axis_t *const axis = &frame->axes[i];
         if (i != rotation) {
-            result->requests[i] = axis_rest(&frame->axes[i], frame->elapsed_us);
+            result->requests[i] = axis_rest(axis, frame->elapsed_us);
         }
     }
 }

@@ -18,6 +18,8 @@
 #define WITHIN 20.0
 #define STEP_BAM 3000017 /* Some 1400 angles of a turn. */
 
+/* A tick is a bam, and the speed in 8 fraction bits the share. */
+static const axis_config_t plain = {.unit_per_tick_q16 = 65536, .speed_ticks_per_s = 256};
 static const axis_config_t *const rotation = &robot_prostate.axes[PROSTATE_AXIS_ROTATION];
 
 void setUp(void)
@@ -26,6 +28,13 @@ void setUp(void)
 
 void tearDown(void)
 {
+}
+
+static int64_t share_of(uint32_t alpha_q16, int32_t away)
+{
+    const steering_t steering = {.method = (uint32_t)STEERING_BIDIRECTIONAL,
+                                 .alpha_q16 = alpha_q16};
+    return curv_speed_q8(&plain, &steering, away);
 }
 
 /* `away` from the direction, radians. */
@@ -41,7 +50,7 @@ void test_SWR_STEER_001_the_speed_is_that_of_the_law_at_every_angle(void)
         for (int64_t away = INT32_MIN; away <= INT32_MAX; away += STEP_BAM) {
             const double expected =
                 law((double)alpha_q16 / ONE, ((double)away / TURN_BAM) * TURN_RAD) * ONE;
-            const double share = (double)curv_share_q16(alpha_q16, (int32_t)away);
+            const double share = (double)share_of(alpha_q16, (int32_t)away);
             TEST_ASSERT_TRUE(fabs(share - expected) <= WITHIN);
         }
     }
@@ -50,8 +59,8 @@ void test_SWR_STEER_001_the_speed_is_that_of_the_law_at_every_angle(void)
 /* No error of the caller makes it turn the other way. */
 void test_SWR_STEER_001_a_strength_beyond_one_is_taken_for_one(void)
 {
-    TEST_ASSERT_EQUAL_UINT32(0U, curv_share_q16(65536U, 0));
-    TEST_ASSERT_EQUAL_UINT32(0U, curv_share_q16(UINT32_MAX, 0));
+    TEST_ASSERT_EQUAL_INT64(0, share_of(65536U, 0));
+    TEST_ASSERT_EQUAL_INT64(0, share_of(UINT32_MAX, 0));
 }
 
 /* At 10 degrees with a direction of 350 the angle is 20, and not 340. */
