@@ -502,7 +502,8 @@ static bool is_moving_to_target(const rig_t *rig)
            (rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING);
 }
 
-/* The end is that of a profile; a hand moves the needle without one, and hand_watch.h judges that. */
+/* The end is that of a profile; a hand moves the needle without one, and hand_watch.h judges that.
+ */
 static void judge_beyond(motion_oracle_t *self, const rig_t *rig)
 {
     const profile_t *const profile = &rig->controller.mode.sealed.leg.profile;
