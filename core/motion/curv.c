@@ -2,12 +2,14 @@
 #include "motion/curv.h"
 
 #include "base/fixed.h"
+#include "limits/requirement_limits.h"
 #include "robot/joints.h"
 
 #define SEGMENTS 64U
 #define SEGMENT_BITS 25U /* Half a turn has 2^31 bam. */
 #define SEGMENT_MASK 0x1FFFFFFU
 #define ONE_Q16 65536
+#define PERCENT 100U
 
 /* exp(-d^2 / (2 c^2)) at d = n / 64 of half a turn, c = 60 degrees, 16 fraction bits. */
 static const int32_t bell_q16[SEGMENTS + 1U] = {
@@ -43,5 +45,6 @@ int64_t curv_speed_q8(const axis_config_t *config, const steering_t *steering, i
 {
     const int32_t away_bam =
         fixed_wrap_bam(joints_value(config, ticks) - (int64_t)steering->direction_bam);
-    return ((int64_t)config->speed_ticks_per_s * share_q16(steering->alpha_q16, away_bam)) / 256;
+    const int64_t most = (int64_t)config->speed_ticks_per_s * (int64_t)LIMIT_STEERING_SPEED_PERCENT;
+    return fixed_divide_by(most * share_q16(steering->alpha_q16, away_bam), PERCENT * 256U);
 }

@@ -20,9 +20,11 @@
 #include <stdint.h>
 
 /**
- * The speed of the law where the rotation's axis stands at `ticks`, at its whole speed.
+ * The speed of the law where the rotation's axis stands at `ticks`; its most is
+ * LIMIT_STEERING_SPEED_PERCENT of the highest speed of the axis, which has to catch up now and
+ * then.
  *
- * @return ticks/s, 8 fraction bits, 0 or more; the share of the whole speed is within 20 / 65536,
+ * @return ticks/s, 8 fraction bits, 0 or more; its share of that most is within 20 / 65536,
  * and that of a strength above 1 is taken for 1
  *
  * @satisfies SWR-STEER-001

@@ -70,11 +70,16 @@ module Robot
       (values + ([0] * (MOST_POINTS - values.size))).map { |value| "#{value}U" }
     end
 
+    # The most of the law.
+    def most_speed(axis)
+      Rational(axis['speed_ticks_per_s'] * Limit.of('steering_speed_percent'), FULL_PERCENT)
+    end
+
     # The strength at which the axis has its slowest speed where it is slowest.
     def slowest_alpha(axis)
       curve = axis['speed_curve'].first
       share = curve.zero? ? Rational(Drive::SLOWEST_PERCENT, FULL_PERCENT) : Rational(curve, Drive::CURVE_FULL)
-      slowest = share * axis['full_speed_ticks_per_s'] / axis['speed_ticks_per_s']
+      slowest = share * axis['full_speed_ticks_per_s'] / most_speed(axis)
       [1 - slowest, 0].max * ONE_Q16
     end
 
@@ -84,7 +89,7 @@ module Robot
         away = ((step + 0.5) / TURN_STEPS * 2 * Math::PI) - Math::PI
         1 / (1 - (alpha / ONE_Q16.to_f * Math.exp(-(away**2) / (2 * (WIDTH_RAD**2)))))
       end
-      turn_s = steps / TURN_STEPS * 2 * Math::PI * axis['ticks_per_unit'] / axis['speed_ticks_per_s']
+      turn_s = steps / TURN_STEPS * 2 * Math::PI * axis['ticks_per_unit'] / most_speed(axis)
       most_mm_per_s = Limit.of('steering_advance_um') / UM_PER_MM / turn_s
       (most_mm_per_s * needle['ticks_per_unit'] / needle['speed_ticks_per_s'] * FULL_PERCENT).floor.clamp(1, FULL_PERCENT)
     end
