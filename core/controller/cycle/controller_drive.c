@@ -226,10 +226,9 @@ void controller_drive(controller_t *self, const cycle_t *cycle, uint32_t guards,
     gather_sent(self, sent);
     if (facts.is_armed) {
         view.heeding_needle = mode_heeding_needle(&self->mode, kind, cycle->robot, view.driven);
-        view.unsteered =
-            (mode_waits_for_rotation(&self->mode, kind, cycle->robot, self->axes) ? (uint32_t)1U
-                                                                                  : (uint32_t)0U)
-            << (cycle->robot->needle_axis % ROBOT_AXIS_MAX);
+    }
+    if (facts.is_armed && mode_waits_for_rotation(&self->mode, kind, cycle->robot, self->axes)) {
+        view.unsteered = (uint32_t)1U << (cycle->robot->needle_axis % ROBOT_AXIS_MAX);
     }
     if (!facts.is_memory_damaged) {
         view.at_coupled_limit = coupled_guard_blocks(cycle->robot, &view.axes);

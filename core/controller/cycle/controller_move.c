@@ -87,8 +87,19 @@ static bool is_hand_doubtful(const controller_t *self, const mode_frame_t *frame
            (!frame->hand.is_trusted || robot_is_force_damaged(frame->robot));
 }
 
+/* A steering is forgotten with its target, whatever has taken that. */
+static void note_unsteered(controller_t *self, const cycle_t *cycle)
+{
+    const bool is_steered = steering_is_on(&self->plan.steering);
+    if (!is_steered && (self->sealed.is_steered != 0U)) {
+        controller_note(self, cycle, EVENT_STEERING_FORGOTTEN, 0U, 0);
+    }
+    self->sealed.is_steered = is_steered ? 1U : 0U;
+}
+
 void controller_move(controller_t *self, const cycle_t *cycle, mode_result_t *result)
 {
+    note_unsteered(self, cycle);
     follow_pedal(self, cycle);
     mode_frame_t frame;
     fill_frame(self, cycle, controller_is_homed(self), &frame);

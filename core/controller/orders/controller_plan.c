@@ -228,6 +228,7 @@ status_t controller_obey_steer(controller_t *self, const cycle_t *cycle, const c
                             sent->direction_deg);
     }
     if (status == STATUS_OK) {
+        self->sealed.is_steered = 0U;  /* What it was before is not forgotten, but replaced. */
         self->sealed.has_arrived = 0U; /* What has been steered otherwise stands elsewhere. */
         controller_note(self, cycle, EVENT_STEERING_TAKEN, self->plan.steering.method,
                         (int32_t)self->plan.steering.curvature_per_km);

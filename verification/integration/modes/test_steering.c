@@ -221,4 +221,15 @@ void test_SWR_STEER_009_another_target_is_not_steered_to(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, steer(STEERING_BIDIRECTIONAL, PER_KM, 90));
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &target).status);
     TEST_ASSERT_EQUAL_UINT32(STEERING_NONE, rig.outputs.snapshot.steering_method);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_STEERING_FORGOTTEN));
+}
+
+void test_SWR_STEER_009_a_needle_that_was_steered_and_no_more_is_reported_once(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, steer(STEERING_BIDIRECTIONAL, PER_KM, 90));
+    rig_cycles(&rig, 3U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, steer(STEERING_NONE, 0U, 0));
+    rig_cycles(&rig, 3U);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_STEERING_TAKEN));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_STEERING_FORGOTTEN));
 }
