@@ -90,11 +90,15 @@ static bool is_hand_doubtful(const controller_t *self, const mode_frame_t *frame
 /* A steering is forgotten with its target, whatever has taken that. */
 static void note_unsteered(controller_t *self, const cycle_t *cycle)
 {
-    const bool is_steered = steering_is_on(&self->plan.steering);
-    if (!is_steered && (self->sealed.is_steered != 0U)) {
+    const uint32_t was_steered = self->sealed.is_steered;
+    self->sealed.is_steered = 0U;
+    if (steering_is_on(&self->plan.steering)) {
+        self->sealed.is_steered = 1U;
+    } else if (was_steered != 0U) {
         controller_note(self, cycle, EVENT_STEERING_FORGOTTEN, 0U, 0);
+    } else {
+        /* It goes straight, as before. */
     }
-    self->sealed.is_steered = is_steered ? 1U : 0U;
 }
 
 void controller_move(controller_t *self, const cycle_t *cycle, mode_result_t *result)

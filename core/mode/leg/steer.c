@@ -16,7 +16,7 @@ uint32_t steer_needle_percent(const mode_frame_t *frame)
 {
     const uint32_t cap = frame->speed_cap_percent[frame->robot->needle_axis];
     const uint32_t most = frame->robot->steering.needle_percent;
-    return (most < cap) ? most : cap;
+    return (uint32_t)fixed_within((int64_t)most, 1, (int64_t)cap);
 }
 
 void steer_stop(steer_t *self)
