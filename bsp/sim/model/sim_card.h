@@ -83,6 +83,10 @@ void sim_card_receive(sim_card_t *self, const uint8_t bytes[CARD_FRAME_BYTES]);
 void sim_card_step(sim_card_t *self, const sim_encoder_t *encoder, bool is_limit_active,
                    bool is_powered);
 
+/** As `steps` of sim_card_step() while the encoder and the switch stand. */
+void sim_card_rest(sim_card_t *self, const sim_encoder_t *encoder, bool is_limit_active,
+                   bool is_powered, uint32_t steps);
+
 /** Writes the report of this moment; edges are counted from here anew. */
 void sim_card_report(sim_card_t *self, sim_encoder_t *encoder, uint8_t bytes[CARD_FRAME_BYTES]);
 
