@@ -22,6 +22,7 @@ void sim_card_init(sim_card_t *self, const axis_config_t *axis, const sim_encode
                          .limit_raw = is_limit_active,
                          .limit_debounced = is_limit_active,
                          .count = sim_encoder_count(encoder),
+                         .even_steps = SIM_CARD_SPEED_STEPS,
                          .motor_temperature_c = SIM_MOTOR_AIR_C,
                          .heat = sim_motor_heat(axis),
                          .supply_mv = SIM_CARD_SUPPLY_MV,
@@ -187,7 +188,9 @@ static bool is_overspeed(const sim_card_t *self, int32_t oldest)
 static void step_guards(sim_card_t *self, int32_t count)
 {
     const int32_t oldest = self->window[self->window_at];
+    const uint32_t even_steps = (count == self->count) ? (self->even_steps + 1U) : 1U;
 
+    self->even_steps = (even_steps < SIM_CARD_SPEED_STEPS) ? even_steps : SIM_CARD_SPEED_STEPS;
     self->count = count;
     self->window[self->window_at] = count;
     self->window_at = (self->window_at == SIM_CARD_SPEED_STEPS - 1U) ? 0U : (self->window_at + 1U);
@@ -199,6 +202,21 @@ static void step_guards(sim_card_t *self, int32_t count)
     }
     if (is_outside_guard(self)) {
         trip(self, CARD_STATUS_GUARD);
+    }
+}
+
+/* A window that holds one reading alone holds it after any number of steps. */
+static void rest_guards(sim_card_t *self, int32_t count, uint32_t steps)
+{
+    uint32_t left = steps;
+
+    while ((left > 0U) && ((self->even_steps < SIM_CARD_SPEED_STEPS) || (count != self->count))) {
+        step_guards(self, count);
+        left--;
+    }
+    if (left > 0U) {
+        step_guards(self, count);
+        self->window_at = (self->window_at + left - 1U) % SIM_CARD_SPEED_STEPS;
     }
 }
 
@@ -251,9 +269,7 @@ void sim_card_rest(sim_card_t *self, const sim_encoder_t *encoder, bool is_limit
     rest_watchdog(self, steps);
     step_limit(self, is_limit_active);
     rest_limit(self, steps - 1U);
-    for (uint32_t i = 0U; i < steps; i++) {
-        step_guards(self, sim_encoder_count(encoder));
-    }
+    rest_guards(self, sim_encoder_count(encoder), steps);
     rest_temperature(self, steps);
 }
 

@@ -48,6 +48,8 @@ typedef struct {
     int32_t count;                        /**< Encoder reading of the last step. */
     int32_t window[SIM_CARD_SPEED_STEPS]; /**< Readings of the last SIM_CARD_SPEED_WINDOW_US. */
     uint32_t window_at;
+    uint32_t
+        even_steps; /**< So many of the newest readings are `count`, all of the window at most. */
     uint32_t heartbeat;
     uint32_t rx_crc_errors;
     uint32_t sequence_gaps;
