@@ -5,6 +5,7 @@ import { isKnown } from "../state/trust";
 
 export const TRACE_S = 30;
 const US_PER_S = 1e6;
+const NM_PER_MM = 1e6;
 
 /** Quantities of an axis, in this order. */
 export const quantities = [
@@ -162,15 +163,32 @@ export class Trace {
     return this.rows.map(({ forces }) => forces.get(channel) ?? null);
   }
 
-  /** Membranes at positions of the needle's axis, one that was found where it was punctured. */
+  /** Whether the depth of the needle below the entry point is known. */
+  get hasDepth(): boolean {
+    return this.entry !== null;
+  }
+
+  /** Depth below the entry point; while that is not known, the position itself. */
+  depthOf(position: number): number {
+    return Math.round((position - (this.entry ?? 0)) * NM_PER_MM) / NM_PER_MM;
+  }
+
+  /** Of the needle by the positions of its axis, as `depthOf` has them. */
+  depths(axis: string): (number | null)[] {
+    return this.column(axis, "position").map((position) =>
+      position === null ? null : this.depthOf(position),
+    );
+  }
+
+  /** Membranes at depths below the entry point, one that was found where it was punctured. */
   membranes(): { state: Membrane["state"]; place: number }[] {
-    const { entry = null, expected = [] } = this.rows.at(-1)?.line ?? {};
-    return entry === null
-      ? []
-      : expected.map(({ state, depth_mm, found_mm }) => ({
+    const expected = this.rows.at(-1)?.line.expected ?? [];
+    return this.hasDepth
+      ? expected.map(({ state, depth_mm, found_mm }) => ({
           state,
-          place: entry + (found_mm ?? depth_mm),
-        }));
+          place: found_mm ?? depth_mm,
+        }))
+      : [];
   }
 
   /** Values `agoS` seconds before the last row, or nearest to that; null in a gap. */
@@ -214,7 +232,7 @@ export class Trace {
 
   /** Depth and force of the needle where both were known, and the hand's force beside them. */
   forceCsv(axis: string): string {
-    const depths = this.column(axis, "position");
+    const depths = this.depths(axis);
     const [hand, needle] = [this.force("HAND"), this.force("NEEDLE")];
     const lines = this.rows.flatMap(({ timeS }, index) => {
       const [depth, force] = [depths[index], needle[index]];
@@ -222,7 +240,12 @@ export class Trace {
         ? [[(timeS * 1000).toFixed(0), depth, force, hand[index] ?? ""].join()]
         : [];
     });
-    return ["time_ms,depth_mm,force_n,hand_n", ...lines, ""].join("\n");
+    const name = this.hasDepth ? "depth_mm" : "position_mm";
+    return [`time_ms,${name},force_n,hand_n`, ...lines, ""].join("\n");
+  }
+
+  private get entry(): number | null {
+    return this.rows.at(-1)?.line.entry ?? null;
   }
 
   private endS(): number {

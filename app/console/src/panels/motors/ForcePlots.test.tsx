@@ -105,12 +105,14 @@ test("SWR-CON-610 both forces are drawn over the depth", () => {
 
 test("SWR-CON-610 they are numbers at the end, and at a cursor in all plots", () => {
   show();
-  expect(reading()).toBe("Now; hand 3.00 N; needle 1.50 N; depth 20.00 mm");
+  expect(reading()).toBe(
+    "Now; hand 3.00 N; needle 1.50 N; position of the axis 20.00 mm",
+  );
   fireEvent.change(screen.getByLabelText(/^Cursor/), {
     target: { value: "-0.05" },
   });
   expect(reading()).toBe(
-    "0.05 s before; hand 1.00 N; needle 0.50 N; depth 10.00 mm",
+    "0.05 s before; hand 1.00 N; needle 0.50 N; position of the axis 10.00 mm",
   );
   const cursors = [...document.querySelectorAll(".plot")].map((plot) =>
     Number(
@@ -139,7 +141,7 @@ test("SWR-CON-610 they are saved where depth and force of the needle are known",
   const [name, , text] = vi.mocked(saveText).mock.calls.at(-1) ?? [];
   expect([name, text]).toEqual([
     "force.csv",
-    "time_ms,depth_mm,force_n,hand_n\n0,10,0.5,1\n50,20,1.5,3\n100,21,1.6,\n",
+    "time_ms,position_mm,force_n,hand_n\n0,10,0.5,1\n50,20,1.5,3\n100,21,1.6,\n",
   ]);
 });
 
@@ -165,6 +167,47 @@ function takeInsertion(depth: number, below: number | null, z = 0): void {
   robot.motors.time_us = timeUs;
   trace.take(robot, timeUs / 1000);
 }
+
+function titles(): (string | null)[] {
+  const captions = document.querySelectorAll("figcaption");
+  return [...captions].map(({ firstChild }) => firstChild?.textContent ?? null);
+}
+
+/** Words under the plot. */
+function ticks(plot: number): string[] {
+  const svg = document.querySelectorAll(".plot")[plot];
+  const found = svg?.querySelectorAll('text[text-anchor="middle"]') ?? [];
+  return [...found].map(({ textContent }) => textContent ?? "");
+}
+
+test("SWR-CON-750 once the entry point is known, each depth counts from there and says so", () => {
+  const { rerender } = show();
+  expect(titles()).toEqual([
+    "Force over time, N",
+    "Force over the position of the axis, N",
+    "The position of the axis over time, mm",
+  ]);
+  expect(ticks(OVER_DEPTH)).toContain("20 mm");
+  // It is at 14 mm of the axis, and was so for all of the curve.
+  takeInsertion(18.2, 4.2);
+  rerender(<ForcePlots needle={needle} trace={trace} />);
+  expect(titles()).toEqual([
+    "Force over time, N",
+    "Force over the depth below the entry point, N",
+    "The depth below the entry point over time, mm",
+  ]);
+  expect(ticks(OVER_DEPTH)).toContain("-5 mm");
+  expect(ticks(OVER_DEPTH)).not.toContain("20 mm");
+  expect(reading()).toContain("depth below the entry point 4.20 mm");
+  const cursor = screen.getByLabelText(/^Cursor/);
+  fireEvent.change(cursor, { target: { value: "-0.05" } });
+  expect(reading()).toContain("depth below the entry point 6.00 mm");
+  fireEvent.click(screen.getByRole("button", { name: "Save as CSV" }));
+  const [, , text] = vi.mocked(saveText).mock.calls.at(-1) ?? [];
+  expect(text).toMatch(
+    /^time_ms,depth_mm,force_n,hand_n\n0,-4,0\.5,1\n50,6,1\.5,3\n$/,
+  );
+});
 
 /** Places across of the marks, by their look. */
 function marks(): Record<string, number> {
@@ -218,7 +261,9 @@ test("SWR-CON-611 a doubtful force is a gap, and no number", () => {
   expect(drawn(OVER_TIME, "needle").map(({ length }) => length)).toEqual([4]);
   take(23, null, 1800);
   rerender(<ForcePlots needle={needle} trace={trace} />);
-  expect(reading()).toBe("Now; hand doubtful; needle 1.80 N; depth 23.00 mm");
+  expect(reading()).toBe(
+    "Now; hand doubtful; needle 1.80 N; position of the axis 23.00 mm",
+  );
 });
 
 test("SWR-CON-611 where no data came there is a gap", () => {
