@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Axis, Force, Membrane, RobotState } from "@interface";
+import type { Axis, Force, LogEntry, Membrane, RobotState } from "@interface";
 import { STALE_MS } from "../state/freshness";
 import { isKnown } from "../state/trust";
 
@@ -37,9 +37,31 @@ interface Line {
   /** Position of the needle's axis with the needle at the entry point; null until an insertion by hand has shown it. */
   entry: number | null;
   expected: readonly Membrane[];
+  /** Depths of punctures that were none of them. */
+  unexpected: readonly number[];
 }
 
-function lineOf({ status, motors, targeting }: RobotState, last?: Line): Line {
+type Log = readonly Pick<LogEntry, "name" | "value">[];
+
+/** A line across the force over depth. */
+export interface DepthMark {
+  state: Membrane["state"] | "UNEXPECTED";
+  place: number;
+}
+
+/** Those of the present or last insertion by hand are the last ones. The newest entry comes first. */
+function unexpectedOf(count: number, log: Log): number[] {
+  return log
+    .filter(({ name }) => name === "MEMBRANE_UNEXPECTED")
+    .slice(0, count)
+    .map(({ value }) => value / NM_PER_MM);
+}
+
+function lineOf(
+  { status, motors, targeting }: RobotState,
+  log: Log,
+  last?: Line,
+): Line {
   const { target, entry_mm, membranes, probe, registration } = targeting;
   const key = JSON.stringify([target, entry_mm, probe, registration]);
   const depth = membranes?.depth_mm ?? null;
@@ -47,7 +69,8 @@ function lineOf({ status, motors, targeting }: RobotState, last?: Line): Line {
   const before = last?.key === key ? last.entry : null;
   const entry =
     depth === null || needle === undefined ? before : needle.position - depth;
-  return { key, entry, expected: membranes?.expected ?? [] };
+  const { expected = [], unexpected = 0 } = membranes ?? {};
+  return { key, entry, expected, unexpected: unexpectedOf(unexpected, log) };
 }
 
 /** Forces in newton; none of a channel that is doubtful. */
@@ -92,13 +115,13 @@ export class Trace {
     return this.rows.length;
   }
 
-  /** `nowMs`: when it came. */
-  take(robot: RobotState, nowMs: number): void {
+  /** `nowMs`: when it came; `log`: the newest entry first. */
+  take(robot: RobotState, nowMs: number, log: Log = []): void {
     const { status, motors } = robot;
     const last = this.rows.at(-1);
     const isGap = nowMs - this.takenMs > STALE_MS;
     // In a gap another plan may have come and gone.
-    const line = lineOf(robot, isGap ? undefined : last?.line);
+    const line = lineOf(robot, log, isGap ? undefined : last?.line);
     // Its counter wraps.
     const wayS = ((motors.time_us - this.timeUs) >>> 0) / US_PER_S;
     if (status.boot_id !== this.bootId || last === undefined) {
@@ -180,15 +203,20 @@ export class Trace {
     );
   }
 
-  /** Membranes at depths below the entry point, one that was found where it was punctured. */
-  membranes(): { state: Membrane["state"]; place: number }[] {
-    const expected = this.rows.at(-1)?.line.expected ?? [];
-    return this.hasDepth
-      ? expected.map(({ state, depth_mm, found_mm }) => ({
-          state,
-          place: found_mm ?? depth_mm,
-        }))
-      : [];
+  /**
+   * Membranes at depths below the entry point, one that was found where it was punctured, and punctures that were not
+   * expected.
+   */
+  membranes(): DepthMark[] {
+    const { expected = [], unexpected = [] } = this.rows.at(-1)?.line ?? {};
+    const marks: DepthMark[] = [
+      ...expected.map(({ state, depth_mm, found_mm }) => ({
+        state,
+        place: found_mm ?? depth_mm,
+      })),
+      ...unexpected.map((place) => ({ state: "UNEXPECTED" as const, place })),
+    ];
+    return this.hasDepth ? marks : [];
   }
 
   /** Values `agoS` seconds before the last row, or nearest to that; null in a gap. */

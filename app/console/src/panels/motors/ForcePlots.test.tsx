@@ -3,9 +3,9 @@
 // saved.
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import type { Force } from "@interface";
+import type { Force, LogEntry } from "@interface";
 import { saveText } from "../../words/download";
-import { makeAxis, makeForce, makeRobot } from "../../testing/robot";
+import { makeAxis, makeEntry, makeForce, makeRobot } from "../../testing/robot";
 import { Trace } from "../../words/trace";
 import { ForcePlots } from "./ForcePlots";
 
@@ -145,8 +145,23 @@ test("SWR-CON-610 they are saved where depth and force of the needle are known",
   ]);
 });
 
+/** The newest one first; that at 1 mm is of another insertion. */
+const log = [
+  ["MEMBRANE_UNEXPECTED", 8_000_000],
+  ["MEMBRANE_FOUND", 6_000_000],
+  ["MEMBRANE_UNEXPECTED", 2_500_000],
+  ["MEMBRANE_UNEXPECTED", 1_000_000],
+].map(([name, value]) =>
+  makeEntry(1, { name: name as LogEntry["name"], value: Number(value) }),
+);
+
 /** The needle is at `depth`, which is so far `below` the entry point. */
-function takeInsertion(depth: number, below: number | null, z = 0): void {
+function takeInsertion(
+  depth: number,
+  below: number | null,
+  z = 0,
+  unexpected = 0,
+): void {
   const axis = makeAxis("insertion", { position: depth });
   const robot = makeRobot({ forces: [makeForce({})] }, [axis]);
   robot.targeting.entry_mm = [0, 0, z];
@@ -157,7 +172,7 @@ function takeInsertion(depth: number, below: number | null, z = 0): void {
       { depth_mm: 16, found_mm: null, state: "AHEAD" },
     ],
     left: 1,
-    unexpected: 0,
+    unexpected,
     sight: "OFF",
     says: "",
     depth_mm: below,
@@ -165,7 +180,7 @@ function takeInsertion(depth: number, below: number | null, z = 0): void {
   };
   timeUs += 50_000;
   robot.motors.time_us = timeUs;
-  trace.take(robot, timeUs / 1000);
+  trace.take(robot, timeUs / 1000, log);
 }
 
 function titles(): (string | null)[] {
@@ -235,6 +250,23 @@ test("SWR-CON-700 membranes stand in the force over depth, one that was found wh
   takeInsertion(10, null);
   rerender(<ForcePlots needle={needle} trace={trace} />);
   expect(Object.keys(marks())).toHaveLength(3);
+});
+
+test("SWR-CON-754 punctures that were not expected stand in the force over depth", () => {
+  takeInsertion(24, 10, 0, 2);
+  show();
+  const curve = drawn(OVER_DEPTH, "needle")[0]!;
+  const perMm = (curve[1]![0] - curve[0]![0]) / 10;
+  const places = [...document.querySelectorAll(".plot .plot-mark-unexpected")]
+    .map((mark) => /^M([\d.]+),/.exec(mark.getAttribute("d") ?? "")?.[1])
+    .filter((place) => place !== undefined);
+  // 20 mm of the axis are 6 mm below the entry point.
+  expect(
+    places.map((place) => (Number(place) - curve[1]![0]) / perMm + 6),
+  ).toEqual([expect.closeTo(8, 1), expect.closeTo(2.5, 1)]);
+  expect(document.querySelector(".plots-kinds")?.textContent).toContain(
+    "unexpected puncture",
+  );
 });
 
 test("SWR-CON-700 no membrane stands where the entry point is not known", () => {

@@ -56,6 +56,7 @@ function Reading({ needle, plots }: { needle: Needle; plots: Shown }) {
  * @satisfies SWR-CON-610
  * @satisfies SWR-CON-700
  * @satisfies SWR-CON-750
+ * @satisfies SWR-CON-754
  */
 export function ForcePlots({
   needle,
@@ -79,9 +80,12 @@ export function ForcePlots({
     cursor: agoS === null ? null : -agoS,
     onCursor: setCursor,
   };
-  const marks = shown
-    .membranes()
-    .map(({ state, place }) => ({ look: words(state).toLowerCase(), place }));
+  const marks = shown.membranes().map((mark) => {
+    const look = words(mark.state).toLowerCase();
+    const label =
+      mark.state === "UNEXPECTED" ? "unexpected puncture" : `membrane ${look}`;
+    return { look, label, place: mark.place };
+  });
   const there = agoS === null ? null : shown.at(needle.axis, agoS);
   return (
     <>
