@@ -502,10 +502,14 @@ static bool is_moving_to_target(const rig_t *rig)
            (rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING);
 }
 
+/* The end is that of a profile; a hand moves the needle without one, and hand_watch.h judges that.
+ */
 static void judge_beyond(motion_oracle_t *self, const rig_t *rig)
 {
     const profile_t *const profile = &rig->controller.mode.sealed.leg.profile;
-    for (uint32_t i = 0U; (i < rig->box.robot->axis_count) && is_moving_to_target(rig); i++) {
+    const bool is_by_profile =
+        is_moving_to_target(rig) && (rig->controller.mode.sealed.kind != (uint32_t)MODE_COOPERATE);
+    for (uint32_t i = 0U; (i < rig->box.robot->axis_count) && is_by_profile; i++) {
         const int32_t way = profile->end_ticks[i] - profile->start_ticks[i];
         const int32_t beyond = rig->outputs.snapshot.axes[i].position_ticks - profile->end_ticks[i];
         const int32_t over = (way > 0) ? beyond : -beyond;
