@@ -76,6 +76,7 @@ const workphase_command_t *workphase_commands_find(const igtl_message_t *message
  * @satisfies SWR-IGTL-074
  * @satisfies SWR-POSE-006
  * @satisfies SWR-PROBE-006
+ * @satisfies SWR-IGTL-756
  * @satisfies SWR-PUNCT-619
  * @satisfies SWR-STEER-010
  * @satisfies SWR-SWEEP-013

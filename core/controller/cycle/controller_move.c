@@ -29,6 +29,7 @@ static void feel(controller_t *self, const cycle_t *cycle, mode_frame_t *frame)
     if (cycle->robot->force.is_there != 0U) {
         const bool goes_on =
             procedure_is_moving(&self->procedure) &&
+            !force_channel_is_still(&self->force.sealed.channels[FORCE_CHANNEL_HAND]) &&
             !mode_wants_hand_off(&self->mode, mode_in(&self->mode, frame->workphase));
         hand->force_mn = hand_guard_step(&self->sealed.hand_guard, &cycle->robot->hand, hand,
                                          goes_on, cycle->inputs->elapsed_us);

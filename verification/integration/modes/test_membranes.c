@@ -276,6 +276,53 @@ void test_SWR_PUNCT_612_an_insertion_that_was_stopped_has_missed_nothing(void)
     TEST_ASSERT_EQUAL_UINT32(1U, shown()->left);
 }
 
+/* Below the entry point, with the target known. */
+static int32_t needle_um(void)
+{
+    const double left_ticks = (double)rig.controller.plan.target_ticks[BY_HAND_NEEDLE] -
+                              (double)rig_position(&rig, BY_HAND_NEEDLE);
+    return (int32_t)(((double)(TARGET_Z_NM - ENTRY_Z_NM) - (left_ticks * 600.0)) / 1000.0);
+}
+
+/* One is behind the needle by more than the window, and the next is still to be punctured. */
+void test_SWR_PUNCT_752_a_membrane_that_another_mode_has_passed_is_not_missed(void)
+{
+    const int32_t depths_um[] = {NOWHERE_UM, SECOND_UM, 59900};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(3U, depths_um));
+    by_hand_enter(&rig);
+    rig_press(&rig);
+    for (uint32_t i = 0U; (i < LONG_CYCLES) && (needle_um() < (SECOND_UM - (2 * NEAR_UM))); i++) {
+        rig_cycle(&rig);
+    }
+    rig_release(&rig);
+    rig_cycles(&rig, BY_HAND_OFF_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(3U, shown()->left);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, cooperate).status);
+    rig_press(&rig);
+    pushed = 0U;
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, finish());
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANE_PASSED));
+    TEST_ASSERT_EQUAL_UINT32(1U, event_of(EVENT_MEMBRANE_PASSED, 0U)->subject);
+    TEST_ASSERT_EQUAL_INT32(NOWHERE_UM * 1000, event_of(EVENT_MEMBRANE_PASSED, 0U)->value);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_PASSED, shown()->membranes[0].state);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_FOUND, shown()->membranes[1].state);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_MISSED, shown()->membranes[2].state);
+}
+
+void test_SWR_PUNCT_752_nor_is_one_that_was_passed_with_a_doubtful_force(void)
+{
+    const int32_t depths_um[] = {NOWHERE_UM, 59900};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(2U, depths_um));
+    begin();
+    insert_to(NOWHERE_UM - NEAR_UM);
+    rig_box(&rig, "force needle broken");
+    (void)finish();
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_PASSED));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANE_MISSED));
+}
+
 void test_SWR_PUNCT_613_it_is_blind_at_rest_and_says_so(void)
 {
     TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_OFF, shown()->sight);

@@ -404,6 +404,47 @@ void test_SWR_VIB_704_scanner_emergency_stop_and_doubt_end_it(void)
     }
 }
 
+/* Where the last event of the kind says that it was. */
+static int32_t last_um(event_id_t id)
+{
+    int32_t depth_um = INT32_MIN;
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        depth_um = (rig.events[i].id == (uint32_t)id) ? (rig.events[i].value / 1000) : depth_um;
+    }
+    return depth_um;
+}
+
+static uint32_t cuts(void)
+{
+    return rig_count(&rig, EVENT_VIBRATION_CUT);
+}
+
+void test_SWR_VIB_753_each_that_begins_is_in_the_log(void)
+{
+    insert();
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_VIBRATION_BEGUN));
+    TEST_ASSERT_EQUAL_UINT32(0U, cuts());
+}
+
+void test_SWR_VIB_753_one_that_is_ended_is_in_the_log_whatever_ends_it(void)
+{
+    static const char *const ends[] = {"hand release", "pedal release", "scanner on",
+                                       "force hand broken"};
+    for (uint32_t i = 0U; i < (sizeof ends / sizeof ends[0]); i++) {
+        setUp();
+        begin_vibration();
+        TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_VIBRATION_BEGUN));
+        TEST_ASSERT_EQUAL_UINT32(0U, cuts());
+        const int32_t there_um = rig.outputs.snapshot.membranes.depth_um;
+        rig_box(&rig, ends[i]);
+        rig_cycles(&rig, 2U * FILTERED_CYCLES);
+        TEST_ASSERT_EQUAL_UINT32(1U, cuts());
+        TEST_ASSERT_INT32_WITHIN((int32_t)LIMIT_VIBRATION_MOST_UM, there_um,
+                                 last_um(EVENT_VIBRATION_CUT));
+        TEST_ASSERT_GREATER_OR_EQUAL_INT32(there_um, last_um(EVENT_VIBRATION_BEGUN));
+    }
+}
+
 /* It pushes hardest just behind the membrane, as it has braced itself against a needle that stood.
  */
 void test_SWR_VIB_703_a_hand_that_never_lets_go_leads_it_nowhere_afterwards(void)

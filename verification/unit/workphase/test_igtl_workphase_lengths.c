@@ -2,7 +2,8 @@
 /**
  * @file
  * Rule under test: the length of a needle is only compared with that of the robot; lengths of a
- * probe and depths of membranes go to the controller, and the result back.
+ * probe, depths of membranes and the zeroing of the force sensor go to the controller, and the
+ * result back.
  */
 #include "igtl/dialect/igtl_dialect.h"
 #include "igtl/dialect/igtl_requests.h"
@@ -254,4 +255,17 @@ void test_SWR_STEER_010_no_steering_is_refused_and_not_passed_on(void)
         EXPECT_BEGIN(0U, "STATUS STEER ");
         expect_no_command();
     }
+void test_SWR_IGTL_756_the_force_sensor_is_zeroed_and_the_result_is_reported(void)
+{
+    say(0U, "ZERO_FORCE", "");
+    pass_us(0U);
+    expect_command(COMMAND_ZERO_FORCE, 0U);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
+    EXPECT(0U, "STATUS ZERO_FORCE 1 MOVE_TO_TARGET|");
+    say(0U, "CMD_1", "ZERO_FORCE");
+    EXPECT(0U, "STRING ACK_1 ZERO_FORCE");
+    pass_us(0U);
+    expect_command(COMMAND_ZERO_FORCE, 0U);
+    answer_to(&command, ANSWER_REFUSED, STATUS_NEEDLE_IN, 1U);
+    EXPECT_BEGIN(0U, "STATUS ZERO_FORCE 13 MOVE_TO_TARGET|NEEDLE_IN: ");
 }
