@@ -18,6 +18,7 @@ import { mayCommand, obstacleOf, type Operation } from "../../state/operation";
 import { HoldButton } from "../../parts/HoldButton";
 import { BoxFaults } from "./BoxFaults";
 import { BoxForce, Grip } from "./BoxForce";
+import { BoxNeedle } from "./BoxNeedle";
 import { hasForceSensor } from "./force";
 import "./Box.css";
 
@@ -247,6 +248,13 @@ function Open({
             <Levels {...properties} box={box} />
             <Group name="Lamps" state={litOf(box)} />
           </div>
+          {box.needle !== null && (
+            <BoxNeedle
+              hands={hands}
+              needle={box.needle}
+              isDisabled={isDisabled}
+            />
+          )}
           <details>
             <summary>Gate, probe and faults</summary>
             <div className="box-groups">
