@@ -74,7 +74,7 @@ class TestHttpForce < Minitest::Test
     assert_in_delta 0, needle['way'].last['y_mm'], 1e-9
     jog(anna, 70)
     wait_until('the tip is shown 3.3 mm off its line') { (needle['way'].last['y_mm'] + 3.271).abs < 0.02 }
-    assert_equal [3.2, -2.4], needle['target'].values_at('x_mm', 'y_mm')
+    needle['target'].values_at('x_mm', 'y_mm', 'depth_mm').zip([2.4, -1.8, 102]) { |seen, expected| assert_in_delta expected, seen, 0.01 }
     assert_operator needle['image']['number'], :>, 0
     assert_includes boresight.simctl('needle', 'show'), 'off the line at 69.8'
     boresight.simctl('tissue', 'none')
