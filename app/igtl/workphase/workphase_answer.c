@@ -42,6 +42,8 @@ static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t
         return "WITHDRAW_ENTRY";
     case COMMAND_MEMBRANES:
         return "MEMBRANES";
+    case COMMAND_STEER:
+        return "STEER";
     case COMMAND_PROBE:
         return "PROBE";
     default:

@@ -212,6 +212,32 @@ class TestHttpForce < Minitest::Test
     assert_replayed
   end
 
+  def steer(anna, method, curvature_per_km, direction_deg)
+    anna.act('targeting/steering', { method:, curvature_per_km:, direction_deg: })
+  end
+
+  def steering
+    fetch_json('/api/v1/targeting').then do |targeting|
+      [targeting['steering_method']['name'], *targeting.values_at('steering_curvature_per_km', 'steering_direction_deg')]
+    end
+  end
+
+  def test_SWR_STEER_012_a_needle_is_steered_to_its_target_by_http
+    anna = holder
+    prepare(anna, 22, 52)
+    assert_answer '409', 'STEERING_CURVATURE', steer(anna, 'BIDIRECTIONAL', 5000, 0)
+    assert_answer '200', 'done', steer(anna, 'BIDIRECTIONAL', 1200, -90)
+    assert_described '/api/v1/targeting/steering', 'POST', anna.last
+    assert_equal ['BIDIRECTIONAL', 1200, -90], steering
+    enter(anna, 'MOVE_TO_TARGET')
+    turned = []
+    under_pedal(anna, 'needle/insert') { turned << axis('rotation')['position'] }
+    assert_operator turned.min, :<, -200
+    assert_operator turned.max, :>, 20
+    assert_in_delta 52, fetch_json('/api/v1/targeting')['scanner_treatment'][11], 0.05
+    assert_replayed
+  end
+
   def assert_replayed
     text, = Open3.capture2e(Boresight.program('boresight-replay'), boresight.recording_files.last)
     assert_match(/^\d{3,} of .* cycles replayed, their outputs equal/, text)
