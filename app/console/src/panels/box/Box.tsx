@@ -248,13 +248,7 @@ function Open({
             <Levels {...properties} box={box} />
             <Group name="Lamps" state={litOf(box)} />
           </div>
-          {box.needle !== null && (
-            <BoxNeedle
-              hands={hands}
-              needle={box.needle}
-              isDisabled={isDisabled}
-            />
-          )}
+          <BoxNeedle {...properties} box={box} />
           <details>
             <summary>Gate, probe and faults</summary>
             <div className="box-groups">

@@ -16,7 +16,7 @@ const hands = { order } as unknown as BoxHands;
 let needle: Needle;
 
 function show(isDisabled = false): void {
-  render(<BoxNeedle hands={hands} needle={needle} isDisabled={isDisabled} />);
+  render(<BoxNeedle hands={hands} box={{ needle }} isDisabled={isDisabled} />);
 }
 
 function facts(): string[] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { BoxNeedle as Needle, BoxPoint } from "@interface";
+import type { Box, BoxNeedle as Needle, BoxPoint } from "@interface";
 import type { BoxHands } from "../../state/box";
 import { formatNumber } from "../../words/format";
 import { NumberChoice } from "./Choice";
@@ -226,12 +226,22 @@ function Choices({ hands, needle, isDisabled }: NeedleProperties) {
 }
 
 /**
- * The needle as it truly is in simulated tissue, which no controller knows.
+ * The needle as it truly is in simulated tissue, which no controller knows; where there is tissue.
  *
  * @satisfies SWR-BOX-778
  */
-export function BoxNeedle(properties: NeedleProperties) {
-  const { needle } = properties;
+export function BoxNeedle({
+  hands,
+  box: { needle },
+  isDisabled,
+}: {
+  hands: BoxHands;
+  box: Pick<Box, "needle">;
+  isDisabled: boolean;
+}) {
+  if (needle === null) {
+    return null;
+  }
   const range = rangeOf(needle);
   return (
     <details className="box-needle">
@@ -253,7 +263,7 @@ export function BoxNeedle(properties: NeedleProperties) {
         ))}
       </div>
       <Facts needle={needle} />
-      <Choices {...properties} />
+      <Choices hands={hands} needle={needle} isDisabled={isDisabled} />
     </details>
   );
 }
