@@ -86,7 +86,9 @@ void box_init(box_t *self, const robot_t *robot, uint32_t seed)
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         init_axis(&self->axes[i], robot, i, &self->random);
     }
-    box_force_init(&self->force, box_usual_phantom(robot), box_depth_mm(self), &self->random);
+    box_force_init(&self->force, box_usual_phantom(robot), box_depth_mm(self), box_turn_rad(self),
+                   &self->random);
+    sim_imager_init(&self->imager, sim_random_next(&self->random));
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if (robot_cards_has_sensor(robot, slot)) {
             box_plug(self, slot, (uint32_t)CARD_TYPE_SENSOR);
@@ -300,7 +302,7 @@ static void step(box_t *self, uint32_t resting)
             step_axis(&self->axes[i], (i == self->robot->needle_axis) ? pushed_ticks : 0.0, self);
         }
     }
-    box_force_step(&self->force, SIM_STEP_US, box_depth_mm(self));
+    box_force_step(&self->force, SIM_STEP_US, box_depth_mm(self), box_turn_rad(self));
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if (has_sensor(self, slot)) {
             box_sensor_t *sensor = &self->sensors[slot];
@@ -308,6 +310,7 @@ static void step(box_t *self, uint32_t resting)
         }
     }
     self->time_us += SIM_STEP_US;
+    box_image_tip(self);
 }
 
 void box_advance(box_t *self, uint32_t us)

@@ -42,4 +42,16 @@ static inline double sim_random_signed(sim_random_t *self)
     return (double)sim_random_next(self) / 2147483648.0 - 1.0;
 }
 
+/** The next number of a distribution near the normal one, of standard deviation 1 and at most 3.5:
+ * a sum of four equally distributed numbers from -1 to 1, whose own deviation is sqrt(4 / 3). */
+static inline double sim_random_normal(sim_random_t *self)
+{
+    double sum = 0.0;
+
+    for (uint32_t i = 0U; i < 4U; i++) {
+        sum += sim_random_signed(self);
+    }
+    return sum * 0.86602540378443865;
+}
+
 #endif

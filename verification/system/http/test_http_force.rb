@@ -60,6 +60,29 @@ class TestHttpForce < Minitest::Test
     assert_in_delta AT_REST.first, forces.first, NOISE
   end
 
+  def needle
+    fetch_json('/api/v1/box').fetch('needle')
+  end
+
+  def test_SWR_BOX_779_the_true_needle_bends_while_it_is_driven_in
+    anna = holder
+    under_pedal(anna, 'needle/retract')
+    boresight.simctl('target', 'usual')
+    assert_answer '200', 'done', anna.act('workphase', { workphase: 'MANUAL' })
+    jog(anna, 25)
+    wait_until('the tip is shown at 25 mm') { (needle['way'].last['depth_mm'] - 25).abs < 0.1 }
+    assert_in_delta 0, needle['way'].last['y_mm'], 1e-9
+    jog(anna, 70)
+    wait_until('the tip is shown 3.3 mm off its line') { (needle['way'].last['y_mm'] + 3.271).abs < 0.02 }
+    needle['target'].values_at('x_mm', 'y_mm', 'depth_mm').zip([2.4, -1.8, 102]) { |seen, expected| assert_in_delta expected, seen, 0.01 }
+    assert_operator needle['image']['number'], :>, 0
+    assert_includes boresight.simctl('needle', 'show'), 'off the line at 69.8'
+    boresight.simctl('tissue', 'none')
+    assert_nil needle
+  ensure
+    boresight.simctl('tissue', 'usual')
+  end
+
   def ask(one, method, order = nil)
     one.request(method, '/api/v1/box', order && JSON.generate(order), { SessionClient::PAGE => one.page.to_s })
   end

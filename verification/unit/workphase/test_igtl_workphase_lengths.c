@@ -255,6 +255,8 @@ void test_SWR_STEER_010_no_steering_is_refused_and_not_passed_on(void)
         EXPECT_BEGIN(0U, "STATUS STEER ");
         expect_no_command();
     }
+}
+
 void test_SWR_IGTL_756_the_force_sensor_is_zeroed_and_the_result_is_reported(void)
 {
     say(0U, "ZERO_FORCE", "");
