@@ -5,6 +5,7 @@
 #include "limits/requirement_limits.h"
 #include "mode/mode_dispatch.h"
 #include "mode/velocity/velocity_share.h"
+#include "safety/needle.h"
 #include "safety/steering_guard.h"
 
 bool mode_runs_in(mode_kind_t kind, workphase_t workphase)
@@ -110,6 +111,7 @@ void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *res
         run(self, kind, frame, result);
     } else {
         leg_stop(&self->sealed.leg);
+        steer_pause(&self->sealed.steer);
         trajectory_mode_pause(&self->sealed.trajectory);
         if (kind == MODE_COOPERATE) {
             cooperate_mode_pause(&self->request.own.cooperate);
@@ -141,6 +143,8 @@ mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
     } else if (kind == MODE_VELOCITY) {
         share = time_share(velocity_share_left_ms(&self->request.own.velocity, axes),
                            velocity_share_span_ms(&self->request.own.velocity));
+    } else if (steer_is_turning(&self->sealed.steer)) {
+        share.done_per_mille = 0U; /* Of how many legs this is one is not known. */
     } else if (self->sealed.leg.is_running != 0U) {
         share = leg_share(&self->sealed.leg);
     } else if (self->sealed.program.stage == (uint32_t)PROGRAM_STAGE_DWELLS) {
@@ -189,7 +193,13 @@ bool mode_waits_for_rotation(const mode_state_t *self, mode_kind_t kind, const r
     const bool is_stroke =
         (kind == MODE_COOPERATE) && cooperate_mode_is_stroke(&self->request.own.cooperate);
     return (mode_aim_of((uint32_t)kind) == MODE_AIM_DEPTH) && !is_stroke &&
+           !needle_is_out(robot, axes) &&
            !steering_guard_follows(&self->request.sealed.move.steering, robot, axes);
+}
+
+bool mode_is_awaiting_rotation(const mode_state_t *self, mode_kind_t kind)
+{
+    return (mode_aim_of((uint32_t)kind) == MODE_AIM_DEPTH) && steer_is_awaited(&self->sealed.steer);
 }
 
 bool mode_wants_hand_off(const mode_state_t *self, mode_kind_t kind)

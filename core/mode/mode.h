@@ -111,13 +111,16 @@ bool mode_is_by_hand(mode_kind_t kind);
 bool mode_is_vibrating(const mode_state_t *self, mode_kind_t kind);
 
 /**
- * The needle must not go deeper in `kind`, which was begun last: it is steered, its rotation does
- * not follow its law, and what it does is no stroke of a vibration.
+ * The needle must not go deeper in `kind`, which was begun last: it is in, it is steered, its
+ * rotation does not follow its law, and what it does is no stroke of a vibration.
  *
  * @satisfies SWR-STEER-006
  */
 bool mode_waits_for_rotation(const mode_state_t *self, mode_kind_t kind, const robot_t *robot,
                              const axis_t axes[ROBOT_AXIS_MAX]);
+
+/** An insertion of `kind`, which was begun last, waits for the rotation of its needle. */
+bool mode_is_awaiting_rotation(const mode_state_t *self, mode_kind_t kind);
 
 /** In `kind`, which was begun last, the hand is to be seen off before it moves the needle again. */
 bool mode_wants_hand_off(const mode_state_t *self, mode_kind_t kind);

@@ -13,11 +13,13 @@ static bool is_near(const axis_config_t *config, const axis_t *axis)
     return !joints_is_beyond(config, fixed_magnitude(lag_ticks), 0U, LIMIT_STEERING_LAG_BAM);
 }
 
+/* Not much faster either: the needle would be bent too little. */
 static bool is_as_fast(const axis_config_t *config, const axis_t *axis, const steering_t *steering)
 {
     const int64_t speed_q8 = fixed_magnitude((int64_t)axis->sealed.setpoint_speed_ticks_per_s_q8);
     const int64_t law_q8 = curv_speed_q8(config, steering, axis->sealed.encoder.position_ticks);
-    return (speed_q8 * 100) >= (law_q8 * (int64_t)LIMIT_STEERING_PACE_PERCENT);
+    return ((speed_q8 * 100) >= (law_q8 * (int64_t)LIMIT_STEERING_PACE_PERCENT)) &&
+           ((speed_q8 * 100) <= (law_q8 * (int64_t)LIMIT_STEERING_PACE_MOST_PERCENT));
 }
 
 bool steering_guard_follows(const steering_t *steering, const robot_t *robot,

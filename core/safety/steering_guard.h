@@ -16,8 +16,8 @@
 
 /**
  * @return the rotation's axis is no farther from its set-point than LIMIT_STEERING_LAG_BAM, and
- * that goes by LIMIT_STEERING_PACE_PERCENT of the speed of the law at the place of the axis at
- * least; true of a needle that is not steered
+ * that goes by LIMIT_STEERING_PACE_PERCENT to LIMIT_STEERING_PACE_MOST_PERCENT of the speed of the
+ * law at the place of the axis; true of a needle that is not steered
  *
  * @satisfies SWR-STEER-006
  */

@@ -46,16 +46,17 @@ module Robot
       alpha = slowest_alpha(axes[about])
       most = most_per_km(curvatures, alphas, alpha)
       percent = needle_percent(axes.find(&:needle?), axes[about], [alpha, alphas.last].min)
+      node.refuse('has a rotation so slow that a percent of the speed of its needle is too much; expected a faster one') if percent.zero?
       @values = { 'axis' => "#{about}U", 'points' => "#{curvatures.size}U", 'most_per_km' => "#{most}U", 'needle_percent' => "#{percent}U",
                   'curvature_per_km' => filled(curvatures), 'alpha_q16' => filled(alphas) }
     end
 
-    # A whole turn, and beyond each end the ramp of a rotation that turns back, with some counts (core/mode/leg/steer.c).
+    # A whole turn about any direction, and beyond each end the ramp of a rotation that turns back, with some counts (core/mode/leg/steer.c).
     def refuse_short(node, axis)
       run_out = (Rational(axis['speed_ticks_per_s']**2, 2 * axis['acceleration_ticks_per_s2'])).ceil + MARGIN_TICKS
-      least = (2 * Math::PI * axis['ticks_per_unit']).ceil + (2 * run_out)
+      least = (4 * Math::PI * axis['ticks_per_unit']).ceil + (2 * run_out)
       range = axis['maximum_ticks'] - axis['minimum_ticks']
-      node.refuse("needs #{least} ticks of #{axis['name']}, which has #{range}; expected one turn and two ramps") if range < least
+      node.refuse("needs #{least} ticks of #{axis['name']}, which has #{range}; expected two turns and two ramps") if range < least
     end
 
     def points(node, range, scale)
@@ -91,7 +92,7 @@ module Robot
       end
       turn_s = steps / TURN_STEPS * 2 * Math::PI * axis['ticks_per_unit'] / most_speed(axis)
       most_mm_per_s = Limit.of('steering_advance_um') / UM_PER_MM / turn_s
-      (most_mm_per_s * needle['ticks_per_unit'] / needle['speed_ticks_per_s'] * FULL_PERCENT).floor.clamp(1, FULL_PERCENT)
+      [(most_mm_per_s * needle['ticks_per_unit'] / needle['speed_ticks_per_s'] * FULL_PERCENT).floor, FULL_PERCENT].min
     end
 
     # The largest curvature whose strength is not above `alpha`.

@@ -47,6 +47,10 @@ solution_t controller_aim(controller_t *self, const cycle_t *cycle, const comman
         if (aim == MODE_AIM_DEPTH) {
             request->sealed.move.steering = self->plan.steering;
         }
+        if ((aim == MODE_AIM_STEPS) && (result.status == STATUS_OK) &&
+            steering_is_on(&self->plan.steering)) {
+            result.status = STATUS_STEERED;
+        }
         if ((aim == MODE_AIM_STEPS) && (result.status == STATUS_OK)) {
             result = controller_judge_program(self, cycle, command_as_list(command)->checksum,
                                               &request->sealed.move);

@@ -223,17 +223,23 @@ status_t controller_obey_steer(controller_t *self, const cycle_t *cycle, const c
         status = STATUS_WRONG_WORKPHASE;
     } else if (procedure_is_armed(&self->procedure)) {
         status = STATUS_MOTION_ARMED;
+    } else if (steering_is_on(&self->plan.steering) && (sent->method == (uint32_t)STEERING_NONE) &&
+               !needle_is_out(cycle->robot, self->axes)) {
+        status = STATUS_NEEDLE_IN;
     } else {
         status = plan_steer(&self->plan, cycle->robot, sent->method, sent->curvature_per_km,
                             sent->direction_deg);
     }
     if (status == STATUS_OK) {
-        self->sealed.is_steered = 0U;  /* What it was before is not forgotten, but replaced. */
+        const steering_t *const taken = &self->plan.steering;
+        self->sealed.is_steered = 0U;
         self->sealed.has_arrived = 0U; /* What has been steered otherwise stands elsewhere. */
-        controller_note(self, cycle, EVENT_STEERING_TAKEN, self->plan.steering.method,
-                        (int32_t)self->plan.steering.curvature_per_km);
-        controller_note(self, cycle, EVENT_STEERING_DIRECTION, 0U,
-                        self->plan.steering.direction_deg);
+        controller_note(self, cycle, EVENT_STEERING_TAKEN, taken->method,
+                        (int32_t)taken->curvature_per_km);
+        if (steering_is_on(taken)) {
+            self->sealed.is_steered = 1U;
+            controller_note(self, cycle, EVENT_STEERING_DIRECTION, 0U, taken->direction_deg);
+        }
     }
     return status;
 }

@@ -456,8 +456,7 @@ static void show_steering(const controller_t *self, const cycle_t *cycle, mode_k
     shown->steering_direction_deg = steering->direction_deg;
     shown->steering_most_per_km = cycle->robot->steering.most_per_km;
     shown->is_rotation_awaited = 0U;
-    if (procedure_is_moving(&self->procedure) &&
-        mode_waits_for_rotation(&self->mode, kind, cycle->robot, self->axes)) {
+    if (procedure_is_moving(&self->procedure) && mode_is_awaiting_rotation(&self->mode, kind)) {
         shown->is_rotation_awaited = 1U;
     }
 }

@@ -179,6 +179,8 @@ static bool drive_others(const move_mode_t *move, steer_t *steer, const mode_fra
     bool may_go_in = !is_steered;
     if (is_turning) {
         may_go_in = steer_step(steer, &move->steering, frame, result);
+    } else {
+        steer_pause(steer);
     }
     return may_go_in;
 }
@@ -190,11 +192,14 @@ static void go(cooperate_mode_t *self, const move_mode_t *move, steer_t *steer,
     choose_stage(self, frame, needle);
     const bool may_go_in = drive_others(move, steer, frame, result);
     result->requests[needle] = drive_needle(self, move, frame, needle, may_go_in);
-    /* At its depth, and the set-point rests. */
-    if ((left_ticks(move, frame->robot, frame->axes) <=
-         (int64_t)frame->robot->axes[needle].deadband_ticks) &&
-        (frame->axes[needle].sealed.setpoint_speed_ticks_per_s_q8 == 0)) {
-        result->progress = MODE_DONE;
+    if (result->progress == MODE_FAILED) {
+        mode_rest(frame, result);
+    } else if ((left_ticks(move, frame->robot, frame->axes) <=
+                (int64_t)frame->robot->axes[needle].deadband_ticks) &&
+               (frame->axes[needle].sealed.setpoint_speed_ticks_per_s_q8 == 0)) {
+        result->progress = MODE_DONE; /* At its depth, and the set-point rests. */
+    } else {
+        /* It goes on. */
     }
 }
 

@@ -2,10 +2,13 @@
 #include "mode/leg/steer.h"
 
 #include "base/fixed.h"
+#include "limits/requirement_limits.h"
 #include "motion/curv.h"
 #include "motion/ramp.h"
 #include "robot/joints.h"
 #include "safety/steering_guard.h"
+
+#include <string.h>
 
 #define TURN_BAM INT64_C(4294967296)
 #define COUNT_Q16 65536
@@ -21,8 +24,13 @@ uint32_t steer_needle_percent(const mode_frame_t *frame)
 
 void steer_stop(steer_t *self)
 {
-    self->heading = 0;
-    self->rest = 0;
+    (void)memset(self, 0, sizeof *self);
+}
+
+void steer_pause(steer_t *self)
+{
+    self->is_paused = 1U;
+    self->waiting_cycles = 0U;
 }
 
 static int32_t ticks_of(const axis_config_t *config, int64_t bam)
@@ -62,10 +70,48 @@ static void begin(steer_t *self, const axis_config_t *config, const steering_t *
     self->high_ticks = fixed_saturate(up);
     self->run_out_ticks = fixed_saturate(run_out_ticks(config));
     self->rest = 0;
+    self->is_paused = 1U;
     self->heading = 1;
     if (from_ticks >= self->high_ticks) {
         self->heading = -1;
     }
+}
+
+/* It has rested at `place`: back by the way in which it gains the speed of the law there. One that
+ * has not gone on since it rested before goes on where it rested first. */
+static void resume(steer_t *self, const axis_config_t *config, const steering_t *steering,
+                   int32_t place)
+{
+    if (self->forward == 0) {
+        self->forward = self->heading;
+        self->resume_ticks = (int32_t)fixed_within((int64_t)place, (int64_t)self->low_ticks,
+                                                   (int64_t)self->high_ticks);
+    }
+    const int64_t speed = curv_speed_q8(config, steering, self->resume_ticks) / 256;
+    const int64_t ramp =
+        fixed_divide_signed(speed * speed, 2 * (int64_t)config->acceleration_ticks_per_s2);
+    const int64_t back =
+        (int64_t)self->resume_ticks - ((int64_t)self->forward * (ramp + MARGIN_TICKS));
+    self->back_ticks =
+        fixed_saturate(fixed_within(back, (int64_t)self->low_ticks - (int64_t)self->run_out_ticks,
+                                    (int64_t)self->high_ticks + (int64_t)self->run_out_ticks));
+    const bool is_before =
+        (((int64_t)place - (int64_t)self->back_ticks) * (int64_t)self->forward) <= 0;
+    self->heading = is_before ? self->forward : -self->forward;
+    self->rest = 0;
+    self->is_paused = 0U;
+}
+
+/* Way to where it turns next, on from `place`. */
+static int64_t way_left(const steer_t *self, int64_t place)
+{
+    const int64_t run_out = (int64_t)self->run_out_ticks;
+    int64_t end = (self->heading > 0) ? ((int64_t)self->high_ticks + run_out)
+                                      : ((int64_t)self->low_ticks - run_out);
+    if ((self->forward != 0) && (self->heading != self->forward)) {
+        end = (int64_t)self->back_ticks;
+    }
+    return (end - place) * (int64_t)self->heading;
 }
 
 /* Speed of the set-point in this cycle; its place does not pass the end that it goes to. */
@@ -77,24 +123,16 @@ static int64_t next_q8(const steer_t *self, const steering_t *steering, const mo
     const int64_t step_q8 =
         fixed_divide_by((int64_t)config->acceleration_ticks_per_s2 * 256, RAMP_CYCLES_PER_S);
     const ramp_steps_t steps = {.up_q8 = step_q8, .down_q8 = step_q8};
-    const int64_t place = (int64_t)axis->sealed.setpoint_ticks;
-    const int64_t way = (self->heading > 0) ? ((int64_t)self->high_ticks - place)
-                                            : (place - (int64_t)self->low_ticks);
     const int64_t law_q8 = curv_speed_q8(config, steering, axis->sealed.setpoint_ticks);
     return ramp_next(fixed_magnitude((int64_t)axis->sealed.setpoint_speed_ticks_per_s_q8),
                      fixed_divide_by(law_q8 * (int64_t)frame->speed_cap_percent[index], 100U),
-                     &steps, (way + (int64_t)self->run_out_ticks) * RAMP_TICK);
+                     &steps, way_left(self, (int64_t)axis->sealed.setpoint_ticks) * RAMP_TICK);
 }
 
-bool steer_step(steer_t *self, const steering_t *steering, const mode_frame_t *frame,
-                mode_result_t *result)
+static void turn(steer_t *self, const steering_t *steering, const mode_frame_t *frame,
+                 uint32_t index, mode_result_t *result)
 {
-    const uint32_t index = frame->robot->steering.axis % ROBOT_AXIS_MAX; /* Of a damaged table. */
     axis_t *const axis = &frame->axes[index];
-    if (self->heading == 0) {
-        (void)axis_rest(axis, frame->elapsed_us);
-        begin(self, &frame->robot->axes[index], steering, axis->sealed.encoder.position_ticks);
-    }
     const int64_t speed_q8 = (int64_t)self->heading * next_q8(self, steering, frame, index);
     const int32_t place = ramp_place(axis->sealed.setpoint_ticks, speed_q8, &self->rest);
     result->requests[index] =
@@ -102,6 +140,38 @@ bool steer_step(steer_t *self, const steering_t *steering, const mode_frame_t *f
     if (speed_q8 == 0) {
         self->heading = -self->heading;
     }
-    return (place >= self->low_ticks) && (place <= self->high_ticks) &&
+    const int64_t beyond = ((int64_t)place - (int64_t)self->resume_ticks) * (int64_t)self->forward;
+    if ((self->heading == self->forward) && (beyond >= 0)) {
+        self->forward = 0;
+    }
+}
+
+static bool may_go_in(const steer_t *self, const steering_t *steering, const mode_frame_t *frame,
+                      uint32_t index)
+{
+    const int32_t place = frame->axes[index].sealed.setpoint_ticks;
+    return (self->forward == 0) && (place >= self->low_ticks) && (place <= self->high_ticks) &&
            steering_guard_follows(steering, frame->robot, frame->axes);
+}
+
+bool steer_step(steer_t *self, const steering_t *steering, const mode_frame_t *frame,
+                mode_result_t *result)
+{
+    const uint32_t index = frame->robot->steering.axis % ROBOT_AXIS_MAX; /* Of a damaged table. */
+    const axis_config_t *const config = &frame->robot->axes[index];
+    axis_t *const axis = &frame->axes[index];
+    if (self->heading == 0) {
+        (void)axis_rest(axis, frame->elapsed_us);
+        begin(self, config, steering, axis->sealed.encoder.position_ticks);
+    }
+    if (self->is_paused != 0U) {
+        resume(self, config, steering, axis->sealed.setpoint_ticks);
+    }
+    turn(self, steering, frame, index, result);
+    const bool is_free = may_go_in(self, steering, frame, index);
+    self->waiting_cycles = is_free ? 0U : (self->waiting_cycles + 1U);
+    if ((self->waiting_cycles * LIMIT_CYCLE_US) >= LIMIT_OVERTIME_US) {
+        mode_fail(result, EVENT_ORDER_OVERDUE, index, 0);
+    }
+    return is_free;
 }

@@ -20,8 +20,32 @@ typedef struct {
     int32_t high_ticks;
     int32_t run_out_ticks; /**< beyond each it turns back within this way. */
     int32_t heading;       /**< 1: upwards, -1: downwards, 0: it has not begun. */
-    int32_t rest;          /**< As of ramp_place(). */
+    int32_t forward; /**< The heading in which it goes on where it has rested; 0: it has gone on. */
+    int32_t resume_ticks;    /**< Where it has rested, and the needle goes on. */
+    int32_t back_ticks;      /**< From there on it gains its speed again. */
+    int32_t rest;            /**< As of ramp_place(). */
+    uint32_t is_paused;      /**< It rests: 0 or 1. */
+    uint32_t waiting_cycles; /**< The needle has waited for it for so long without a pause. */
 } steer_t;
+
+/** It begins anew, from where the axis is then. */
+void steer_stop(steer_t *self);
+
+/** It rests. Afterwards it goes back by the way of a ramp first, so that it has its speed again
+ * where the needle goes on. */
+void steer_pause(steer_t *self);
+
+/** It turns, or did in the cycle before. */
+static inline bool steer_is_turning(const steer_t *self)
+{
+    return (self->heading != 0) && (self->is_paused == 0U);
+}
+
+/** The needle waits for it. */
+static inline bool steer_is_awaited(const steer_t *self)
+{
+    return self->waiting_cycles != 0U;
+}
 
 /**
  * Share of its speed that the needle has while it is steered, percent, within that of the permit.
@@ -37,8 +61,8 @@ void steer_stop(steer_t *self);
 /**
  * One cycle of the rotation of a needle that is steered. Its request is written to `result`.
  *
- * @return the needle may go deeper in this cycle: it is within its turns, and
- * steering_guard_follows()
+ * @return the needle may go deeper in this cycle: it is within its turns, has gone on where it
+ * rested, and steering_guard_follows(). If that is not so for LIMIT_OVERTIME_US the mode fails.
  *
  * @satisfies SWR-STEER-005
  * @satisfies SWR-STEER-007

@@ -62,32 +62,54 @@ void move_mode_go(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame
     }
 }
 
-/* All but the rotation. */
-static void hold_others(const mode_frame_t *frame, uint32_t rotation, mode_result_t *result)
+static uint32_t rotation_of(const mode_frame_t *frame)
 {
+    return frame->robot->steering.axis % ROBOT_AXIS_MAX; /* Of a damaged table. */
+}
+
+/* The needle rests, and the base is kept at the target. */
+static void hold(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame,
+                 mode_result_t *result)
+{
+    leg_stop(leg);
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         axis_t *const axis = &frame->axes[i];
-        if (i != rotation) {
+        if (i == frame->robot->needle_axis) {
             result->requests[i] = axis_rest(axis, frame->elapsed_us);
+        } else if (i != rotation_of(frame)) {
+            result->requests[i] = axis_follow(axis, &frame->robot->axes[i], self->target_ticks[i],
+                                              0, frame->elapsed_us);
+        } else {
+            /* It turns. */
         }
     }
 }
 
-/* The needle goes in while its rotation follows its law, and stands otherwise. */
+static void begin_insertion(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame)
+{
+    const uint32_t rotation = LEG_AXIS(rotation_of(frame));
+    mode_frame_t slow;
+    (void)memcpy(&slow, frame, sizeof slow);
+    slow.speed_cap_percent[frame->robot->needle_axis] = steer_needle_percent(frame);
+    leg_begin(leg, &slow, LEG_EVERY_AXIS & ~rotation, self->target_ticks);
+    leg->lent = rotation;
+}
+
+/* The needle goes in while its rotation follows its law, and stands otherwise. It is never drawn
+ * out for a base that has moved: it waits until that stands at the target again. */
 static void insert_steered(const move_mode_t *self, leg_t *leg, steer_t *steer,
                            const mode_frame_t *frame, mode_result_t *result)
 {
-    const uint32_t rotation = frame->robot->steering.axis;
-    if (!steer_step(steer, &self->steering, frame, result)) {
-        leg_stop(leg);
-        hold_others(frame, rotation, result);
+    const bool is_free = steer_step(steer, &self->steering, frame, result);
+    const bool is_running = leg->is_running != 0U;
+    if (result->progress == MODE_FAILED) {
+        mode_rest(frame, result);
+    } else if (!is_free ||
+               (!is_running && !move_mode_is_aligned(self, frame->robot, frame->axes))) {
+        hold(self, leg, frame, result);
     } else {
-        if (leg->is_running == 0U) {
-            mode_frame_t slow;
-            (void)memcpy(&slow, frame, sizeof slow);
-            slow.speed_cap_percent[frame->robot->needle_axis] = steer_needle_percent(frame);
-            leg_begin(leg, &slow, LEG_EVERY_AXIS & ~LEG_AXIS(rotation), self->target_ticks);
-            leg->lent = LEG_AXIS(rotation);
+        if (!is_running) {
+            begin_insertion(self, leg, frame);
         }
         if (leg_step(leg, frame, result)) {
             result->progress = MODE_DONE;
@@ -96,17 +118,16 @@ static void insert_steered(const move_mode_t *self, leg_t *leg, steer_t *steer,
 }
 
 /* The base is aligned by a leg that ends before the needle goes in. */
-static bool is_inserting(const move_mode_t *self, const leg_t *leg, const mode_frame_t *frame)
+static bool may_begin(const move_mode_t *self, const leg_t *leg, const mode_frame_t *frame)
 {
-    const bool is_aligning = (leg->is_running != 0U) && (leg->lent == 0U);
-    return steering_is_on(&self->steering) && !is_aligning &&
+    return steering_is_on(&self->steering) && (leg->is_running == 0U) &&
            move_mode_is_aligned(self, frame->robot, frame->axes);
 }
 
 void move_mode_step(const move_mode_t *self, leg_t *leg, steer_t *steer, const mode_frame_t *frame,
                     mode_result_t *result)
 {
-    if (is_inserting(self, leg, frame)) {
+    if (steer_is_turning(steer) || may_begin(self, leg, frame)) {
         insert_steered(self, leg, steer, frame, result);
     } else {
         steer_stop(steer);

@@ -24,7 +24,7 @@ function steered(
     steering_method: { name, text: "" },
     steering_curvature_per_km: name === "NONE" ? 0 : 1200,
     steering_direction_deg: name === "NONE" ? 0 : -90,
-    steering_most_per_km: 1282,
+    steering_most_per_km: 1253,
     ...given,
   };
 }
@@ -69,7 +69,7 @@ afterEach(() => {
 test("SWR-STEER-013 method, curvature and direction are sent as they are typed in", async () => {
   await show(steered("NONE"), "STEER");
   choose("BIDIRECTIONAL");
-  for (const wrong of ["1.2", "1.283 0", "-0.1 0", "1 361", "one two", ""]) {
+  for (const wrong of ["1.2", "1.254 0", "-0.1 0", "1 361", "one two", ""]) {
     write(wrong);
     expect(button().disabled).toBe(true);
   }
@@ -105,7 +105,7 @@ test("SWR-STEER-013 how the needle is steered is shown, and while it waits for i
   await show(steered("BIDIRECTIONAL"));
   expect(
     screen.getByText(
-      "to and fro, 1.20 per m of at most 1.28 per m towards -90°",
+      "to and fro, 1.20 per m of at most 1.25 per m towards -90°",
     ),
   ).toBeTruthy();
   expect(button().title || document.body.textContent).toContain(refusedHere);
@@ -118,7 +118,7 @@ test("SWR-STEER-013 how the needle is steered is shown, and while it waits for i
 
 test("SWR-STEER-013 none is shown as such, and nothing of a robot whose needle is not steered", async () => {
   await show(steered("NONE"));
-  expect(screen.getByText("none, at most 1.28 per m")).toBeTruthy();
+  expect(screen.getByText("none, at most 1.25 per m")).toBeTruthy();
   cleanup();
   await show(steered("NONE", { steering_most_per_km: 0 }));
   expect(screen.queryByLabelText("Steering")).toBeNull();
