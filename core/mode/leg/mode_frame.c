@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "mode/leg/mode_frame.h"
 
+#include <string.h>
+
 void mode_clear(mode_result_t *self)
 {
+    (void)memset(self->requests, 0, sizeof self->requests);
     self->progress = MODE_RUNNING;
     self->status = STATUS_OK;
     self->axis = MODE_NO_AXIS;

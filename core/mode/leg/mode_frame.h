@@ -75,7 +75,7 @@ typedef struct {
     mode_note_t notes[MODE_NOTES];
 } mode_result_t;
 
-/** Nothing is known yet: running, without a note. The requests are left as they are. */
+/** Nothing is known yet: running, without a note. No drive is asked for. */
 void mode_clear(mode_result_t *self);
 
 /** Adds a note; one too many is dropped. */

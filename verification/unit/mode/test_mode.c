@@ -26,6 +26,8 @@
 #include "robot/coupled_limit.h"
 #include "robot/coupled_path.h"
 #include "robot/joints.h"
+#include "motion/curv.h"
+#include "robot/robot_prostate.h"
 #include "robot/robot_neuro.h"
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
@@ -569,4 +571,45 @@ void test_SWR_PROG_011_share_and_time_left_are_those_of_the_dwell(void)
     share = mode_share(&mode, MODE_PROGRAM, axes, robot.axis_count);
     TEST_ASSERT_EQUAL_UINT32(1000U, share.done_per_mille);
     TEST_ASSERT_EQUAL_UINT32(0U, share.left_ms);
+}
+
+/* The ProstateRobot's rotation stands where it is, and its needle is in. */
+static void steer_with_needle_in(mode_kind_t kind)
+{
+    const axis_config_t *const needle = &robot_prostate.axes[robot_prostate.needle_axis];
+    mode_request_t steered = {.sealed.axes = LEG_EVERY_AXIS};
+    (void)steering_set(&steered.sealed.move.steering, &robot_prostate.steering,
+                       (uint32_t)STEERING_BIDIRECTIONAL, 1000U, 0);
+    world_put(robot_prostate.needle_axis, needle->maximum_ticks / 2);
+    mode_begin(&mode, kind, &steered);
+}
+
+void test_SWR_STEER_006_the_needle_waits_in_every_insertion_and_no_other_mode(void)
+{
+    for (uint32_t kind = 0U; kind < MODE_KIND_COUNT; kind++) {
+        const bool is_insertion = (kind == (uint32_t)MODE_MOVE) ||
+                                  (kind == (uint32_t)MODE_INSERT) ||
+                                  (kind == (uint32_t)MODE_COOPERATE);
+        steer_with_needle_in((mode_kind_t)kind);
+        TEST_ASSERT_EQUAL(is_insertion,
+                          mode_waits_for_rotation(&mode, (mode_kind_t)kind, &robot_prostate, axes));
+    }
+}
+
+void test_SWR_STEER_006_a_needle_that_is_out_a_stroke_and_a_law_that_is_followed_wait_for_nothing(
+    void)
+{
+    const uint32_t rotation = robot_prostate.steering.axis;
+    steer_with_needle_in(MODE_COOPERATE);
+    mode.request.own.cooperate.stage = (uint32_t)COOPERATE_VIBRATES;
+    TEST_ASSERT_FALSE(mode_waits_for_rotation(&mode, MODE_COOPERATE, &robot_prostate, axes));
+    mode.request.own.cooperate.stage = (uint32_t)COOPERATE_BRAKES;
+    TEST_ASSERT_TRUE(mode_waits_for_rotation(&mode, MODE_COOPERATE, &robot_prostate, axes));
+    axes[rotation].sealed.setpoint_speed_ticks_per_s_q8 =
+        (int32_t)curv_speed_q8(&robot_prostate.axes[rotation], &mode.request.sealed.move.steering,
+                               axes[rotation].sealed.encoder.position_ticks);
+    TEST_ASSERT_FALSE(mode_waits_for_rotation(&mode, MODE_COOPERATE, &robot_prostate, axes));
+    axes[rotation].sealed.setpoint_speed_ticks_per_s_q8 = 0;
+    world_put(robot_prostate.needle_axis, 0);
+    TEST_ASSERT_FALSE(mode_waits_for_rotation(&mode, MODE_COOPERATE, &robot_prostate, axes));
 }

@@ -11,6 +11,7 @@
 #include "mode/leg/steer.h"
 #include "mode/move/move_mode.h"
 #include "robot/joints.h"
+#include "robot/robot_prostate.h"
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"
 
@@ -133,4 +134,70 @@ void test_SWR_MOTION_005_a_move_that_is_held_fails(void)
     TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
     TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_YAW, result.axis);
     TEST_ASSERT_EQUAL_INT32(-60, result.notes[0].value);
+}
+
+/* The needle of the ProstateRobot goes in while its rotation turns. */
+static void insert_steered(uint32_t cycles)
+{
+    robot = robot_prostate;
+    frame.axis_count = robot.axis_count;
+    move = (move_mode_t){.target_ticks = {380000, -370000, 375000, -375000, 150000, 0}};
+    (void)steering_set(&move.steering, &robot.steering, (uint32_t)STEERING_BIDIRECTIONAL, 1000U,
+                       90);
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        world_put(i, (i == robot.needle_axis) ? 0 : move.target_ticks[i]);
+    }
+    for (uint32_t i = 0U; i < cycles; i++) {
+        mode_clear(&result);
+        move_mode_step(&move, &leg, &steer, &frame, &result);
+        world_follow();
+    }
+}
+
+/* Beside its place by more than counts as aligned, whether the needle moves or waits. */
+void test_SWR_STEER_007_a_base_that_is_pushed_aside_never_draws_the_needle_out(void)
+{
+    uint32_t waits = 0U;
+    insert_steered(1000U);
+    for (uint32_t i = 0U; i < 6000U; i++) {
+        const int32_t before = axes[robot.needle_axis].sealed.encoder.position_ticks;
+        world_put(0U, move.target_ticks[0] + 6);
+        mode_clear(&result);
+        move_mode_step(&move, &leg, &steer, &frame, &result);
+        waits += (leg.is_running == 0U) ? 1U : 0U;
+        TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+        TEST_ASSERT_EQUAL_INT32(move.target_ticks[0], axes[0].sealed.setpoint_ticks);
+        TEST_ASSERT_TRUE(axes[robot.needle_axis].sealed.setpoint_ticks >= before);
+        world_follow();
+    }
+    TEST_ASSERT_GREATER_THAN_UINT32(100U, waits);
+}
+
+/* The rotation is asked for its drive in each cycle, and turns. */
+void test_SWR_STEER_008_the_rotation_turns_in_each_cycle_in_which_the_needle_moves(void)
+{
+    insert_steered(1000U);
+    for (uint32_t i = 0U; i < 6000U; i++) {
+        const int32_t needle = axes[robot.needle_axis].sealed.setpoint_ticks;
+        const int32_t turned = axes[PROSTATE_AXIS_ROTATION].sealed.setpoint_speed_ticks_per_s_q8;
+        mode_clear(&result);
+        move_mode_step(&move, &leg, &steer, &frame, &result);
+        TEST_ASSERT_TRUE((axes[robot.needle_axis].sealed.setpoint_ticks == needle) ||
+                         (turned != 0));
+        world_follow();
+    }
+}
+
+/* The pedal was released, and the base has moved meanwhile: as a move that is not steered. */
+void test_SWR_STEER_007_after_a_pause_beside_the_line_the_needle_is_drawn_out_first(void)
+{
+    insert_steered(3000U);
+    leg_stop(&leg);
+    steer_pause(&steer);
+    world_put(0U, move.target_ticks[0] + 600);
+    mode_clear(&result);
+    move_mode_step(&move, &leg, &steer, &frame, &result);
+    TEST_ASSERT_EQUAL_INT32(needle_retracted_ticks(&robot),
+                            leg.profile.end_ticks[robot.needle_axis]);
+    TEST_ASSERT_EQUAL_INT32(0, steer.heading);
 }

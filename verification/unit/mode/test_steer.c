@@ -23,6 +23,8 @@
 #define HALF_TURN_TICKS 833
 #define RUN_OUT_TICKS 177 /* 160 of the ramp, a margin of 16, and what is rounded. */
 #define TURNS_CYCLES 40000U
+#define PAUSES 400U
+#define PAUSED_OFF 0.03
 
 static const axis_config_t *const config = &robot_prostate.axes[ROTATION];
 static steer_t steer;
@@ -94,12 +96,17 @@ static void steps(uint32_t count)
     }
 }
 
-static void expect_share(double expected)
+static void expect_share_within(double expected, double off)
 {
     const double along = seen.along / (double)seen.cycles;
     const double across = seen.across / (double)seen.cycles;
-    TEST_ASSERT_TRUE(fabs(along - expected) < 0.01);
-    TEST_ASSERT_TRUE(fabs(across) < 0.01);
+    TEST_ASSERT_TRUE(fabs(along - expected) < off);
+    TEST_ASSERT_TRUE(fabs(across) < off);
+}
+
+static void expect_share(double expected)
+{
+    expect_share_within(expected, 0.01);
 }
 
 /* Over whole turns of the law; what a part of one adds is small among so many. */
@@ -168,6 +175,42 @@ void test_SWR_STEER_007_the_needle_waits_while_it_turns_back(void)
         }
     }
     TEST_ASSERT_GREATER_THAN_UINT32(5U, seen.reversals);
+}
+
+/* Hands and pedals that pause it again and again, for a short time or a long one, at any angle. */
+void test_SWR_STEER_007_no_pause_changes_by_how_much_the_needle_is_bent(void)
+{
+    static const uint32_t pushes[] = {5000U, 1000U, 500U, 300U, 200U};
+    for (uint32_t i = 0U; i < (sizeof pushes / sizeof pushes[0]); i++) {
+        setUp();
+        set(STEERING_BIDIRECTIONAL, 52429U, 90.0);
+        for (uint32_t pause = 0U; pause < PAUSES; pause++) {
+            uint32_t advanced = 0U;
+            for (uint32_t k = 0U; (k < TURNS_CYCLES) && (advanced < pushes[i]); k++) {
+                advanced += step() ? 1U : 0U;
+                world_follow();
+            }
+            steer_pause(&steer);
+            (void)axis_rest(&axes[ROTATION], LIMIT_CYCLE_US);
+        }
+        expect_share_within(0.375, PAUSED_OFF);
+    }
+}
+
+/* A rotation that never follows is no reason to wait for ever. */
+void test_SWR_STEER_007_the_order_is_given_up_once_it_has_waited_too_long(void)
+{
+    set(STEERING_BIDIRECTIONAL, 32768U, 0.0);
+    steps(500U);
+    world_put(ROTATION, 7000);
+    uint32_t cycles = 0U;
+    while ((result.progress == MODE_RUNNING) && (cycles < TURNS_CYCLES)) {
+        (void)step();
+        cycles++;
+    }
+    TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+    TEST_ASSERT_EQUAL_UINT32(ROTATION, result.axis);
+    TEST_ASSERT_TRUE(cycles >= (LIMIT_OVERTIME_US / LIMIT_CYCLE_US));
 }
 
 void test_SWR_STEER_007_the_needle_waits_for_a_rotation_that_stands(void)
