@@ -27,6 +27,7 @@ solution_t controller_judge_way(controller_t *self, const cycle_t *cycle);
  * controller_judge_trajectory() of list the checksum that it names
  *
  * @satisfies SWR-ALIGN-003
+ * @satisfies SWR-STEER-014
  */
 solution_t controller_aim(controller_t *self, const cycle_t *cycle, const command_t *command,
                           mode_kind_t kind, mode_request_t *request);

@@ -66,6 +66,6 @@ class TestRobotSteering < Minitest::Test
 
   def test_SWR_STEER_003_refuses_a_range_without_room_for_a_turn_and_its_ramps
     short = WHOLE.sub(/minimum_ticks: -8073 .*/, 'minimum_ticks: -1000').sub(/maximum_ticks: 8073 .*/, 'maximum_ticks: 1000')
-    assert_refused(short, 'needs 3689 ticks of rotation, which has 2000; expected two turns and two ramps')
+    assert_refused(short, 'needs 3690 ticks of rotation, which has 2000; expected two turns and two ramps')
   end
 end

@@ -518,7 +518,6 @@ void test_SWR_CMD_005_a_source_sends_what_is_its_own_and_nothing_else(void)
         [COMMAND_SET_HOME] = true,     [COMMAND_RESTORE] = true,
         [COMMAND_NOTE] = true,         [COMMAND_ENABLE_AXIS] = true,
         [COMMAND_DISABLE_AXIS] = true, [COMMAND_ACCEPT_NO_BLACK_BOX] = true,
-        [COMMAND_ZERO_FORCE] = true,
     };
     for (uint32_t kind = (uint32_t)COMMAND_REGISTRATION; kind < COMMAND_KIND_COUNT; kind++) {
         start_manual();

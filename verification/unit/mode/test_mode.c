@@ -36,9 +36,10 @@
 #include <string.h>
 
 static mode_state_t mode;
-static const mode_request_t request = {.sealed.axes = LEG_AXIS(NEURO_AXIS_YAW),
-                                       .sealed.way = {.axis = NEURO_AXIS_YAW, .end_ticks = 200},
-                                       .sealed.move = {{-400, 150, -200, 0, 500, 30, -60}}};
+static const mode_request_t request = {
+    .sealed.axes = LEG_AXIS(NEURO_AXIS_YAW),
+    .sealed.way = {.axis = NEURO_AXIS_YAW, .end_ticks = 200},
+    .sealed.move = {.target_ticks = {-400, 150, -200, 0, 500, 30, -60}}};
 
 void setUp(void)
 {
