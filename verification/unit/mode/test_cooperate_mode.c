@@ -13,6 +13,7 @@
 #include "mode/move/move_mode.h"
 #include "motion/admittance.h"
 #include "robot/joints.h"
+#include "robot/robot_prostate.h"
 #include "unit/support/mode_world.h"
 
 #define NEEDLE NEURO_AXIS_INSERTION
@@ -368,5 +369,43 @@ void test_SWR_VIB_704_it_is_not_resumed_after_a_pause(void)
     for (uint32_t i = 0U; i < 300U; i++) {
         step(1000);
         TEST_ASSERT_GREATER_OR_EQUAL_INT32(0, speed_q8());
+    }
+}
+
+/* The rotation never follows: a push that has waited too long is given up. */
+void test_SWR_STEER_007_a_push_that_waits_too_long_for_the_rotation_is_given_up(void)
+{
+    move_mode_t steered = move;
+    robot.steering = robot_prostate.steering;
+    robot.steering.axis = NEURO_AXIS_ROTATION;
+    (void)steering_set(&steered.steering, &robot.steering, (uint32_t)STEERING_BIDIRECTIONAL, 700U,
+                       0);
+    frame.hand.force_mn = 2000;
+    for (uint32_t i = 0U; (i < LONG_CYCLES) && (result.progress == MODE_RUNNING); i++) {
+        mode_clear(&result);
+        cooperate_mode_step(&mode, &steered, &steer, &frame, &result);
+        world_follow_but(NEURO_AXIS_ROTATION);
+        world_put(NEURO_AXIS_ROTATION, 7000);
+    }
+    TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+    TEST_ASSERT_EQUAL_UINT32(NEURO_AXIS_ROTATION, result.axis);
+    TEST_ASSERT_EQUAL_INT32(1000, axes[NEEDLE].sealed.encoder.position_ticks);
+    TEST_ASSERT_TRUE(all_rest());
+}
+
+/* The rotation turns while the hand pushes, and rests while it does not. */
+void test_SWR_STEER_008_the_rotation_rests_while_no_hand_pushes(void)
+{
+    move_mode_t steered = move;
+    robot.steering = robot_prostate.steering;
+    robot.steering.axis = NEURO_AXIS_ROTATION;
+    (void)steering_set(&steered.steering, &robot.steering, (uint32_t)STEERING_BIDIRECTIONAL, 700U,
+                       0);
+    for (uint32_t i = 0U; i < 400U; i++) {
+        frame.hand.force_mn = (i < 200U) ? 2000 : 0;
+        mode_clear(&result);
+        cooperate_mode_step(&mode, &steered, &steer, &frame, &result);
+        world_follow();
+        TEST_ASSERT_EQUAL(i >= 200U, world_rests(NEURO_AXIS_ROTATION));
     }
 }

@@ -201,3 +201,43 @@ void test_SWR_STEER_007_after_a_pause_beside_the_line_the_needle_is_drawn_out_fi
                             leg.profile.end_ticks[robot.needle_axis]);
     TEST_ASSERT_EQUAL_INT32(0, steer.heading);
 }
+
+/* It never follows: the order is given up, and nothing is driven. */
+void test_SWR_STEER_007_an_insertion_that_has_waited_too_long_is_given_up(void)
+{
+    insert_steered(1000U);
+    world_put(PROSTATE_AXIS_ROTATION, 7000);
+    for (uint32_t i = 0U; (i < LONG_CYCLES) && (result.progress == MODE_RUNNING); i++) {
+        mode_clear(&result);
+        move_mode_step(&move, &leg, &steer, &frame, &result);
+        world_follow_but(PROSTATE_AXIS_ROTATION);
+    }
+    TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+    TEST_ASSERT_EQUAL_UINT32(PROSTATE_AXIS_ROTATION, result.axis);
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, result.requests[i].mode);
+    }
+}
+
+/* While it waits, a base that stands beside its place keeps it waiting. */
+void test_SWR_STEER_007_it_goes_on_once_the_base_stands_at_its_place_again(void)
+{
+    insert_steered(1000U);
+    leg_stop(&leg);
+    for (uint32_t i = 0U; i < 100U; i++) {
+        world_put(0U, move.target_ticks[0] + 6);
+        mode_clear(&result);
+        move_mode_step(&move, &leg, &steer, &frame, &result);
+        TEST_ASSERT_EQUAL_UINT32(0U, leg.is_running);
+        world_follow_but(0U);
+    }
+    world_put(0U, move.target_ticks[0]);
+    for (uint32_t i = 0U; (i < LONG_CYCLES) && (result.progress == MODE_RUNNING); i++) {
+        mode_clear(&result);
+        move_mode_step(&move, &leg, &steer, &frame, &result);
+        world_follow();
+    }
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    TEST_ASSERT_EQUAL_INT32(move.target_ticks[robot.needle_axis],
+                            axes[robot.needle_axis].sealed.encoder.position_ticks);
+}
