@@ -32,7 +32,7 @@ typedef struct {
 void steer_stop(steer_t *self);
 
 /** It rests. Afterwards it goes back by the way of a ramp first, so that it has its speed again
- * where the needle goes on. */
+ * where the needle goes on: no pause changes over which angles the needle has advanced. */
 void steer_pause(steer_t *self);
 
 /** It turns, or did in the cycle before. */
@@ -53,10 +53,6 @@ static inline bool steer_is_awaited(const steer_t *self)
  * @satisfies SWR-STEER-011
  */
 uint32_t steer_needle_percent(const mode_frame_t *frame);
-
-/** It begins anew, from where the axis is then. Without it a rotation that has rested goes on as it
- * did before: so no pause changes over which angles the needle has advanced. */
-void steer_stop(steer_t *self);
 
 /**
  * One cycle of the rotation of a needle that is steered. Its request is written to `result`.
