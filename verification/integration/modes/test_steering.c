@@ -11,6 +11,7 @@
 
 #include "limits/requirement_limits.h"
 #include "robot/robot_prostate.h"
+#include "sim/box_needle.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -30,6 +31,8 @@
  */
 #define SHARE 0.415
 #define SHARE_OFF 0.05
+#define UNTURNED_MM 7.5 /* Of the tip of a needle that does not turn. */
+#define TIP_MM 0.4
 #define PUSH_MN 3000
 #define PUSH_CYCLES 5000U
 #define SOME_TURNS_CYCLES 15000U
@@ -268,4 +271,36 @@ void test_SWR_STEER_014_no_treatment_program_runs_to_a_target_that_is_steered_to
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, steer(STEERING_BIDIRECTIONAL, PER_KM, 90));
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_STEERED, rig_command(&rig, run).status);
+}
+
+/* How far the true tip in the tissue of the simulated box lies from the line of a straight needle,
+ * along the direction and across it; at 0 degrees the bevel bends towards -y. */
+static void expect_tip(double along_mm, double across_mm)
+{
+    const sim_vector_t place = box_needle_tip(&rig.box).place_mm;
+    const double x = sin(direction_rad);
+    const double y = -cos(direction_rad);
+    TEST_ASSERT_TRUE(fabs((place.x * x) + (place.y * y) - along_mm) < TIP_MM);
+    TEST_ASSERT_TRUE(fabs((place.x * y) - (place.y * x) - across_mm) < TIP_MM);
+}
+
+/* The law's share of the curvature of the box's needle, 0.0041 per mm, over the 60.5 mm of its
+ * tissue; one that is not steered has all of it. */
+void test_SWR_STEER_008_the_true_tip_lies_where_it_was_steered_to(void)
+{
+    static const int32_t directions_deg[] = {0, 90, -150};
+    for (uint32_t i = 0U; i < (sizeof directions_deg / sizeof directions_deg[0]); i++) {
+        by_hand_start(&rig, ENTRY_Z_NM, TARGET_Z_NM);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK,
+                                 steer(STEERING_BIDIRECTIONAL, PER_KM, directions_deg[i]));
+        insert(NULL);
+        expect_tip(SHARE * UNTURNED_MM, 0.0);
+    }
+    by_hand_start(&rig, ENTRY_Z_NM, TARGET_Z_NM);
+    direction_rad = 0.0;
+    begin(NULL);
+    for (uint32_t i = 0U; (i < LONG_CYCLES) && !is_over(); i++) {
+        rig_cycle(&rig);
+    }
+    expect_tip(UNTURNED_MM, 0.0);
 }
