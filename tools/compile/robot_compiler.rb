@@ -82,7 +82,8 @@ module Robot
 
     # Parts of the table, in order.
     def parts
-      sealed = head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values, **probe, 'hand' => hand, 'vibration' => vibration, 'steering' => @robot.steering.values)
+      sealed = head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values, **probe, 'hand' => hand, 'vibration' => vibration,
+                          'steering' => @robot.steering.values)
       [*head.map { |field, value| "    .#{field} = #{value}" },
        *array('coupled_limits', coupled_limits.each_with_index.map { |limit, i| "        [#{i}] = {#{initializers(limit)}}" }),
        *array('geometry_nm', geometry.map { |name, nm| "        [#{name}] = #{nm}" }),

@@ -274,7 +274,7 @@ class TestInterfaceCompiler < Minitest::Test
   end
 
   def test_SWR_TOOL_028_refuses_a_number_without_a_unit
-    { "      - {name: width, type: number}\n" => 'is the number width without a unit; end it in one of mm, deg',
+    { "      - {name: width, type: number}\n" => 'is the number width without a unit; end it in one of mm, um, deg',
       "      - {name: flow_per_s, type: number}\n" => 'is the number flow_per_s without a unit',
       "      - {name: summary, type: uint32}\n" => 'is the number summary without a unit',
       "      - {name: width, type: number, unit: axis}\n" => 'has the unit of width in unit, which is not there',

@@ -81,7 +81,7 @@ class TestRobotCompiler < Minitest::Test
   def test_SWR_ROBOT_001_an_unknown_key_is_refused
     assert_refused(with('kinematics: neuro', "kinematics: neuro\ncolour: red"),
                    'colour: is unknown; expected name, kinematics, card_firmware, geometry, probe, coupled_limits, ' \
-                   'axes, cards, force, hand, poses, reported', at: 'colour')
+                   'axes, cards, force, hand, poses, reported, steering', at: 'colour')
     text = with('    slot: 4', "    slot: 4\n    slat: 4", axis: 'lateral')
     status, errors, = compile(text)
     assert_equal 1, status
