@@ -129,8 +129,8 @@ static int64_t next_q8(const steer_t *self, const steering_t *steering, const mo
                      &steps, way_left(self, (int64_t)axis->sealed.setpoint_ticks) * RAMP_TICK);
 }
 
-static void turn(steer_t *self, const steering_t *steering, const mode_frame_t *frame,
-                 uint32_t index, mode_result_t *result)
+static void advance(steer_t *self, const steering_t *steering, const mode_frame_t *frame,
+                    uint32_t index, mode_result_t *result)
 {
     axis_t *const axis = &frame->axes[index];
     const int64_t speed_q8 = (int64_t)self->heading * next_q8(self, steering, frame, index);
@@ -167,7 +167,7 @@ bool steer_step(steer_t *self, const steering_t *steering, const mode_frame_t *f
     if (self->is_paused != 0U) {
         resume(self, config, steering, axis->sealed.setpoint_ticks);
     }
-    turn(self, steering, frame, index, result);
+    advance(self, steering, frame, index, result);
     const bool is_free = may_go_in(self, steering, frame, index);
     self->waiting_cycles = is_free ? 0U : (self->waiting_cycles + 1U);
     if ((self->waiting_cycles * LIMIT_CYCLE_US) >= LIMIT_OVERTIME_US) {

@@ -100,11 +100,11 @@ static void begin_insertion(const move_mode_t *self, leg_t *leg, const mode_fram
 static void insert_steered(const move_mode_t *self, leg_t *leg, steer_t *steer,
                            const mode_frame_t *frame, mode_result_t *result)
 {
-    const bool is_free = steer_step(steer, &self->steering, frame, result);
+    const bool may_go_in = steer_step(steer, &self->steering, frame, result);
     const bool is_running = leg->is_running != 0U;
     if (result->progress == MODE_FAILED) {
         mode_rest(frame, result);
-    } else if (!is_free ||
+    } else if (!may_go_in ||
                (!is_running && !move_mode_is_aligned(self, frame->robot, frame->axes))) {
         hold(self, leg, frame, result);
     } else {

@@ -9,8 +9,11 @@
 
 #include "unity.h"
 
+#include "controller/controller_facts.h"
+#include "controller/cycle/controller_drive.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_prostate.h"
+#include "safety/permit.h"
 #include "sim/box_needle.h"
 
 #include <math.h>
@@ -203,6 +206,35 @@ void test_SWR_STEER_006_a_rotation_that_stalls_stops_the_needle(void)
         expect_no_depth_without_rotation();
         TEST_ASSERT_TRUE(is_over());
     }
+}
+
+/* What leaves to the needle's card if a mode asks for this drive of it. */
+static card_drive_t drive_for(uint32_t direction)
+{
+    const cycle_t now = {.robot = rig.box.robot, .inputs = &rig.inputs, .outputs = &rig.outputs};
+    const uint32_t guards = controller_facts(&rig.controller, &now);
+    card_drive_t requests[ROBOT_AXIS_MAX] = {{.mode = (uint32_t)CARD_DRIVE_OFF}};
+    requests[NEEDLE] =
+        (card_drive_t){.mode = (uint32_t)CARD_DRIVE_PWM, .direction = direction, .duty = 100000U};
+    controller_drive(&rig.controller, &now, guards, requests);
+    return rig_sent(&rig, NEEDLE).drive;
+}
+
+/* Whatever a mode asks for: the permit itself stands against it. */
+void test_SWR_STEER_006_no_drive_deeper_leaves_while_the_rotation_stands(void)
+{
+    const uint32_t in = (robot_prostate.axes[NEEDLE].is_motor_inverted != 0U) ? 0U : 1U;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, steer(STEERING_BIDIRECTIONAL, PER_KM, 90));
+    begin(NULL);
+    for (uint32_t i = 0U; i < SOME_TURNS_CYCLES; i++) {
+        cycle();
+    }
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_MOVING, rig.outputs.snapshot.order);
+    rig.controller.axes[ROTATION].sealed.setpoint_speed_ticks_per_s_q8 = 0;
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, drive_for(in).mode);
+    TEST_ASSERT_BITS_HIGH(permit_reason(true, PERMIT_REASON_ROTATION_LAGS),
+                          rig.controller.records[NEEDLE].sealed.reason_hold.shown);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_PWM, drive_for(1U - in).mode);
 }
 
 void test_SWR_STEER_002_what_cannot_be_is_refused_and_the_old_stands(void)

@@ -200,6 +200,10 @@ void test_SWR_STEER_007_after_a_pause_beside_the_line_the_needle_is_drawn_out_fi
     TEST_ASSERT_EQUAL_INT32(needle_retracted_ticks(&robot),
                             leg.profile.end_ticks[robot.needle_axis]);
     TEST_ASSERT_EQUAL_INT32(0, steer.heading);
+    world_put(0U, move.target_ticks[0]);
+    mode_clear(&result);
+    move_mode_step(&move, &leg, &steer, &frame, &result);
+    TEST_ASSERT_EQUAL_INT32(0, steer.heading); /* That leg is gone to its end. */
 }
 
 /* It never follows: the order is given up, and nothing is driven. */

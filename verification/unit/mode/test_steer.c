@@ -242,6 +242,20 @@ void test_SWR_STEER_005_it_goes_on_as_it_did_before_a_pause(void)
     TEST_ASSERT_TRUE((speed_q8() * heading) <= (config->acceleration_ticks_per_s2 * 256 / 1000));
 }
 
+/* A hand that trembles: the needle goes on where the rotation has rested first. */
+void test_SWR_STEER_007_a_pause_before_it_has_gone_on_changes_no_place(void)
+{
+    set(STEERING_BIDIRECTIONAL, 32768U, 0.0);
+    steps(TURNS_CYCLES / 4U);
+    const int32_t place = place_ticks();
+    for (uint32_t i = 0U; i < 5U; i++) {
+        steer_pause(&steer);
+        (void)axis_rest(&axes[ROTATION], LIMIT_CYCLE_US);
+        steps(3U);
+    }
+    TEST_ASSERT_INT32_WITHIN(1, place, steer.resume_ticks);
+}
+
 /* It was turned far beyond its turns meanwhile: it comes back. */
 void test_SWR_STEER_005_it_comes_back_from_beyond_its_turns(void)
 {

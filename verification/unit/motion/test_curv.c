@@ -75,7 +75,7 @@ void test_SWR_STEER_001_it_wraps_on_both_sides_and_over_turns(void)
         const double at_rad = rows[i].at_deg * TURN_RAD / 360.0;
         const double direction_rad = rows[i].direction_deg * TURN_RAD / 360.0;
         const steering_t steering = {.method = (uint32_t)STEERING_BIDIRECTIONAL,
-                                     .direction_bam = (int32_t)(uint32_t)(int64_t)lround(
+                                     .direction_bam = (int32_t)(uint32_t)(int64_t)llround(
                                          rows[i].direction_deg / 360.0 * TURN_BAM),
                                      .alpha_q16 = 52429U};
         const int32_t ticks = (int32_t)lround(at_rad * 265.27);

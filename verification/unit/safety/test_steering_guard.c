@@ -53,7 +53,7 @@ void test_SWR_STEER_006_a_rotation_as_its_law_has_it_follows(void)
     }
 }
 
-void test_SWR_STEER_006_one_that_stands_lags_or_is_slow_does_not(void)
+void test_SWR_STEER_006_one_that_stands_lags_is_slow_or_too_fast_does_not(void)
 {
     for (int32_t ticks = config->minimum_ticks; ticks < config->maximum_ticks; ticks += 11) {
         const int64_t law_q8 = curv_speed_q8(config, &steering, ticks);
@@ -65,6 +65,10 @@ void test_SWR_STEER_006_one_that_stands_lags_or_is_slow_does_not(void)
         TEST_ASSERT_TRUE(follows(ticks, 0, -least_q8));
         TEST_ASSERT_FALSE(follows(ticks, 0, least_q8 - 1));
         TEST_ASSERT_FALSE(follows(ticks, 0, 1 - least_q8));
+        const int64_t most_q8 = (law_q8 * (int64_t)LIMIT_STEERING_PACE_MOST_PERCENT) / 100;
+        TEST_ASSERT_TRUE(follows(ticks, 0, most_q8));
+        TEST_ASSERT_FALSE(follows(ticks, 0, most_q8 + 1));
+        TEST_ASSERT_FALSE(follows(ticks, 0, -most_q8 - 1));
     }
 }
 
