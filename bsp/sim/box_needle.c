@@ -11,7 +11,7 @@
 #define Q30 1073741824.0
 #define NM_PER_MM 1e6
 #define UM_PER_MM 1e3
-#define PER_KM 1e6 /* Of what is per mm. */
+#define PER_KM 1e6 /* 1/mm in 1/km. */
 #define US_PER_MS UINT64_C(1000)
 
 static double units_of(const box_axis_t *axis)

@@ -11,7 +11,8 @@
 #define ONE_Q16 65536
 #define PERCENT 100U
 
-/* exp(-d^2 / (2 c^2)) at d = n / 64 of half a turn, c = 60 degrees, 16 fraction bits. */
+/* exp(-d^2 / (2 c^2)) at d = n / 64 of half a turn, c = LIMIT_STEERING_WIDTH_DEG, 16 fraction bits.
+ */
 static const int32_t bell_q16[SEGMENTS + 1U] = {
     65536, 65464, 65249, 64891, 64394, 63760, 62995, 62101, 61086, 59956, 58717, 57378, 55947,
     54431, 52840, 51183, 49469, 47708, 45908, 44079, 42231, 40371, 38508, 36650, 34806, 32982,

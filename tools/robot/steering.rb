@@ -20,8 +20,8 @@ module Robot
     FULL_PERCENT = 100
     UM_PER_MM = 1000.0
     TURN_STEPS = 720
-    MARGIN_TICKS = 17
-    WIDTH_RAD = Math::PI / 3 # c of core/motion/curv.h
+    ROUNDED_TICKS = 1 # By which a turn is longer than its whole ticks.
+    WIDTH_RAD = Limit.of('steering_width_deg') * Math::PI / 180
 
     # Of steering_law_t, as C writes them.
     attr_reader :values
@@ -53,7 +53,7 @@ module Robot
 
     # A whole turn about any direction, and beyond each end the ramp of a rotation that turns back, with some counts (core/mode/leg/steer.c).
     def refuse_short(node, axis)
-      run_out = (Rational(axis['speed_ticks_per_s']**2, 2 * axis['acceleration_ticks_per_s2'])).ceil + MARGIN_TICKS
+      run_out = Rational(axis['speed_ticks_per_s']**2, 2 * axis['acceleration_ticks_per_s2']).ceil + Limit.of('steering_margin_ticks') + ROUNDED_TICKS
       least = (4 * Math::PI * axis['ticks_per_unit']).ceil + (2 * run_out)
       range = axis['maximum_ticks'] - axis['minimum_ticks']
       node.refuse("needs #{least} ticks of #{axis['name']}, which has #{range}; expected two turns and two ramps") if range < least

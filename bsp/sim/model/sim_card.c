@@ -126,7 +126,7 @@ static void step_watchdog(sim_card_t *self)
     }
 }
 
-/* Of an undriven card, to which a trip in any of these steps is the same. */
+/* For a card without a drive: a trip has the same effect in each of these steps. */
 static void rest_watchdog(sim_card_t *self, uint32_t steps)
 {
     if (self->valid_age_us + (uint64_t)steps * SIM_STEP_US < watchdog_us(self)) {

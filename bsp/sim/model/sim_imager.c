@@ -43,7 +43,7 @@ void sim_imager_take(sim_imager_t *self, const sim_imager_config_t *config, uint
     sim_image_t *const image = &self->on_way[self->waiting];
     const sim_vector_t off_mm = noise(&self->random, config->noise_mm);
     const sim_vector_t tilt = noise(&self->random, config->noise_deg * SIM_RAD_PER_DEG);
-    /* What of it is along the direction turns nothing. */
+    /* Its part along the direction turns nothing. */
     const sim_vector_t across = sim_space_cross(tilt, direction);
 
     self->taken++;

@@ -5,7 +5,7 @@
 
 #define UNIT_STEPS 6U /* Newton's, from 0.5 or 1.5 to the last bit. */
 #define QUARTER_RAD 1.5707963267948966
-#define QUARTER_REST_RAD 6.123233995736766e-17 /* What the double above lacks. */
+#define QUARTER_REST_RAD 6.123233995736766e-17 /* Quarter turn minus its double above. */
 #define TERMS 9U                               /* Taylor's, for up to an eighth of a turn. */
 
 sim_vector_t sim_space_unit(sim_vector_t vector)

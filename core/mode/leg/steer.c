@@ -12,8 +12,6 @@
 
 #define TURN_BAM INT64_C(4294967296)
 #define COUNT_Q16 65536
-/* Beyond the way of a ramp: so many counts stay free at each end. */
-#define MARGIN_TICKS 16
 
 uint32_t steer_needle_percent(const mode_frame_t *frame)
 {
@@ -43,7 +41,7 @@ static int64_t run_out_ticks(const axis_config_t *config)
 {
     const int64_t speed = (int64_t)config->speed_ticks_per_s;
     return fixed_divide_signed(speed * speed, 2 * (int64_t)config->acceleration_ticks_per_s2) +
-           MARGIN_TICKS;
+           (int64_t)LIMIT_STEERING_MARGIN_TICKS;
 }
 
 /* Whole turns about the direction, of which the one in the middle is the nearest to the axis that
@@ -90,8 +88,8 @@ static void resume(steer_t *self, const axis_config_t *config, const steering_t 
     const int64_t speed = curv_speed_q8(config, steering, self->resume_ticks) / 256;
     const int64_t ramp =
         fixed_divide_signed(speed * speed, 2 * (int64_t)config->acceleration_ticks_per_s2);
-    const int64_t back =
-        (int64_t)self->resume_ticks - ((int64_t)self->forward * (ramp + MARGIN_TICKS));
+    const int64_t back = (int64_t)self->resume_ticks -
+                         ((int64_t)self->forward * (ramp + (int64_t)LIMIT_STEERING_MARGIN_TICKS));
     self->back_ticks =
         fixed_saturate(fixed_within(back, (int64_t)self->low_ticks - (int64_t)self->run_out_ticks,
                                     (int64_t)self->high_ticks + (int64_t)self->run_out_ticks));

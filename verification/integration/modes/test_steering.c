@@ -41,6 +41,7 @@
 #define SOME_TURNS_CYCLES 15000U
 #define STALLS 8U
 #define RUN_ON_MM 0.02
+#define STALL_MM 0.3
 
 static rig_t rig;
 /* What the true needle has done, and where its bevel was meanwhile. */
@@ -203,8 +204,10 @@ void test_SWR_STEER_006_a_rotation_that_stalls_stops_the_needle(void)
             cycle();
         }
         rig_box(&rig, "motor 0 stuck");
+        const double at_ticks = witness.needle_ticks;
         expect_no_depth_without_rotation();
         TEST_ASSERT_TRUE(is_over());
+        TEST_ASSERT_TRUE((witness.needle_ticks - at_ticks) <= (STALL_MM * TICKS_PER_MM));
     }
 }
 

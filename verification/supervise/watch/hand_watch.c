@@ -65,7 +65,7 @@ static bool is_unturned(hand_watch_t *self, const rig_t *rig, const double truth
     const robot_t *const robot = rig->box.robot;
     const uint32_t needle = robot->needle_axis;
     const uint32_t rotation = robot->steering.axis;
-    const bool is_watched = order_watch_is_steering(rig, rotation) && is_sent(rig, needle) &&
+    const bool is_watched = order_watch_is_steering(rig, rotation) &&
                             (rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET);
     if (!is_watched || (fabs(truth[rotation] - self->turned_ticks) > TURNED_TICKS)) {
         self->turned_ticks = truth[rotation];

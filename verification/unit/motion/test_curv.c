@@ -15,7 +15,7 @@
 #define ONE 65536.0
 #define TURN_BAM 4294967296.0
 #define TURN_RAD 6.283185307179586
-#define WIDTH_RAD (TURN_RAD / 6.0)
+#define WIDTH_RAD (TURN_RAD * (double)LIMIT_STEERING_WIDTH_DEG / 360.0)
 #define WITHIN 20.0
 #define STEP_BAM 3000017 /* Some 1400 angles of a turn. */
 

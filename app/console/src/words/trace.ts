@@ -49,7 +49,7 @@ export interface DepthMark {
   place: number;
 }
 
-/** Those of the present or last insertion by hand are the last ones. The newest entry comes first. */
+/** Depths of the last `count` unexpected punctures, which belong to the present or last insertion by hand. The log has its newest entry first. */
 function unexpectedOf(count: number, log: Log): number[] {
   return log
     .filter(({ name }) => name === "MEMBRANE_UNEXPECTED")
@@ -196,7 +196,7 @@ export class Trace {
     return Math.round((position - (this.entry ?? 0)) * NM_PER_MM) / NM_PER_MM;
   }
 
-  /** Of the needle by the positions of its axis, as `depthOf` has them. */
+  /** The depths of the needle, one for each kept position of its axis, as `depthOf` computes them. */
   depths(axis: string): (number | null)[] {
     return this.column(axis, "position").map((position) =>
       position === null ? null : this.depthOf(position),

@@ -12,12 +12,12 @@ const views: { name: string; up: Across }[] = [
   { name: "From the side, y upwards", up: "y_mm" },
   { name: "From above, x upwards", up: "x_mm" },
 ];
-/** What is drawn at least, and by what it grows. */
+/** The least depth that is drawn, and the steps in which the drawing grows. */
 const STEP_MM = 20;
 const AHEAD_MM = 60;
 const MARGIN_MM = 4;
 
-/** What can be chosen beside the present value. */
+/** Values to choose from, beside the present one. */
 const curvatures = [0, 1000, 2200, 4100, 8000];
 const torsions = [0, 20, 45];
 const periods = [0, 500, 1000, 2000, 5000];

@@ -39,7 +39,7 @@ export function Choice({
 interface NumberChoiceProperties {
   name: string;
   value: number;
-  /** Those that can be chosen; the present one is added. */
+  /** Values to choose from; the present one is added. */
   numbers: readonly number[];
   text: (value: number) => string;
   isDisabled: boolean;

@@ -15,7 +15,7 @@ function newtons(force: number | undefined): string {
   return force === undefined ? "doubtful" : `${formatNumber(force, 2)} N`;
 }
 
-/** What the needle's place is counted from. */
+/** The name of the needle's place, by the point from which it is counted. */
 function placeOf({ hasDepth }: Trace): string {
   return hasDepth ? "depth below the entry point" : "position of the axis";
 }
