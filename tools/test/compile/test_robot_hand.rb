@@ -4,23 +4,10 @@
 # Rule under test: the hand of a robot's file is compiled to ticks, or refused with line and field where it could swing or push by itself.
 
 require 'minitest/autorun'
-require 'stringio'
-require 'tmpdir'
-require_relative '../../compile/robot_compiler'
+require_relative 'prostate_file'
 
 class TestRobotHand < Minitest::Test
-  WHOLE = File.read(File.expand_path('../../../core/robot/prostate/robot.yml', __dir__))
-  LINE = WHOLE.lines.index { |line| line.start_with?('hand:') } + 1
-
-  def compile(text)
-    Dir.mktmpdir do |directory|
-      path = File.join(directory, 'robot.yml')
-      File.write(path, text)
-      errors = StringIO.new
-      status = Robot::Command.run([path, File.join(directory, 'out')], errors: errors)
-      [status, errors.string, status.zero? ? File.read(File.join(directory, 'out/robot_prostate.c')) : nil]
-    end
-  end
+  include ProstateFile
 
   def test_SWR_COOP_010_the_table_has_the_hand_in_ticks_and_millinewton
     assert_includes compile(WHOLE).last,
@@ -55,9 +42,7 @@ class TestRobotHand < Minitest::Test
 
   def assert_refused(old, new, reason)
     assert_includes WHOLE, old
-    status, errors, = compile(WHOLE.sub(old, new))
-    assert_equal 1, status
-    assert_match(/robot\.yml:#{LINE}: .*#{Regexp.escape(reason)}/, errors)
+    assert_refused_at('hand', WHOLE.sub(old, new), reason)
   end
 
   VIBRATION_REFUSALS = {
@@ -85,16 +70,14 @@ class TestRobotHand < Minitest::Test
     deadband = /deadband_ticks: 3( +# 1\.8 um)/
     assert_match deadband, WHOLE
     assert_includes compile(WHOLE.sub(deadband, 'deadband_ticks: 58\1')).last, '.amplitude_ticks = 116U'
-    status, errors, = compile(WHOLE.sub(deadband, 'deadband_ticks: 59\1'))
-    assert_equal 1, status
-    assert_match(/robot\.yml:#{LINE}: .*amplitude_mm: is 116 ticks beside a deadband of 59; expected 118 at least/, errors)
+    assert_refused_at('hand', WHOLE.sub(deadband, 'deadband_ticks: 59\1'),
+                      'amplitude_mm: is 116 ticks beside a deadband of 59; expected 118 at least')
   end
 
   def test_SWR_VIB_706_refuses_strokes_above_the_speed_of_the_axis
     text = WHOLE.gsub('acceleration_ticks_per_s2: 40000', 'acceleration_ticks_per_s2: 1000000')
-    status, errors, = compile(text.sub('frequency_hz: 4', 'frequency_hz: 20'))
-    assert_equal 1, status
-    assert_match(/robot\.yml:#{LINE}: .*frequency_hz: leaves a stroke 10 ms of 24; expected 12\.82 at most/, errors)
+    assert_refused_at('hand', text.sub('frequency_hz: 4', 'frequency_hz: 20'),
+                      'frequency_hz: leaves a stroke 10 ms of 24; expected 12.82 at most')
   end
 
   # [what is written, what is written instead, what the refusal says]

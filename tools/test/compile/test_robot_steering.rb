@@ -5,23 +5,10 @@
 # refused with line and field.
 
 require 'minitest/autorun'
-require 'stringio'
-require 'tmpdir'
-require_relative '../../compile/robot_compiler'
+require_relative 'prostate_file'
 
 class TestRobotSteering < Minitest::Test
-  WHOLE = File.read(File.expand_path('../../../core/robot/prostate/robot.yml', __dir__))
-  LINE = WHOLE.lines.index { |line| line.start_with?('steering:') } + 1
-
-  def compile(text)
-    Dir.mktmpdir do |directory|
-      path = File.join(directory, 'robot.yml')
-      File.write(path, text)
-      errors = StringIO.new
-      status = Robot::Command.run([path, File.join(directory, 'out')], errors: errors)
-      [status, errors.string, status.zero? ? File.read(File.join(directory, 'out/robot_prostate.c')) : nil]
-    end
-  end
+  include ProstateFile
 
   # The slowest word gives 26 / 255 of the full speed, 15.8 percent of the most of the law: alpha 0.842 lies between the points of 1.0
   # and 1.6 per m.
@@ -51,21 +38,15 @@ class TestRobotSteering < Minitest::Test
     'a single point' => ['[0, 0.7, 1.0, 1.6, 2.2, 2.4, 4.1]', '[0]', 'steering.curvature_per_m: has 1 points; expected 2 to 8']
   }.freeze
 
-  def assert_refused(text, reason)
-    status, errors, = compile(text)
-    assert_equal 1, status
-    assert_match(/robot\.yml:#{LINE}: .*#{Regexp.escape(reason)}/, errors)
-  end
-
   REFUSALS.each do |what, (old, new, reason)|
     define_method("test_SWR_STEER_003_refuses_#{what.tr(' ', '_')}") do
       assert_includes WHOLE, old
-      assert_refused(WHOLE.sub(old, new), reason)
+      assert_refused_at('steering', WHOLE.sub(old, new), reason)
     end
   end
 
   def test_SWR_STEER_003_refuses_a_range_without_room_for_a_turn_and_its_ramps
     short = WHOLE.sub(/minimum_ticks: -8073 .*/, 'minimum_ticks: -1000').sub(/maximum_ticks: 8073 .*/, 'maximum_ticks: 1000')
-    assert_refused(short, 'needs 3690 ticks of rotation, which has 2000; expected two turns and two ramps')
+    assert_refused_at('steering', short, 'needs 3690 ticks of rotation, which has 2000; expected two turns and two ramps')
   end
 end
