@@ -131,6 +131,11 @@ void motion_oracle_forgive(motion_oracle_t *self);
 void motion_oracle_look(motion_oracle_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
                         bool is_disturbed);
 
+/** Notes that a sentence is broken by `axis`, or by a limit, and by how much; for the parts of the
+ * oracle. */
+void motion_oracle_complain(motion_oracle_t *self, const rig_t *rig, sentence_t sentence,
+                            uint32_t axis, double figure);
+
 /** So many cycles after the end of its profile an `ending` came, in `percent` of all. */
 uint32_t motion_oracle_late(const motion_oracle_t *self, ending_t ending, uint32_t percent);
 
