@@ -101,8 +101,8 @@ static void report_endings(ending_t ending, const char *words)
 
 static void report_losses(void)
 {
-    uint32_t losses[REIGN_LOSSES];
-    for (uint32_t i = 0U; i < REIGN_LOSSES; i++) {
+    uint32_t losses[AUTHORITY_LOSSES];
+    for (uint32_t i = 0U; i < AUTHORITY_LOSSES; i++) {
         losses[i] = scene.oracle.losses[i] + scene.oracle.authority_oracle.losses[i];
     }
     printf(

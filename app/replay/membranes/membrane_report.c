@@ -58,7 +58,7 @@ bool membrane_report_take_noise(membrane_report_t *self, const char *text)
     return self->has_noise;
 }
 
-/* Of a regular file that is not too large; -1 after a sentence. */
+/* Size of a regular file that is not too large; -1 after a sentence. */
 static int64_t size_of(FILE *file, const char *path)
 {
     struct stat found;
@@ -116,7 +116,7 @@ static int32_t depth_um(const force_row_t *sample)
     return (int32_t)lrint(sample->depth_mm * UM_PER_MM);
 }
 
-/* Of the beginning, while the needle rests. */
+/* Noise of the beginning, while the needle rests. */
 static bool measure_noise(const force_csv_t *csv, const char *path, uint32_t *noise_un)
 {
     force_samples_t samples = {.csv = csv};

@@ -114,7 +114,7 @@ void test_SWR_COOP_003_no_hand_takes_the_true_needle_past_its_depth(void)
     }
 }
 
-/* Of its positions from the line that fits them best. */
+/* Range of the distances of its positions from the line that fits them best. */
 static double swing_mm(const double *places, uint32_t count)
 {
     double sums[4] = {0.0, 0.0, 0.0, 0.0};

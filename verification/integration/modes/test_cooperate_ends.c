@@ -152,7 +152,7 @@ void test_SWR_COOP_006_a_damaged_slope_of_the_sensor_ends_it_in_its_cycle(void)
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_MEMORY, rig.outputs.snapshot.next_step);
 }
 
-/* Of the report before, as there is none in this cycle. */
+/* The force is that of the report before, as there is none in this cycle. */
 void test_SWR_FORCE_576_a_force_that_changes_by_itself_moves_nothing(void)
 {
     start_armed();

@@ -75,7 +75,7 @@ void test_SWR_VIB_704_without_the_hand_it_stops_soon(void)
     TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, there, needle_ticks());
 }
 
-/* Whatever ends the insertion ends it, in the cycle that notices. */
+/* Each end of the insertion ends the vibration, in the cycle that notices. */
 void test_SWR_VIB_704_scanner_emergency_stop_and_doubt_end_it(void)
 {
     static const char *const ends[] = {"scanner on", "estop pull", "force hand broken"};

@@ -25,7 +25,7 @@ static bool is_sent(const rig_t *rig, uint32_t axis)
     return rig_sent(rig, axis).drive.mode != (uint32_t)CARD_DRIVE_OFF;
 }
 
-/* What the sensor cannot be believed for, whether or not the core has noticed. */
+/* Faults for which the sensor cannot be believed, whether or not the core has noticed. */
 static void doubt_sensor(hand_watch_t *self, const rig_t *rig)
 {
     const bool is_zeroing = force_sensor_is_zeroing(&rig->controller.force);

@@ -75,7 +75,7 @@ void motion_oracle_begin(motion_oracle_t *self, uint32_t seed)
     }
     (void)memcpy(self->found, kept.found, sizeof kept.found);
     self->losses_in_motion = kept.losses_in_motion + kept.authority_oracle.losses_in_motion;
-    for (uint32_t i = 0U; i < REIGN_LOSSES; i++) {
+    for (uint32_t i = 0U; i < AUTHORITY_LOSSES; i++) {
         self->losses[i] = kept.losses[i] + kept.authority_oracle.losses[i];
     }
     self->seed = seed;
@@ -404,7 +404,7 @@ void motion_oracle_look(motion_oracle_t *self, const rig_t *rig, const double tr
 {
     remember_target(self, rig);
     judge_permit(self, rig);
-    complain_of(self, rig, SENTENCE_REIGN, REIGN_RULES,
+    complain_of(self, rig, SENTENCE_AUTHORITY, AUTHORITY_RULES,
                 authority_oracle_look(&self->authority_oracle, rig));
     motion_places_look(self, rig, truth, is_disturbed);
     if (!is_disturbed) {
