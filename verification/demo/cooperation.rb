@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# An insertion by a hand at the handle of the needle, on the simulated box: it presses under the pedal, and lets go where the robot
-# wants to see it off, at first and after each vibration that answers a membrane.
+# An insertion by a hand at the handle of the needle, on the simulated box: under the pedal it presses and lets go as the next step of
+# the operator has it.
 class Cooperation
   GRIP_MN = 2000
-  # In them the hand is seen off.
-  OFF_CYCLES = 250
   FELT = %w[MEMBRANE_FOUND MEMBRANE_UNEXPECTED MEMBRANE_MISSED MEMBRANE_PASSED VIBRATION_BEGUN VIBRATION_CUT].freeze
   ENDS = %w[ORDER_DONE ORDER_DISCARDED ORDER_EXPIRED].freeze
 
@@ -46,25 +44,20 @@ class Cooperation
     @robot.wait_until('both forces are zeroed') { named(from, 'FORCE_ZEROED').size == 2 }
   end
 
+  # Until the order ends.
   def push
     from = @robot.log.last['number'] + 1
-    press(from) until ended?(from)
+    @robot.wait_until('the needle is at its depth') do
+      do_as_told
+      named(from, *ENDS).any?
+    end
   end
 
-  def press(from)
-    @robot.simctl('hand', 'release')
-    last = @robot.status['cycle'] + OFF_CYCLES
-    @robot.wait_until('the hand is seen off') { @robot.status['cycle'] >= last }
-    @robot.simctl('hand', 'press')
-    @robot.wait_until('the needle is at its depth, or the hand is to be seen off') { ended?(from) || unproven? }
-  end
-
-  def ended?(from)
-    named(from, *ENDS).any?
-  end
-
-  def unproven?
-    @robot.motors['axes'].any? { |axis| axis['permit']['reasons'].any? { |reason| reason['name'] == 'HAND_UNPROVEN' } }
+  def do_as_told
+    case @robot.status['next_step']['name']
+    when 'PUSH' then @robot.simctl('hand', 'press')
+    when 'LET_GO' then @robot.simctl('hand', 'release')
+    end
   end
 
   def named(from, *names)
