@@ -11,7 +11,7 @@
 
 #define SILENCE_S 1
 
-/* Waits, not for ever, for a frame new to the client. Returns its size; 0: there is none. */
+/* Waits, with a bound, for a frame new to the client. Returns its size; 0: none exists. */
 static size_t wait_for_frame(http_stream_t *self, http_stream_client_t *client)
 {
     struct timespec until;
