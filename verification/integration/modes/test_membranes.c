@@ -20,6 +20,7 @@
 
 #define NOWHERE_UM 40000
 #define NEAR_UM 1000
+#define QUIET_N 0.004 /* Noise of less than a count. */
 #define LATE_UM 400        /* From a puncture to its report. */
 #define AFTER_CYCLES 2000U /* Behind the end of an insertion nothing is driven. */
 
@@ -227,6 +228,25 @@ void test_SWR_PUNCT_752_a_membrane_that_another_mode_has_passed_is_not_missed(vo
     TEST_ASSERT_EQUAL_UINT32(MEMBRANE_MISSED, shown()->membranes[2].state);
 }
 
+/* Its window ends behind the place of the pause. */
+void test_SWR_PUNCT_752_a_pause_of_the_hand_hides_nothing(void)
+{
+    const int32_t depths_um[] = {NOWHERE_UM};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(1U, depths_um));
+    begin();
+    insert_to(NOWHERE_UM + ((int32_t)LIMIT_MEMBRANE_WINDOW_UM / 2));
+    rig_release(&rig);
+    rig_box(&rig, "hand release");
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_TARGETING).status);
+    rig_cycles(&rig, 500U);
+    begin();
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, finish());
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANE_PASSED));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANE_MISSED));
+}
+
 void test_SWR_PUNCT_752_nor_is_one_that_was_passed_with_a_doubtful_force(void)
 {
     const int32_t depths_um[] = {NOWHERE_UM, 59900};
@@ -273,6 +293,22 @@ void test_SWR_PUNCT_613_relaxation_of_the_tissue_is_no_membrane(void)
     pushed = 0U;
     (void)finish();
     TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
+}
+
+/* It has hardly any noise, so that nothing calls it stuck. */
+void test_SWR_PUNCT_613_a_reading_that_stands_still_blinds_it(void)
+{
+    sim_phantom_file_t phantom = rig.box.force.phantom;
+    phantom.cells[SIM_CELL_NEEDLE].noise_n = QUIET_N;
+    box_force_lay(&rig.box.force, &phantom);
+    by_hand_zero(&rig);
+    begin();
+    insert_to(FIRST_UM - (4 * NEAR_UM));
+    rig_box(&rig, "force needle 1790");
+    rig_cycles(&rig, LIMIT_FORCE_STILL_CYCLES + 2U);
+    TEST_ASSERT_EQUAL_HEX32(0U, rig.outputs.snapshot.forces[FORCE_CHANNEL_NEEDLE].doubts);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_DOUBTFUL, shown()->sight);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANES_UNSEEN));
 }
 
 void test_SWR_PUNCT_613_a_doubtful_force_blinds_it_and_is_named_once(void)

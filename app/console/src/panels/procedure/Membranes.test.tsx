@@ -18,7 +18,7 @@ const membranes: Membranes = {
   left: 1,
   unexpected: 2,
   sight: "LOOKING",
-  says: "A puncture would be found now.",
+  says: "A puncture is looked for. One may be missed, and one may be invented.",
   depth_mm: 47.25,
   least_fall_mn: 169,
 };
@@ -71,7 +71,7 @@ test("SWR-PUNCT-620 what became of each is shown, and what can be found", async 
   commander = await showTargeting({ membranes: membranes });
   expect(
     screen.getByText(
-      "20.0 mm found at 20.3 mm, 40.0 mm missed, 54.5 mm ahead; 1 left; 2 unexpected. A puncture would be found now. " +
+      "20.0 mm found at 20.3 mm, 40.0 mm missed, 54.5 mm ahead; 1 left; 2 unexpected. A puncture is looked for. One may be missed, and one may be invented. " +
         "The needle is 47.3 mm deep; a force that falls by less than 169 mN is not found.",
     ),
   ).toBeTruthy();
