@@ -54,6 +54,7 @@ const char *motion_oracle_sentence(sentence_t sentence)
         "No hand takes the true needle past its target by 0.1 mm",
         "Without a hand that truly pushes no insertion by hand goes on",
         "A needle that is steered gains no 0.5 mm while its true rotation stands",
+        "A needle that vibrates goes no deeper than its stop",
         "One commands: between two it is lost, and the axes rest",
         "Authority is lost by its holder, silence, or button without pedal",
         "A page that commands has renewed it",
@@ -278,7 +279,8 @@ static void judge_beyond(motion_oracle_t *self, const rig_t *rig)
         const int32_t way = profile->end_ticks[i] - profile->start_ticks[i];
         const int32_t beyond = rig->outputs.snapshot.axes[i].position_ticks - profile->end_ticks[i];
         const int32_t over = (way > 0) ? beyond : -beyond;
-        if ((way != 0) && (over > rig->box.robot->axes[i].deadband_ticks)) {
+        const bool is_led = order_watch_is_steering(rig, i); /* Its law has no end. */
+        if ((way != 0) && !is_led && (over > rig->box.robot->axes[i].deadband_ticks)) {
             motion_oracle_complain(self, rig, SENTENCE_BEYOND, i, over);
         }
     }
