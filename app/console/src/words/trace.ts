@@ -6,6 +6,8 @@ import { isKnown } from "../state/trust";
 export const TRACE_S = 30;
 const US_PER_S = 1e6;
 const NM_PER_MM = 1e6;
+/** A vibration begins in the cycle after its puncture. */
+const SAME_PUNCTURE_MM = 0.05;
 
 /** Quantities of an axis, in this order. */
 export const quantities = [
@@ -39,22 +41,34 @@ interface Line {
   expected: readonly Membrane[];
   /** Depths of punctures that were none of them. */
   unexpected: readonly number[];
+  /** Depths of those punctures that were answered by a vibration. */
+  vibrations: readonly number[];
 }
 
 type Log = readonly Pick<LogEntry, "name" | "value">[];
 
 /** A line across the force over depth. */
 export interface DepthMark {
-  state: Membrane["state"] | "UNEXPECTED";
+  state: Membrane["state"] | "UNEXPECTED" | "VIBRATION";
   place: number;
+}
+
+function depthsOf(event: LogEntry["name"], log: Log): number[] {
+  return log
+    .filter(({ name }) => name === event)
+    .map(({ value }) => value / NM_PER_MM);
 }
 
 /** Depths of the last `count` unexpected punctures, which belong to the present or last insertion by hand. The log has its newest entry first. */
 function unexpectedOf(count: number, log: Log): number[] {
-  return log
-    .filter(({ name }) => name === "MEMBRANE_UNEXPECTED")
-    .slice(0, count)
-    .map(({ value }) => value / NM_PER_MM);
+  return depthsOf("MEMBRANE_UNEXPECTED", log).slice(0, count);
+}
+
+function vibrationsOf(punctures: readonly number[], log: Log): number[] {
+  const begun = depthsOf("VIBRATION_BEGUN", log);
+  return punctures.filter((puncture) =>
+    begun.some((depth) => Math.abs(depth - puncture) < SAME_PUNCTURE_MM),
+  );
 }
 
 function lineOf(
@@ -69,8 +83,11 @@ function lineOf(
   const before = last?.key === key ? last.entry : null;
   const entry =
     depth === null || needle === undefined ? before : needle.position - depth;
-  const { expected = [], unexpected = 0 } = membranes ?? {};
-  return { key, entry, expected, unexpected: unexpectedOf(unexpected, log) };
+  const { expected = [] } = membranes ?? {};
+  const unexpected = unexpectedOf(membranes?.unexpected ?? 0, log);
+  const found = expected.flatMap(({ found_mm }) => found_mm ?? []);
+  const vibrations = vibrationsOf([...found, ...unexpected], log);
+  return { key, entry, expected, unexpected, vibrations };
 }
 
 /** Forces in newton; none of a channel that is doubtful. */
@@ -208,13 +225,15 @@ export class Trace {
    * expected.
    */
   membranes(): DepthMark[] {
-    const { expected = [], unexpected = [] } = this.rows.at(-1)?.line ?? {};
+    const line = this.rows.at(-1)?.line;
+    const { expected = [], unexpected = [], vibrations = [] } = line ?? {};
     const marks: DepthMark[] = [
       ...expected.map(({ state, depth_mm, found_mm }) => ({
         state,
         place: found_mm ?? depth_mm,
       })),
       ...unexpected.map((place) => ({ state: "UNEXPECTED" as const, place })),
+      ...vibrations.map((place) => ({ state: "VIBRATION" as const, place })),
     ];
     return this.hasDepth ? marks : [];
   }

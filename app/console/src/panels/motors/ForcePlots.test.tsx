@@ -147,9 +147,13 @@ test("SWR-CON-610 they are saved where depth and force of the needle are known",
 
 /** The newest one first; that at 1 mm is of another insertion. */
 const log = [
+  ["VIBRATION_BEGUN", 8_002_000],
   ["MEMBRANE_UNEXPECTED", 8_000_000],
+  ["VIBRATION_CUT", 6_001_000],
+  ["VIBRATION_BEGUN", 6_001_000],
   ["MEMBRANE_FOUND", 6_000_000],
   ["MEMBRANE_UNEXPECTED", 2_500_000],
+  ["VIBRATION_BEGUN", 1_001_000],
   ["MEMBRANE_UNEXPECTED", 1_000_000],
 ].map(([name, value]) =>
   makeEntry(1, { name: name as LogEntry["name"], value: Number(value) }),
@@ -249,21 +253,38 @@ test("SWR-CON-700 membranes stand in the force over depth, one that was found wh
   );
   takeInsertion(10, null);
   rerender(<ForcePlots needle={needle} trace={trace} />);
-  expect(Object.keys(marks())).toHaveLength(3);
+  expect(Object.keys(marks())).toHaveLength(4);
+});
+
+/** Depths of the marks with this look. 20 mm of the axis are 6 mm below the entry point. */
+function depthsOf(look: string): number[] {
+  const curve = drawn(OVER_DEPTH, "needle")[0]!;
+  const perMm = (curve[1]![0] - curve[0]![0]) / 10;
+  return [...document.querySelectorAll(`.plot .plot-mark-${look}`)]
+    .map((mark) => /^M([\d.]+),/.exec(mark.getAttribute("d") ?? "")?.[1])
+    .filter((place) => place !== undefined)
+    .map((place) => (Number(place) - curve[1]![0]) / perMm + 6);
+}
+
+test("SWR-CON-756 punctures that a vibration has answered are marked, and none of another insertion", () => {
+  takeInsertion(24, 10, 0, 2);
+  show();
+  expect(depthsOf("vibration")).toEqual([
+    expect.closeTo(6, 1),
+    expect.closeTo(8, 1),
+  ]);
+  expect(document.querySelector(".plots-kinds")?.textContent).toContain(
+    "answered by a vibration",
+  );
 });
 
 test("SWR-CON-754 punctures that were not expected stand in the force over depth", () => {
   takeInsertion(24, 10, 0, 2);
   show();
-  const curve = drawn(OVER_DEPTH, "needle")[0]!;
-  const perMm = (curve[1]![0] - curve[0]![0]) / 10;
-  const places = [...document.querySelectorAll(".plot .plot-mark-unexpected")]
-    .map((mark) => /^M([\d.]+),/.exec(mark.getAttribute("d") ?? "")?.[1])
-    .filter((place) => place !== undefined);
-  // 20 mm of the axis are 6 mm below the entry point.
-  expect(
-    places.map((place) => (Number(place) - curve[1]![0]) / perMm + 6),
-  ).toEqual([expect.closeTo(8, 1), expect.closeTo(2.5, 1)]);
+  expect(depthsOf("unexpected")).toEqual([
+    expect.closeTo(8, 1),
+    expect.closeTo(2.5, 1),
+  ]);
   expect(document.querySelector(".plots-kinds")?.textContent).toContain(
     "unexpected puncture",
   );

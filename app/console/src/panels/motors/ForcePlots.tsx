@@ -2,7 +2,7 @@
 import type { Needle } from "@interface";
 import { saveText } from "../../words/download";
 import { formatNumber, formatValue, words } from "../../words/format";
-import type { Newtons, Trace } from "../../words/trace";
+import type { DepthMark, Newtons, Trace } from "../../words/trace";
 import { Figure, rangeOf } from "./Plot";
 import { overTime, PlotTools, useShown, whenOf, type Shown } from "./PlotTools";
 
@@ -10,6 +10,12 @@ const channels = [
   { look: "hand", label: "hand", channel: "HAND" },
   { look: "needle", label: "needle", channel: "NEEDLE", dash: "8 5" },
 ] as const;
+
+/** Marks that are no membrane. */
+const labels = new Map<DepthMark["state"], string>([
+  ["UNEXPECTED", "unexpected puncture"],
+  ["VIBRATION", "answered by a vibration"],
+]);
 
 function newtons(force: number | undefined): string {
   return force === undefined ? "doubtful" : `${formatNumber(force, 2)} N`;
@@ -57,6 +63,7 @@ function Reading({ needle, plots }: { needle: Needle; plots: Shown }) {
  * @satisfies SWR-CON-700
  * @satisfies SWR-CON-750
  * @satisfies SWR-CON-754
+ * @satisfies SWR-CON-756
  */
 export function ForcePlots({
   needle,
@@ -82,8 +89,7 @@ export function ForcePlots({
   };
   const marks = shown.membranes().map((mark) => {
     const look = words(mark.state).toLowerCase();
-    const label =
-      mark.state === "UNEXPECTED" ? "unexpected puncture" : `membrane ${look}`;
+    const label = labels.get(mark.state) ?? `membrane ${look}`;
     return { look, label, place: mark.place };
   });
   const there = agoS === null ? null : shown.at(needle.axis, agoS);
