@@ -44,7 +44,7 @@ OTHER_BOARDS := $(filter-out sim,$(BOARDS))
 # A static program loads no library while it runs.
 STATIC_BOARDS := $(filter-out $(patsubst bsp/%/board.yml,%,$(shell grep -lx 'loads_library: true' bsp/*/board.yml)),$(OTHER_BOARDS))
 # The verified programs run on the simulated control box, whichever board the programs are for.
-BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/bench_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c bsp/sim/model/*.c)) \
+BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/bench_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c bsp/sim/model/*.c bsp/sim/orders/*.c)) \
     app/control/board_inputs.c
 OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) bsp/no_bench.c $(NAMES) $(GEN)/interface/app/event_words.c \
     $(FIND_ROBOT) $(BOARD_TABLE) $(GEN)/interface/app/messages.c $(API) $(HANDLERS) $(IGTL_TABLES) $(GEN)/interface/app/columns.c \

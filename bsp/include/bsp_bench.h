@@ -23,6 +23,34 @@ typedef struct {
     uint8_t switch_fault;
 } bsp_bench_slot_t;
 
+/** A place on the line of a needle that is not bent, um: across it, and its depth. */
+typedef struct {
+    int32_t x_um;
+    int32_t y_um;
+    int32_t depth_um;
+} bsp_bench_point_t;
+
+#define BSP_BENCH_WAY 33U
+
+/** Where the needle truly is, which no controller knows. */
+typedef struct {
+    uint32_t is_seen; /**< 1: it is in front of tissue; 0: all that follows is 0. */
+    int32_t surface_um;
+    int32_t turn_mdeg;        /**< Of its base, over all turns, */
+    int32_t lag_mdeg;         /**< and by so much the base is ahead of the tip. */
+    int32_t curvature_per_km; /**< With which it is bent while it does not turn. */
+    int32_t torsion_deg;      /**< Per 100 mm. */
+    uint32_t has_target;
+    bsp_bench_point_t target;
+    uint32_t images_period_ms; /**< 0: none is taken. */
+    uint32_t images_delay_ms;
+    int32_t images_noise_um;
+    uint32_t image; /**< Number of the newest image of the tip; 0: there is none. */
+    uint32_t image_age_ms;
+    bsp_bench_point_t image_place;
+    bsp_bench_point_t way[BSP_BENCH_WAY]; /**< Its shaft; the last is the tip. */
+} bsp_bench_needle_t;
+
 /** Visible state of the box. */
 typedef struct {
     uint32_t pedal_holder;  /**< Holder of the pedal from afar; 0: none. */
@@ -44,6 +72,7 @@ typedef struct {
     bool is_lamp_moving;
     bool is_lamp_fault;
     bsp_bench_slot_t slots[CARD_SLOT_COUNT];
+    bsp_bench_needle_t needle;
 } bsp_bench_t;
 
 typedef enum {

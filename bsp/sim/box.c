@@ -86,7 +86,9 @@ void box_init(box_t *self, const robot_t *robot, uint32_t seed)
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         init_axis(&self->axes[i], robot, i, &self->random);
     }
-    box_force_init(&self->force, box_usual_phantom(robot), box_depth_mm(self), &self->random);
+    box_force_init(&self->force, box_usual_phantom(robot), box_depth_mm(self), box_turn_rad(self),
+                   &self->random);
+    sim_imager_init(&self->imager, sim_random_next(&self->random));
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if (robot_cards_has_sensor(robot, slot)) {
             box_plug(self, slot, (uint32_t)CARD_TYPE_SENSOR);
@@ -244,7 +246,51 @@ static void latch(box_t *self)
     self->dropped |= box_inputs(self) ^ BSP_IN_ALL;
 }
 
-static void step(box_t *self)
+/* True if no step moves it: it needs no step of its own for as long as nobody gives orders. */
+static bool does_rest(const box_t *self, uint32_t index)
+{
+    const box_axis_t *const axis = &self->axes[index];
+    const double to_go_ticks = self->probe.to_go_ticks;
+    const bool is_pushed = (index == self->robot->needle_axis) && !self->probe.is_free &&
+                           (to_go_ticks * to_go_ticks > 0.0);
+
+    return !is_pushed && !self->scanner_active &&
+           (axis->card.applied.mode == (uint32_t)CARD_DRIVE_OFF) &&
+           (axis->motor.fault != SIM_MOTOR_RUNS) &&
+           sim_encoder_is_quiet(&axis->encoder, axis->motor.position_ticks) &&
+           sim_switch_is_settled(&axis->limit_switch, axis->motor.position_ticks);
+}
+
+/* All at once; power comes and goes with the e-stop. */
+static uint32_t resting_axes(const box_t *self)
+{
+    uint32_t axes = 0U;
+
+    for (uint32_t i = 0U; (i < self->robot->axis_count) && (self->estop.delay_us == 0U); i++) {
+        axes |= does_rest(self, i) ? (1U << i) : 0U;
+    }
+    return axes;
+}
+
+static void rest_axis(box_axis_t *axis, bool is_powered, uint32_t steps)
+{
+    axis->card.is_motor_hot = axis->motor.fault == SIM_MOTOR_HOT;
+    axis->motor.speed_ticks_per_s = 0.0;
+    sim_encoder_rest(&axis->encoder, steps);
+    sim_card_rest(&axis->card, &axis->encoder, axis->limit_switch.is_active, is_powered, steps);
+    axis->motor.temperature_c = axis->card.motor_temperature_c;
+}
+
+static void rest(box_t *self, uint32_t axes, uint32_t steps)
+{
+    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
+        if (((axes >> i) & 1U) != 0U) {
+            rest_axis(&self->axes[i], has_power(self), steps);
+        }
+    }
+}
+
+static void step(box_t *self, uint32_t resting)
 {
     latch(self);
     step_contact(&self->pedal_a);
@@ -252,10 +298,11 @@ static void step(box_t *self)
     step_contact(&self->estop);
     const double pushed_ticks = step_probe(self);
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
-        step_axis(&self->axes[i], (i == self->robot->needle_axis) ? pushed_ticks : 0.0, self);
+        if (((resting >> i) & 1U) == 0U) {
+            step_axis(&self->axes[i], (i == self->robot->needle_axis) ? pushed_ticks : 0.0, self);
+        }
     }
-    box_force_step(&self->force, SIM_STEP_US, box_depth_mm(self));
-    box_read_cells(self);
+    box_force_step(&self->force, SIM_STEP_US, box_depth_mm(self), box_turn_rad(self));
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if (has_sensor(self, slot)) {
             box_sensor_t *sensor = &self->sensors[slot];
@@ -263,15 +310,20 @@ static void step(box_t *self)
         }
     }
     self->time_us += SIM_STEP_US;
+    box_image_tip(self);
 }
 
 void box_advance(box_t *self, uint32_t us)
 {
     const uint64_t total_us = (uint64_t)self->pending_us + us;
+    const uint32_t steps = (uint32_t)(total_us / SIM_STEP_US);
+    const uint32_t resting = resting_axes(self);
 
-    for (uint64_t left_us = total_us; left_us >= SIM_STEP_US; left_us -= SIM_STEP_US) {
-        step(self);
+    for (uint32_t i = 0U; i < steps; i++) {
+        step(self, resting);
     }
+    rest(self, resting, steps);
+    box_read_cells(self);
     self->pending_us = (uint32_t)(total_us % SIM_STEP_US);
 }
 

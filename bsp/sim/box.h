@@ -20,6 +20,7 @@
 #include "sim/box_force.h"
 #include "sim/model/sim_card.h"
 #include "sim/model/sim_encoder.h"
+#include "sim/model/sim_imager.h"
 #include "sim/model/sim_motor.h"
 #include "sim/model/sim_switch.h"
 
@@ -37,8 +38,13 @@
 #define BOX_WISH_MOST_UM 200000      /**< and the farthest. */
 #define BOX_STIFFNESS_LEAST 100      /**< Stiffness of a hand, mN/mm. */
 #define BOX_STIFFNESS_MOST 10000
-#define BOX_GRIP_MOST_MN 30000 /**< The strongest press of a hand, in or out. */
-#define BOX_REPLY_SIZE 8192U   /**< Room for any reply. */
+#define BOX_GRIP_MOST_MN 30000         /**< The strongest press of a hand, in or out. */
+#define BOX_CURVATURE_MOST 20000       /**< The most that orders may set: per km, */
+#define BOX_TORSION_MOST 90            /**< degrees per 100 mm, */
+#define BOX_IMAGE_MOST_MS 60000        /**< period and delay of images */
+#define BOX_IMAGE_NOISE_MOST_UM 10000  /**< and their noise */
+#define BOX_IMAGE_TILT_MOST_MDEG 10000 /**< in place and direction. */
+#define BOX_REPLY_SIZE 8192U           /**< Room for any reply. */
 
 typedef enum {
     BOX_CARD_NORMAL = 0,
@@ -109,6 +115,7 @@ typedef struct {
     box_contact_t estop; /**< Closed: not pulled. */
     box_probe_t probe;
     box_force_t force;
+    sim_imager_t imager;
     bool scanner_active;
     bool button_pressed;         /**< The operator's, for confirming positions. */
     box_hold_t holds[BOX_HOLDS]; /**< By box_held_t. */
@@ -194,6 +201,16 @@ void box_drop(box_t *self, box_held_t what, uint32_t who);
 
 /** Depth of the needle as the box knows it: its axis, and a free probe beyond. */
 double box_depth_mm(const box_t *self);
+
+/** True angle of the needle's base about its line, which counts turns; 0 where no axis turns it. */
+double box_turn_rad(const box_t *self);
+
+/**
+ * Takes an image of the tip in the z-frame when one is due, and brings those that have come.
+ *
+ * @satisfies SWR-BOX-775
+ */
+void box_image_tip(box_t *self);
 
 /**
  * Lets the cards without an axis read the load cells now.

@@ -12,7 +12,7 @@ static void init_cells(box_force_t *self, const uint32_t seeds[SIM_CELLS])
 }
 
 void box_force_init(box_force_t *self, const sim_phantom_file_t *phantom, double depth_mm,
-                    sim_random_t *random)
+                    double turn_rad, sim_random_t *random)
 {
     uint32_t seeds[SIM_CELLS];
 
@@ -23,6 +23,7 @@ void box_force_init(box_force_t *self, const sim_phantom_file_t *phantom, double
     self->grip_mn = BOX_GRIP_MN;
     sim_hand_init(&self->hand);
     sim_tissue_init(&self->tissue, &self->phantom.tissue, depth_mm);
+    sim_bevel_init(&self->bevel, &self->phantom.tissue, depth_mm, turn_rad);
     init_cells(self, seeds);
 }
 
@@ -34,22 +35,26 @@ void box_force_lay(box_force_t *self, const sim_phantom_file_t *phantom)
         seeds[i] = sim_random_next(&self->cells[i].random);
     }
     self->phantom = *phantom;
-    box_force_heal(self);
+    sim_tissue_init(&self->tissue, &self->phantom.tissue, self->tissue.depth_mm);
+    sim_bevel_init(&self->bevel, &self->phantom.tissue, self->tissue.depth_mm,
+                   self->bevel.tip_rad + self->bevel.lag_rad);
     init_cells(self, seeds);
 }
 
 void box_force_heal(box_force_t *self)
 {
     sim_tissue_init(&self->tissue, &self->phantom.tissue, self->tissue.depth_mm);
+    sim_bevel_heal(&self->bevel, &self->phantom.tissue);
 }
 
-void box_force_step(box_force_t *self, uint32_t step_us, double depth_mm)
+void box_force_step(box_force_t *self, uint32_t step_us, double depth_mm, double turn_rad)
 {
     const double step_s = (double)step_us / 1e6;
     const double speed_mm_per_s = (depth_mm - self->tissue.depth_mm) / step_s;
 
     sim_hand_step(&self->hand, step_s, depth_mm);
     sim_tissue_step(&self->tissue, &self->phantom.tissue, step_s, depth_mm, speed_mm_per_s);
+    sim_bevel_step(&self->bevel, &self->phantom.needle, &self->phantom.tissue, depth_mm, turn_rad);
     sim_load_cell_step(&self->cells[SIM_CELL_HAND], step_us, self->hand.force_n);
     sim_load_cell_step(&self->cells[SIM_CELL_NEEDLE], step_us, self->tissue.force_n);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file boresight-box: the simulated control box as a process, at the box's end of the wire. */
+#include "base/contract.h"
 #include "common/command_line.h"
 #include "limits/requirement_limits.h"
 #include "robot/app/robot_names.h"
@@ -21,6 +22,13 @@
 
 #define EXIT_CANNOT_START 3
 #define PRIORITY 70
+#define SHOW_US UINT64_C(100000)
+
+void contract_broken(const char *module, uint32_t id)
+{
+    (void)fprintf(stderr, "boresight-box: contract %s/%u is broken\n", module, (unsigned)id);
+    abort();
+}
 
 enum { ROBOT = 0, BOX, SEED, SLOW, FAST, REAL_TIME, TISSUE, OPTIONS };
 
@@ -113,6 +121,21 @@ static void publish_bench(wire_t *wire)
     wire_show_bench(wire, &seen);
 }
 
+/*
+ * The needle moves without an order.
+ *
+ * @satisfies SWR-BOX-779
+ */
+static void show_needle(wire_t *wire)
+{
+    static uint64_t shown;
+
+    if (box.time_us / SHOW_US != shown) {
+        shown = box.time_us / SHOW_US;
+        publish_bench(wire);
+    }
+}
+
 static void serve_order(wire_t *wire)
 {
     const uint32_t number = wire_load(&wire->order_request);
@@ -195,6 +218,7 @@ static void look_around(wire_t *wire, box_clock_t *clock, box_grip_t *grip)
     serve_exchange(wire, clock);
     go_on(wire, clock, (call != wire_load(&wire->come)) ? &wire->called_us : NULL);
     loosen(wire, grip);
+    show_needle(wire);
     publish_inputs(wire);
     if (call != wire_load(&wire->come)) {
         wire_announce(&wire->come, call);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sim/box.h"
+#include "sim/box_needle.h"
 
 #include <string.h>
 
@@ -16,6 +17,7 @@ void box_show(const box_t *self, bsp_bench_t *seen)
     seen->force_needle = (uint32_t)self->force.cells[SIM_CELL_NEEDLE].fault;
     seen->gate = (uint32_t)self->gate;
     seen->is_probe_free = self->probe.is_free ? 1U : 0U;
+    box_needle_show(self, &seen->needle);
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         const box_axis_t *const axis = &self->axes[i];
         seen->slots[axis->config->slot] =

@@ -4,6 +4,7 @@
  * boresight-simctl: hands one order to a running simulated control box and prints its answer.
  * Exit code 0: carried out, 1: no box or no answer, 2: refused.
  */
+#include "base/contract.h"
 #include "common/command_line.h"
 #include "sim/wire.h"
 
@@ -15,6 +16,12 @@
 #define NAME_SIZE 128U
 #define MORE_SIZE 2048U
 #define PACE "pace "
+
+void contract_broken(const char *module, uint32_t id)
+{
+    (void)fprintf(stderr, "boresight-simctl: contract %s/%u is broken\n", module, (unsigned)id);
+    abort();
+}
 
 enum { INSTANCE = 0, BOX, OPTIONS };
 

@@ -152,6 +152,7 @@ typedef struct {
     uint32_t axis_count;       /**< Axes of the robot, as its undamaged table said last; at most
                                   ROBOT_AXIS_MAX. */
     hand_guard_t hand_guard;   /**< Of the needle's handle. */
+    uint32_t is_steered;       /**< There was a steering in the cycle before: 0 or 1. */
     uint32_t cycle;            /**< This and the members below only count: any value is as good. */
     uint32_t time_us;
     uint32_t sequence; /**< Number of the outgoing frames. */

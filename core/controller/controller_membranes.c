@@ -128,8 +128,10 @@ static void begin(controller_t *self, const cycle_t *cycle)
     watch->least_fall_mn = membrane_detector_floor_un(&watch->run.detector) / (uint32_t)NM_PER_UM;
     if (needle_is_out(cycle->robot, self->axes)) {
         membrane_list_renew(&watch->plan.list);
-        seal_list(watch);
+    } else {
+        membrane_list_blind(&watch->plan.list, depth_um(self, cycle));
     }
+    seal_list(watch);
 }
 
 static void note_depth(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject,
@@ -140,8 +142,39 @@ static void note_depth(controller_t *self, const cycle_t *cycle, event_id_t id, 
 
 static void note_missed(controller_t *self, const cycle_t *cycle, uint32_t place)
 {
-    note_depth(self, cycle, EVENT_MEMBRANE_MISSED, place + 1U,
-               self->membranes.plan.list.membranes[place].depth_um);
+    const membrane_t *const membrane = &self->membranes.plan.list.membranes[place];
+    note_depth(self, cycle,
+               (membrane->state == (uint32_t)MEMBRANE_PASSED) ? EVENT_MEMBRANE_PASSED
+                                                              : EVENT_MEMBRANE_MISSED,
+               place + 1U, membrane->depth_um);
+}
+
+/* Each vibration that has begun is whole in the log, or has its end there. */
+static void note_vibration(controller_t *self, const cycle_t *cycle, membrane_answer_t now)
+{
+    membrane_watch_t *const watch = &self->membranes;
+    const uint32_t before = watch->vibration;
+    watch->vibration = (uint32_t)now;
+    if ((now == MEMBRANE_ANSWER_RUNS) && (before == (uint32_t)MEMBRANE_ANSWER_NONE)) {
+        note_depth(self, cycle, EVENT_VIBRATION_BEGUN, 0U, watch->depth_um);
+    } else if ((now == MEMBRANE_ANSWER_NONE) && (before == (uint32_t)MEMBRANE_ANSWER_RUNS)) {
+        note_depth(self, cycle, EVENT_VIBRATION_CUT, 0U, watch->depth_um);
+    } else {
+        /* As before, or whole. */
+    }
+}
+
+static membrane_answer_t answer_of(const mode_state_t *mode, mode_kind_t kind)
+{
+    membrane_answer_t answer = MEMBRANE_ANSWER_NONE;
+    if (mode_wants_hand_off(mode, kind)) {
+        answer = MEMBRANE_ANSWER_WHOLE;
+    } else if (mode_is_vibrating(mode, kind)) {
+        answer = MEMBRANE_ANSWER_RUNS;
+    } else {
+        /* It follows the hand. */
+    }
+    return answer;
 }
 
 /* All of them lie before the target. An insertion that has ended too deep has reached it as well.
@@ -158,6 +191,7 @@ static void end(controller_t *self, const cycle_t *cycle)
         }
         seal_list(watch);
     }
+    note_vibration(self, cycle, MEMBRANE_ANSWER_NONE);
     watch->run.is_running = 0U;
     watch->sight = (uint32_t)MEMBRANE_SIGHT_OFF;
     watch->depth_um = 0;
@@ -191,6 +225,15 @@ static membrane_sight_t sight_of(const membrane_run_t *run, bool is_believed, bo
     return sight;
 }
 
+/* Nothing can be said of a membrane that was passed meanwhile. */
+static void pass_blindly(membrane_watch_t *watch)
+{
+    if (watch->depth_um > watch->plan.list.unseen_um) {
+        membrane_list_blind(&watch->plan.list, watch->depth_um);
+        seal_list(watch);
+    }
+}
+
 static bool feel(controller_t *self, const cycle_t *cycle, bool is_vibrating)
 {
     membrane_watch_t *const watch = &self->membranes;
@@ -203,6 +246,9 @@ static bool feel(controller_t *self, const cycle_t *cycle, bool is_vibrating)
         .depth_um = watch->depth_um,
         .is_inserting = self->axes[needle_of(cycle)].sealed.setpoint_speed_ticks_per_s_q8 > 0,
         .is_blind = !is_believed || is_vibrating};
+    if (!is_believed) {
+        pass_blindly(watch);
+    }
     const membrane_event_t event =
         membrane_detector_step(&watch->run.detector, &watch->plan.list, &view);
     if (event.kind != (uint32_t)MEMBRANE_EVENT_NONE) {
@@ -237,6 +283,7 @@ bool controller_feel_membranes(controller_t *self, const cycle_t *cycle)
     bool is_puncture = false;
     if (is_by_hand) {
         is_puncture = feel(self, cycle, mode_is_vibrating(&self->mode, kind));
+        note_vibration(self, cycle, answer_of(&self->mode, kind));
     }
     return is_puncture;
 }

@@ -22,7 +22,9 @@ void controller_clear_membranes(controller_t *self);
  * @satisfies SWR-PUNCT-613
  * @satisfies SWR-PUNCT-616
  * @satisfies SWR-PUNCT-617
+ * @satisfies SWR-PUNCT-752
  * @satisfies SWR-VIB-705
+ * @satisfies SWR-VIB-753
  */
 bool controller_feel_membranes(controller_t *self, const cycle_t *cycle);
 

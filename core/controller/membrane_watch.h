@@ -28,6 +28,13 @@ typedef struct {
     uint32_t is_running; /**< 0 or 1; 0: the rest is of no meaning. */
 } membrane_run_t;
 
+/** What became of the last vibration. */
+typedef enum {
+    MEMBRANE_ANSWER_NONE = 0,
+    MEMBRANE_ANSWER_RUNS = 1, /**< The needle comes to rest for it, or vibrates. */
+    MEMBRANE_ANSWER_WHOLE = 2 /**< The hand has not let go since. */
+} membrane_answer_t;
+
 /** All zero: nothing is expected or looked for. */
 typedef struct {
     membrane_plan_t plan;
@@ -37,7 +44,7 @@ typedef struct {
     uint32_t sight;     /**< membrane_sight_t; shown only, as the next two. */
     int32_t depth_um;
     uint32_t least_fall_mn;
-    uint32_t reserved; /**< 0. */
+    uint32_t vibration; /**< membrane_answer_t; for the log only. */
 } membrane_watch_t;
 
 #endif

@@ -5,6 +5,7 @@
 #include "limits/requirement_limits.h"
 #include "mode/mode_dispatch.h"
 #include "mode/velocity/velocity_share.h"
+#include "safety/steering_guard.h"
 
 bool mode_runs_in(mode_kind_t kind, workphase_t workphase)
 {
@@ -60,6 +61,7 @@ void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *requ
         program_mode_begin(&self->sealed.program);
     }
     leg_stop(&self->sealed.leg);
+    steer_stop(&self->sealed.steer);
     escort_end(&self->sealed.escort);
 }
 
@@ -179,6 +181,15 @@ bool mode_is_by_hand(mode_kind_t kind)
 bool mode_is_vibrating(const mode_state_t *self, mode_kind_t kind)
 {
     return (kind == MODE_COOPERATE) && cooperate_mode_is_vibrating(&self->request.own.cooperate);
+}
+
+bool mode_waits_for_rotation(const mode_state_t *self, mode_kind_t kind, const robot_t *robot,
+                             const axis_t axes[ROBOT_AXIS_MAX])
+{
+    const bool is_stroke =
+        (kind == MODE_COOPERATE) && cooperate_mode_is_stroke(&self->request.own.cooperate);
+    return (mode_aim_of((uint32_t)kind) == MODE_AIM_DEPTH) && !is_stroke &&
+           !steering_guard_follows(&self->request.sealed.move.steering, robot, axes);
 }
 
 bool mode_wants_hand_off(const mode_state_t *self, mode_kind_t kind)

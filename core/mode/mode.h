@@ -110,6 +110,15 @@ bool mode_is_by_hand(mode_kind_t kind);
  * vibrates. */
 bool mode_is_vibrating(const mode_state_t *self, mode_kind_t kind);
 
+/**
+ * The needle must not go deeper in `kind`, which was begun last: it is steered, its rotation does
+ * not follow its law, and what it does is no stroke of a vibration.
+ *
+ * @satisfies SWR-STEER-006
+ */
+bool mode_waits_for_rotation(const mode_state_t *self, mode_kind_t kind, const robot_t *robot,
+                             const axis_t axes[ROBOT_AXIS_MAX]);
+
 /** In `kind`, which was begun last, the hand is to be seen off before it moves the needle again. */
 bool mode_wants_hand_off(const mode_state_t *self, mode_kind_t kind);
 

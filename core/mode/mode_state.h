@@ -7,6 +7,7 @@
 #include "mode/jog/jog_mode.h"
 #include "mode/leg/escort.h"
 #include "mode/leg/leg.h"
+#include "mode/leg/steer.h"
 #include "mode/lists/trajectory_list.h"
 #include "mode/move/move_mode.h"
 #include "mode/program/program_mode.h"
@@ -33,6 +34,7 @@ typedef struct {
     uint32_t kind; /**< mode_kind_t of the order that was armed last. */
     leg_t leg;
     escort_t escort; /**< Escort of homing. */
+    steer_t steer;   /**< Rotation of a needle that is steered. */
     trajectory_mode_t trajectory;
     trajectory_list_t list; /**< Trajectory that is held, armed or not. */
     program_mode_t program;

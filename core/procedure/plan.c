@@ -27,8 +27,14 @@ bool plan_is_damaged(const plan_t *self)
     return self->seal != seal_of_plan(self);
 }
 
+static void forget_steering(plan_t *self)
+{
+    (void)memset(&self->steering, 0, sizeof self->steering);
+}
+
 void plan_forget_target(plan_t *self)
 {
+    forget_steering(self);
     self->has_target = 0U;
     self->has_entry = 0U;
     self->is_entry_of_target = 0U;
@@ -261,11 +267,28 @@ solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t tic
     }
     self->has_target = 0U;
     self->has_seen_needle = 0U;
+    forget_steering(self);
     if (result.status == STATUS_OK) {
         self->has_target = 1U;
     }
     plan_seal(self);
     return result;
+}
+
+status_t plan_steer(plan_t *self, const robot_t *robot, uint32_t method, uint32_t curvature_per_km,
+                    int32_t direction_deg)
+{
+    steering_t steering;
+    status_t status =
+        steering_set(&steering, &robot->steering, method, curvature_per_km, direction_deg);
+    if ((status == STATUS_OK) && (self->has_target == 0U)) {
+        status = STATUS_NO_TARGET;
+    }
+    if (status == STATUS_OK) {
+        self->steering = steering;
+        plan_seal(self);
+    }
+    return status;
 }
 
 solution_t plan_judge_way(const plan_t *self, const robot_t *robot,

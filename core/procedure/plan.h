@@ -12,6 +12,7 @@
 #include "interface/status.h"
 #include "robot/kinematics.h"
 #include "robot/robot.h"
+#include "robot/steering.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -36,6 +37,7 @@ typedef struct {
     plan_proposer_t entry_proposer;
     plan_proposer_t target_proposer;
     int32_t desired_ticks[ROBOT_AXIS_MAX];
+    steering_t steering;          /**< Of the insertion to the accepted target. */
     probe_t probe;                /**< Valid with has_probe. */
     uint32_t probe_crc;           /**< CRC of the probe alone: it outlives damage of the rest. */
     uint32_t registered_source;   /**< command_source_t of the registration. */
@@ -129,6 +131,17 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
  */
 solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
                            const rigid_t *scanner_treatment);
+
+/**
+ * Takes how the needle is steered on its way to the accepted target; another target, or none,
+ * forgets it.
+ *
+ * @return as steering_set(), or STATUS_NO_TARGET: what was taken before stands
+ *
+ * @satisfies SWR-STEER-002
+ */
+status_t plan_steer(plan_t *self, const robot_t *robot, uint32_t method, uint32_t curvature_per_km,
+                    int32_t direction_deg);
 
 /**
  * May the axes go in step from `ticks` to the accepted target? The needle waits meanwhile, and has

@@ -19,6 +19,7 @@
 #define ROBOT_FORCE_CHANNELS 2U   /**< Channels of a force sensor, by force_channel_id_t. */
 #define ROBOT_HOME_STAGES 4U      /**< Most stages of homing. */
 #define ROBOT_PROBE_LENGTHS 4U    /**< Most lengths of the probe of any robot. */
+#define ROBOT_STEERING_POINTS 8U  /**< Most points of a needle's table of curvatures. */
 #define ROBOT_REPORTED_LENGTHS 4U /**< Most lengths that clients are sent. */
 #define ROBOT_CURVE_STEPS 8U  /**< Into so many the words of a high-frequency card are divided. */
 #define ROBOT_CURVE_FULL 255U /**< Full speed in them. */
@@ -187,6 +188,18 @@ typedef struct {
     uint32_t periods;       /**< Number of strokes back, each with one forward. */
 } vibration_law_t;
 
+/** How far the needle is bent by its rotation (robot/steering.h). All 0: it is not steered. */
+typedef struct {
+    uint32_t axis;           /**< Index of the axis that turns it. */
+    uint32_t points;         /**< Of the table that are used, 2..ROBOT_STEERING_POINTS. */
+    uint32_t most_per_km;    /**< Largest curvature: that of the slowest drive of the axis. */
+    uint32_t needle_percent; /**< Share of its speed with which the needle goes in: at the largest
+                                curvature by LIMIT_STEERING_ADVANCE_UM in a turn. */
+    uint32_t curvature_per_km[ROBOT_STEERING_POINTS]; /**< 1 / radius; from 0, each larger than the
+                                                         one before. */
+    uint32_t alpha_q16[ROBOT_STEERING_POINTS];        /**< Strength for it, 0..65536; the same. */
+} steering_law_t;
+
 /** A robot. No padding before `seal`. */
 typedef struct {
     char name[12];
@@ -209,6 +222,7 @@ typedef struct {
                                                   0: of none. */
     hand_law_t hand;                           /**< How a hand moves the needle. */
     vibration_law_t vibration;                 /**< How that hand is answered. */
+    steering_law_t steering;                   /**< How far the needle is bent. */
     uint32_t seal;                             /**< seal_of() all before it. */
     axis_config_t axes[ROBOT_AXIS_MAX];
     pose_t poses[POSE_NAME_COUNT]; /**< By pose_name_t. */

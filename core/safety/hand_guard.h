@@ -29,7 +29,7 @@ typedef struct {
 
 /**
  * One cycle, `elapsed_us` after the one before. `is_moving`: the pedal lets the armed order run,
- * which does not ask for the hand to be seen off anew.
+ * and nothing asks for the hand to be seen off anew.
  *
  * @return the force that may move the needle: that of the hand, and 0 until it was seen off, and
  * from LIMIT_HAND_PUSH_US after that on

@@ -58,6 +58,7 @@ typedef struct {
     bool is_beyond_soft_limit;
     bool is_coupled_limit; /**< As coupled_guard_blocks() says. */
     bool is_needle_in;     /**< needle_forbids_jog() of the jog that is armed. */
+    bool is_unsteered;     /**< Requested to go deeper, and mode_waits_for_rotation(). */
 } permit_facts_t;
 
 /** The answer for one axis. */
@@ -118,6 +119,7 @@ static inline permit_t permit_decide(const permit_common_t *common, const permit
     reasons |= permit_reason(facts->is_beyond_soft_limit, PERMIT_REASON_SOFT_LIMIT);
     reasons |= permit_reason(facts->is_coupled_limit, PERMIT_REASON_COUPLED_LIMIT);
     reasons |= permit_reason(facts->is_needle_in, PERMIT_REASON_NEEDLE_IN);
+    reasons |= permit_reason(facts->is_unsteered, PERMIT_REASON_ROTATION_LAGS);
     const permit_t permit = {.is_allowed = (reasons == 0U),
                              .reasons = reasons,
                              .speed_cap_percent = (reasons == 0U) ? common->speed_cap_percent : 0U};

@@ -2,7 +2,6 @@
 #include "sensor/force_channel.h"
 
 #include "base/fixed.h"
-#include "limits/requirement_limits.h"
 
 #define HALF_Q30 UINT64_C(536870912)
 #define MEAN_Q16 (65536U / LIMIT_FORCE_ZERO_CYCLES) /* A sum of so many readings times this. */
@@ -45,20 +44,19 @@ static uint32_t judge(const force_channel_t *self, const force_channel_config_t 
     return doubts;
 }
 
-/* A reading that showed no noise at rest may stand still under a force that stays. */
+/* A reading that showed hardly any noise at rest may stand still under a force that stays. */
 static uint32_t watch(force_channel_t *self, uint32_t count, bool is_moving)
 {
-    if (!is_moving || (count != (uint32_t)self->counts[0]) ||
-        (self->noise_q8 <= LIMIT_FORCE_STILL_NOISE)) {
+    if (!is_moving || (count != (uint32_t)self->counts[0])) {
         self->still_cycles = 0U;
-        return 0U;
+    } else if (!force_channel_is_still(self)) {
+        self->still_cycles++;
+    } else {
+        /* It has been still for long enough. */
     }
-    self->still_cycles++;
-    if (self->still_cycles < LIMIT_FORCE_STILL_CYCLES) {
-        return 0U;
-    }
-    self->still_cycles = 0U;
-    return force_doubt_bit(FORCE_DOUBT_STUCK);
+    return (force_channel_is_still(self) && (self->noise_q8 > LIMIT_FORCE_STILL_NOISE))
+               ? force_doubt_bit(FORCE_DOUBT_STUCK)
+               : 0U;
 }
 
 static void filter(force_channel_t *self, const force_channel_config_t *config, uint32_t count)

@@ -13,6 +13,7 @@
 #define BORESIGHT_FORCE_CHANNEL_H
 
 #include "interface/force_doubt.h"
+#include "limits/requirement_limits.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>
@@ -27,7 +28,8 @@ typedef struct {
     int32_t zero_q16;       /**< Reading without a force, counts. */
     int32_t first_q16;      /**< The same, as it was taken first; 0 before that. */
     uint16_t noise_q8;      /**< Standard deviation of readings at the last zeroing; saturates. */
-    uint16_t still_cycles;  /**< Cycles of a motion since the reading has changed; saturates. */
+    uint16_t still_cycles;  /**< Cycles of a motion since the reading has changed, to
+                               LIMIT_FORCE_STILL_CYCLES. */
     uint32_t doubts;        /**< Bits of force_doubt_t. */
 } force_channel_t;
 
@@ -99,6 +101,17 @@ static inline int32_t force_channel_zero_mn(const force_channel_t *self,
 
 /** @return the standard deviation of single readings at the last zeroing, mN; 0 before it */
 uint32_t force_channel_noise_mn(const force_channel_t *self, const force_channel_config_t *config);
+
+/**
+ * The reading has not changed in LIMIT_FORCE_STILL_CYCLES of a motion. That is a doubt only of a
+ * channel with noise: a quiet one shows a force that stays as one reading, as a stuck one does.
+ *
+ * @satisfies SWR-COOP-750
+ */
+static inline bool force_channel_is_still(const force_channel_t *self)
+{
+    return self->still_cycles >= LIMIT_FORCE_STILL_CYCLES;
+}
 
 /** Nothing speaks against its force. */
 static inline bool force_channel_is_believed(const force_channel_t *self)

@@ -78,10 +78,10 @@ static void add(force_readings_t *readings, uint32_t count)
     readings->squares += count * count;
 }
 
-/* A sensor that is stuck looks like a hand of which the reading never changes. */
-static void doubt_quiet_hand(force_channel_t *hand)
+/* The converter of a live sensor does not read the same each time. */
+static void doubt_dead_hand(force_channel_t *hand)
 {
-    if ((hand->noise_q8 <= LIMIT_FORCE_STILL_NOISE) && force_channel_is_believed(hand)) {
+    if ((hand->noise_q8 < LIMIT_FORCE_LIVE_NOISE) && force_channel_is_believed(hand)) {
         hand->doubts |= force_doubt_bit(FORCE_DOUBT_TOO_QUIET);
     }
 }
@@ -101,7 +101,7 @@ static bool zero_channel(force_sensor_t *self, const force_config_t *config, uin
                                                  &self->readings[index], &zeroed->moved_mn[index]);
         self->sealed.force_mn[index] = force_channel_mn(channel, &config->channels[index]);
         if (index == (uint32_t)FORCE_CHANNEL_HAND) {
-            doubt_quiet_hand(channel);
+            doubt_dead_hand(channel);
         }
     } else {
         has_ended = false;

@@ -40,7 +40,7 @@ typedef enum {
     MEMBRANE_EVENT_NONE = 0,
     MEMBRANE_EVENT_EXPECTED = 1,
     MEMBRANE_EVENT_UNEXPECTED = 2,
-    MEMBRANE_EVENT_MISSED = 3
+    MEMBRANE_EVENT_MISSED = 3 /**< Or passed, which its state says. */
 } membrane_event_kind_t;
 
 /** One millisecond of the needle. */

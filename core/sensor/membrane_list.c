@@ -31,6 +31,7 @@ status_t membrane_list_set(membrane_list_t *self, const int32_t depths_um[], uin
 void membrane_list_renew(membrane_list_t *self)
 {
     self->unexpected = 0U;
+    self->unseen_um = 0;
     for (uint32_t i = 0U; i < self->count; i++) {
         self->membranes[i].found_um = 0;
         self->membranes[i].state = (uint32_t)MEMBRANE_AHEAD;
@@ -69,11 +70,17 @@ static uint32_t miss(membrane_list_t *self, int64_t behind_um)
     for (uint32_t i = 0U; i < self->count; i++) {
         membrane_t *const membrane = &self->membranes[i];
         if (is_ahead(membrane) && ((int64_t)membrane->depth_um < behind_um)) {
-            membrane->state = (uint32_t)MEMBRANE_MISSED;
+            membrane->state = (membrane->depth_um < self->unseen_um) ? (uint32_t)MEMBRANE_PASSED
+                                                                     : (uint32_t)MEMBRANE_MISSED;
             return i;
         }
     }
     return MEMBRANE_NONE;
+}
+
+void membrane_list_blind(membrane_list_t *self, int32_t depth_um)
+{
+    self->unseen_um = (depth_um > self->unseen_um) ? depth_um : self->unseen_um;
 }
 
 uint32_t membrane_list_pass(membrane_list_t *self, int32_t depth_um)

@@ -28,6 +28,8 @@ typedef struct {
 typedef struct {
     uint32_t count;
     uint32_t unexpected; /**< Number of punctures that were no membrane of the list. */
+    int32_t unseen_um; /**< Down to this depth the needle came while no puncture was looked for. */
+    uint32_t reserved; /**< 0. */
     membrane_t membranes[LIMIT_MEMBRANES_MOST];
 } membrane_list_t;
 
@@ -53,8 +55,16 @@ status_t membrane_list_set(membrane_list_t *self, const int32_t depths_um[], uin
 uint32_t membrane_list_take(membrane_list_t *self, int32_t depth_um);
 
 /**
+ * The needle is at `depth_um` without being looked at: of a membrane that is less deep, the
+ * puncture may have been there already. One that is not found is passed, and not missed.
+ *
+ * @satisfies SWR-PUNCT-752
+ */
+void membrane_list_blind(membrane_list_t *self, int32_t depth_um);
+
+/**
  * The needle is at `depth_um`: the first membrane that is ahead and more than
- * LIMIT_MEMBRANE_WINDOW_UM less deep is missed.
+ * LIMIT_MEMBRANE_WINDOW_UM less deep is missed, or passed as membrane_list_blind() says.
  *
  * @return its place in the list, or MEMBRANE_NONE
  *
@@ -69,7 +79,7 @@ uint32_t membrane_list_left(const membrane_list_t *self);
 void membrane_list_renew(membrane_list_t *self);
 
 /**
- * The needle is as deep as it shall go: the first membrane that is ahead is missed.
+ * The needle is as deep as it shall go: the first membrane that is ahead is missed, or passed.
  *
  * @return its place in the list, or MEMBRANE_NONE
  *

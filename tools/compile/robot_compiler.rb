@@ -82,13 +82,14 @@ module Robot
 
     # Parts of the table, in order.
     def parts
-      sealed = head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values, **probe, 'hand' => hand, 'vibration' => vibration)
+      sealed = head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values, **probe, 'hand' => hand, 'vibration' => vibration, 'steering' => @robot.steering.values)
       [*head.map { |field, value| "    .#{field} = #{value}" },
        *array('coupled_limits', coupled_limits.each_with_index.map { |limit, i| "        [#{i}] = {#{initializers(limit)}}" }),
        *array('geometry_nm', geometry.map { |name, nm| "        [#{name}] = #{nm}" }),
        *probe.map { |field, value| "    .#{field} = #{probe_initializer(value)}" },
        "    .hand = {#{initializers(hand)}}",
        "    .vibration = {#{initializers(vibration)}}",
+       "    .steering = {#{@robot.steering.values.map { |field, value| ".#{field} = #{initializer(value)}" }.join(', ')}}",
        "    .seal = #{seal('robot_t', sealed)}",
        *array('axes', @robot.axes.each_with_index.map { |axis, i| entry(axis, i) }),
        *array('poses', @robot.poses.map { |name, ticks| pose(name, ticks) }),

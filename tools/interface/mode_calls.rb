@@ -15,7 +15,7 @@ module Interface
     # Arguments that a call may get, of the request and of the state of all modes.
     REQUEST = { 'way' => '&%ssealed.way', 'move' => '&%ssealed.move', 'span' => '&%ssealed.span',
                 'axis' => '%ssealed.way.axis', 'end' => '%ssealed.way.end_ticks', 'own' => '&%sown.%s' }.freeze
-    STATE = %w[leg escort trajectory list program].to_h { |part| [part, "&self->sealed.#{part}"] }.freeze
+    STATE = %w[leg escort steer trajectory list program].to_h { |part| [part, "&self->sealed.#{part}"] }.freeze
     GIVEN = { 'ask' => REQUEST.keys - %w[axis end], 'judge' => REQUEST.keys, 'step' => REQUEST.keys + STATE.keys,
               'is_done' => REQUEST.keys + STATE.keys }.freeze
     # The payload of a command that says an axis and nothing else.

@@ -8,7 +8,7 @@ module Interface
   # @satisfies SWR-TOOL-028
   module Units
     # `dc` is 0.1 degree Celsius, `mn` a millinewton.
-    SUFFIXES = %w[mm deg rpm min s ms us cycles ticks hz mv ma dc mn bytes percent per_mille].freeze
+    SUFFIXES = %w[mm um deg rpm min s ms us cycles ticks hz mv ma dc mn bytes percent per_mille].freeze
     AXIS = 'axis'
     # Kind of a number without a unit. `text`: the sentence `text` beside it has its unit; `pose`: a matrix in mm.
     NONE = %w[count id ratio reading pose text].freeze
@@ -19,7 +19,7 @@ module Interface
     FORMS = { 'position' => AXIS, 'speed' => AXIS, 'matrix' => 'pose' }.freeze
     NUMBERS = %w[number point].freeze
     # Units as people write them; each other one is written as its suffix.
-    WRITTEN = { 'deg' => 'degrees', 'min' => 'minutes', 'hz' => 'Hz', 'mv' => 'mV', 'ma' => 'mA', 'mn' => 'mN', 'us' => 'microseconds',
+    WRITTEN = { 'deg' => 'degrees', 'min' => 'minutes', 'hz' => 'Hz', 'mv' => 'mV', 'ma' => 'mA', 'mn' => 'mN', 'us' => 'microseconds', 'um' => 'micrometres',
                 'dc' => '0.1 degree Celsius', 'per_mille' => 'per mille' }.freeze
 
     # The unit of a number for people; nil: it has none.

@@ -12,6 +12,7 @@ require_relative 'limit'
 require_relative 'pose'
 require_relative 'probe'
 require_relative 'reported'
+require_relative 'steering'
 
 module Robot
   # An axis as the file gives it: values by key, and the nodes they came from.
@@ -200,12 +201,12 @@ module Robot
 
     CARDS = %w[sensor].freeze # That go without an axis.
 
-    attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :force, :hand, :geometry, :probe,
+    attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :force, :hand, :steering, :geometry, :probe,
                 :coupled_limits, :followers, :poses, :reported
 
     def initialize(path, text)
       nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes],
-                                             %w[cards force hand poses reported])
+                                             %w[cards force hand poses reported steering])
       @name = nodes['name'].name
       @kinematics = nodes['kinematics'].choice(Kinematics.names)
       @expected = Kinematics.new(@kinematics)
@@ -222,6 +223,7 @@ module Robot
       @followers = Followers.new(@axes)
       check_axes
       @hand = Hand.new(nodes['hand'], @axes[needle_axis], nodes.key?('force'))
+      @steering = Steering.new(nodes['steering'], @axes)
       @poses = read_poses(nodes['poses'])
       @reported = Reported.new(nodes['reported'], @axes.map { |axis| axis['name'] }, @geometry, @probe)
     end

@@ -89,6 +89,19 @@ class TestSite < Minitest::Test
     30000 order show
   LINES
 
+  NEEDLE_CYCLES = 28_000
+  # A needle that bends, turns behind its base and is drawn back, with a target and noisy images.
+  NEEDLE_SCENE = <<~LINES
+    50 order target usual
+    60 order needle curvature 8000
+    100 order push 100
+    9000 order motor rotation runs
+    12000 order needle show
+    20100 order needle show
+    20200 order push -60
+    27999 order needle show
+  LINES
+
   # Results of one run of the page.
   def self.results
     @results ||= Dir.mktmpdir do |folder|
@@ -256,6 +269,14 @@ class TestSite < Minitest::Test
     said, = node("#{__dir__}/scene.mjs", MODULE, layout, 'prostate', SEED.to_s, FORCE_CYCLES.to_s, stdin_data: FORCE_SCENE)
     assert_match(/2 ruptured$/, native)
     assert_match(/^#{FORCE_CYCLES} hash \d+$/, native)
+    assert_equal native.lines, said.lines
+  end
+
+  def test_SWR_BOX_773_a_needle_bends_in_a_page_as_in_native_code
+    native, = Open3.capture2e(NATIVE, 'prostate', SEED.to_s, NEEDLE_CYCLES.to_s, stdin_data: NEEDLE_SCENE)
+    said, = node("#{__dir__}/scene.mjs", MODULE, layout, 'prostate', SEED.to_s, NEEDLE_CYCLES.to_s, stdin_data: NEEDLE_SCENE)
+    assert_equal 3, native.scan(/^image [1-9]/).size, native
+    assert_match(/^base turned by [1-9]\d+\.\d+ deg, [1-9]\d+\.\d+ deg ahead of the tip$/, native)
     assert_equal native.lines, said.lines
   end
 

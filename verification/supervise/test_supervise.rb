@@ -64,6 +64,7 @@ class TestSupervise < Minitest::Test
     SWR_COOP_004_an_insertion_by_hand_drives_the_needle_alone_and_inwards: /An insertion by hand drives the needle alone/,
     SWR_COOP_003_no_hand_takes_the_true_needle_past_its_target: /No hand takes the true needle past/,
     SWR_COOP_013_without_a_hand_that_pushes_no_insertion_by_hand_goes_on: /Without a hand that truly pushes/,
+    SWR_STEER_006_a_needle_that_is_steered_gains_no_depth_without_its_rotation: /needle that is steered gains no/,
     SWR_AXIS_019_no_fault_is_found_where_there_is_none: /nothing is broken, no fault/,
     SWR_CTRL_014_no_axis_is_called_faulty_for_time_or_wires: /of which nothing is broken is not called faulty/,
     SWR_MOTION_007_no_axis_goes_beyond_its_end: /beyond its end/,

@@ -45,7 +45,7 @@ static void write_value(const request_field_t *field, const request_box_order_t 
  * "force_hand" is "force hand". */
 static void write_name(const char *name, char *text, size_t size)
 {
-    static const char *const endings[] = {"_fault", "_mm", "_mn"};
+    static const char *const endings[] = {"_fault", "_mm", "_mn", "_ms", "_um"};
     size_t length = strlen(name);
     for (size_t i = 0U; i < sizeof endings / sizeof endings[0]; i++) {
         const char *const ending = strstr(name, endings[i]);

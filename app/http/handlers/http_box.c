@@ -15,6 +15,8 @@
 
 #include <stdio.h>
 
+#define UM_PER_MM 1000.0
+#define MDEG_PER_DEG 1000.0
 #define ORDER_SIZE (BOX_ORDER_SIZE + 16U) /* With the number of a page. */
 
 /* NULL: there is none that takes orders. */
@@ -50,6 +52,47 @@ static cJSON *new_slots(const robot_t *robot, const bsp_bench_t *seen)
     return slots;
 }
 
+static cJSON *new_point(const bsp_bench_point_t *point)
+{
+    const json_box_point_t also = {.x_mm = point->x_um / UM_PER_MM,
+                                   .y_mm = point->y_um / UM_PER_MM,
+                                   .depth_mm = point->depth_um / UM_PER_MM};
+    return json_box_point(&also);
+}
+
+static cJSON *new_image(const bsp_bench_needle_t *needle)
+{
+    const json_box_image_t also = {.number = needle->image,
+                                   .age_ms = needle->image_age_ms,
+                                   .place = new_point(&needle->image_place)};
+    return json_box_image(&also);
+}
+
+/* NULL without tissue. */
+static cJSON *new_needle(const bsp_bench_needle_t *needle)
+{
+    if (needle->is_seen == 0U) {
+        return NULL;
+    }
+    cJSON *way = cJSON_CreateArray();
+    for (uint32_t i = 0U; i < BSP_BENCH_WAY; i++) {
+        (void)cJSON_AddItemToArray(way, new_point(&needle->way[i]));
+    }
+    const json_box_needle_t also = {
+        .surface_mm = needle->surface_um / UM_PER_MM,
+        .turn_deg = needle->turn_mdeg / MDEG_PER_DEG,
+        .lag_deg = needle->lag_mdeg / MDEG_PER_DEG,
+        .way = way,
+        .target = (needle->has_target != 0U) ? new_point(&needle->target) : NULL,
+        .image = (needle->image != 0U) ? new_image(needle) : NULL,
+        .curvature = (uint32_t)needle->curvature_per_km,
+        .torsion_deg = (uint32_t)needle->torsion_deg,
+        .images_period_ms = needle->images_period_ms,
+        .images_delay_ms = needle->images_delay_ms,
+        .images_noise_um = (uint32_t)needle->images_noise_um};
+    return json_box_needle(&also);
+}
+
 int http_box_show(http_server_t *server, const http_call_t *call)
 {
     const char *box = box_of(server);
@@ -79,6 +122,7 @@ int http_box_show(http_server_t *server, const http_call_t *call)
                              .is_lamp_fault = seen.is_lamp_fault,
                              .gate = box_order_word("gate", seen.gate),
                              .probe = box_order_word("probe", seen.is_probe_free),
+                             .needle = new_needle(&seen.needle),
                              .slots = new_slots(exchange_robot(server->exchange), &seen)};
     return http_reply_object(call->connection, 200, json_box(&also));
 }

@@ -74,6 +74,20 @@ static status_t membranes_outlook(const robot_t *robot, const snapshot_t *snapsh
     return status;
 }
 
+/* Whether the curvature can be had is judged when it comes. */
+static status_t steering_outlook(const robot_t *robot, const snapshot_t *snapshot)
+{
+    status_t status = (snapshot->has_target != 0U) ? STATUS_OK : STATUS_NO_TARGET;
+    if (robot->steering.points == 0U) {
+        status = STATUS_NO_STEERING;
+    } else if (is_armed(snapshot)) {
+        status = STATUS_MOTION_ARMED;
+    } else {
+        /* The target decides. */
+    }
+    return status;
+}
+
 /* In a workphase where it is obeyed. */
 static status_t outlook_here(const robot_t *robot, const snapshot_t *snapshot, command_kind_t kind)
 {
@@ -108,6 +122,9 @@ static status_t outlook_here(const robot_t *robot, const snapshot_t *snapshot, c
         break;
     case (uint32_t)COMMAND_MEMBRANES:
         status = membranes_outlook(robot, snapshot);
+        break;
+    case (uint32_t)COMMAND_STEER:
+        status = steering_outlook(robot, snapshot);
         break;
     default: /* The workphase alone. */
         break;

@@ -94,5 +94,9 @@ size_t igtl_forces_write(const robot_t *robot, const snapshot_t *snapshot, char 
                              : snprintf(&text[used], size - used, " %s=\"%s\"", names[i].attribute,
                                         force_doubt_name(first_doubt(force))));
     }
+    if (robot->force.is_there != 0U) {
+        used += (size_t)snprintf(&text[used], size - used, " Sight=\"%s\"",
+                                 membrane_sight_name((int32_t)snapshot->membranes.sight));
+    }
     return used;
 }

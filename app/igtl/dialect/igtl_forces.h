@@ -25,12 +25,14 @@ void igtl_forces_report(igtl_outbox_t *outbox, const robot_t *robot, const char 
                         const igtl_moment_t *moment);
 
 /**
- * Writes ` ForceHand="1.250" ForceNeedle="NOT_ZEROED"` of a robot with a force sensor: newtons, or
- * the first doubt; of another one nothing. `snapshot` is not NULL.
+ * Writes ` ForceHand="1.250" ForceNeedle="NOT_ZEROED" Sight="OFF"` of a robot with a force sensor:
+ * newtons, or the first doubt, and whether a puncture can be found now; of another one nothing.
+ * `snapshot` is not NULL.
  *
  * @return characters of `text`, of which it takes `size` at most
  *
  * @satisfies SWR-IGTL-612
+ * @satisfies SWR-IGTL-757
  */
 size_t igtl_forces_write(const robot_t *robot, const snapshot_t *snapshot, char *text, size_t size);
 

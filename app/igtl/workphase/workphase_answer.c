@@ -40,8 +40,12 @@ static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t
         return "ACCEPT_ENTRY";
     case COMMAND_WITHDRAW:
         return "WITHDRAW_ENTRY";
+    case COMMAND_ZERO_FORCE:
+        return "ZERO_FORCE";
     case COMMAND_MEMBRANES:
         return "MEMBRANES";
+    case COMMAND_STEER:
+        return "STEER";
     case COMMAND_PROBE:
         return "PROBE";
     default:

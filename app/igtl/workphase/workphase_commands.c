@@ -16,6 +16,9 @@
 #define MOST_MM 2000.0
 #define MS_PER_S 1000.0
 #define MOST_S 1.0e6
+#define MOST_PER_M 20.0
+#define MOST_DEG 360.0
+#define PER_KM 1000.0
 
 status_t workphase_read_pose_name(const robot_t *robot, char *text, command_t *command)
 {
@@ -175,6 +178,56 @@ status_t workphase_read_probe(const robot_t *robot, char *text, command_t *comma
         }
     }
     return (command->as.probe.count == robot->probe_length_count) ? STATUS_OK : STATUS_PROBE_LENGTH;
+}
+
+static uint32_t steering_named(const char *word)
+{
+    uint32_t method = 0U;
+
+    while ((method < STEERING_METHOD_COUNT) &&
+           !workphase_text_is(word, steering_method_name((int32_t)method))) {
+        method++;
+    }
+    return method;
+}
+
+/* A number and its unit. */
+static status_t read_quantity(char **text, const char *unit, double most, double *value)
+{
+    if (!workphase_text_number(workphase_text_next(text), most, value)) {
+        return STATUS_OUT_OF_RANGE;
+    }
+    return workphase_text_is(workphase_text_next(text), unit) ? STATUS_OK : STATUS_WRONG_UNIT;
+}
+
+/* A method, and but for NONE a curvature in /m and a direction in degrees. */
+status_t workphase_read_steering(const robot_t *robot, char *text, command_t *command)
+{
+    command_steering_t *const sent = &command->as.steering;
+    double curvature_per_m = 0.0;
+    double direction_deg = 0.0;
+    status_t status = STATUS_OK;
+
+    (void)robot;
+    sent->method = steering_named(workphase_text_next(&text));
+    if (sent->method == STEERING_METHOD_COUNT) {
+        return STATUS_UNKNOWN_COMMAND;
+    }
+    if (sent->method != (uint32_t)STEERING_NONE) {
+        status = read_quantity(&text, "/m", MOST_PER_M, &curvature_per_m);
+        if (status == STATUS_OK) {
+            status = read_quantity(&text, "deg", MOST_DEG, &direction_deg);
+        }
+    }
+    if ((status == STATUS_OK) &&
+        ((curvature_per_m < 0.0) || (workphase_text_next(&text) != NULL))) {
+        status = STATUS_OUT_OF_RANGE;
+    }
+    if (status == STATUS_OK) {
+        sent->curvature_per_km = (uint32_t)lround(curvature_per_m * PER_KM);
+        sent->direction_deg = (int32_t)lround(direction_deg);
+    }
+    return status;
 }
 
 /* Depths in mm. */

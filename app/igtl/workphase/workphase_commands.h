@@ -47,6 +47,7 @@ status_t workphase_read_jog_by(const robot_t *robot, char *text, command_t *comm
 status_t workphase_read_membranes(const robot_t *robot, char *text, command_t *command);
 status_t workphase_read_pose_name(const robot_t *robot, char *text, command_t *command);
 status_t workphase_read_probe(const robot_t *robot, char *text, command_t *command);
+status_t workphase_read_steering(const robot_t *robot, char *text, command_t *command);
 status_t workphase_read_sweep(const robot_t *robot, char *text, command_t *command);
 status_t workphase_read_velocity(const robot_t *robot, char *text, command_t *command);
 
@@ -65,7 +66,8 @@ const workphase_command_t *workphase_commands_find(const igtl_message_t *message
  * way from where it stands. VELOCITY has axes, each with a speed and mm/s or deg/s, then the time
  * and s. SWEEP has an axis, and FREE if the operator has confirmed that it is. PROBE has each
  * length of the robot's probe once, by its name and then mm within +-2000, in any order. MEMBRANES
- * has depths below the entry point in mm, or nothing.
+ * has depths below the entry point in mm, or nothing. STEER has NONE, or another method, a
+ * curvature with /m and a direction with deg.
  *
  * @return as its reader; STATUS_WRONG_UNIT for a number without the unit of its axis;
  * STATUS_OUT_OF_RANGE also beyond IGTL_TEXT_MAX characters
@@ -74,7 +76,9 @@ const workphase_command_t *workphase_commands_find(const igtl_message_t *message
  * @satisfies SWR-IGTL-074
  * @satisfies SWR-POSE-006
  * @satisfies SWR-PROBE-006
+ * @satisfies SWR-IGTL-756
  * @satisfies SWR-PUNCT-619
+ * @satisfies SWR-STEER-010
  * @satisfies SWR-SWEEP-013
  * @satisfies SWR-VEL-014
  */

@@ -22,6 +22,7 @@ void sim_card_init(sim_card_t *self, const axis_config_t *axis, const sim_encode
                          .limit_raw = is_limit_active,
                          .limit_debounced = is_limit_active,
                          .count = sim_encoder_count(encoder),
+                         .even_steps = SIM_CARD_SPEED_STEPS,
                          .motor_temperature_c = SIM_MOTOR_AIR_C,
                          .heat = sim_motor_heat(axis),
                          .supply_mv = SIM_CARD_SUPPLY_MV,
@@ -125,6 +126,18 @@ static void step_watchdog(sim_card_t *self)
     }
 }
 
+/* Of an undriven card, to which a trip in any of these steps is the same. */
+static void rest_watchdog(sim_card_t *self, uint32_t steps)
+{
+    if (self->valid_age_us + (uint64_t)steps * SIM_STEP_US < watchdog_us(self)) {
+        self->valid_age_us += self->is_watched ? (steps * SIM_STEP_US) : 0U;
+        return;
+    }
+    for (uint32_t i = 0U; (i < steps) && self->is_watched; i++) {
+        step_watchdog(self);
+    }
+}
+
 static void step_limit(sim_card_t *self, bool is_active)
 {
     self->limit_stable_us += SIM_STEP_US;
@@ -134,6 +147,18 @@ static void step_limit(sim_card_t *self, bool is_active)
     }
     if (self->limit_stable_us >= SIM_CARD_DEBOUNCE_US) {
         self->limit_stable_us = SIM_CARD_DEBOUNCE_US;
+        self->limit_debounced = self->limit_raw;
+    }
+}
+
+/* Once it has seen this state of the switch. */
+static void rest_limit(sim_card_t *self, uint32_t steps)
+{
+    const uint64_t stable_us = self->limit_stable_us + (uint64_t)steps * SIM_STEP_US;
+
+    self->limit_stable_us =
+        (stable_us < SIM_CARD_DEBOUNCE_US) ? (uint32_t)stable_us : SIM_CARD_DEBOUNCE_US;
+    if (self->limit_stable_us == SIM_CARD_DEBOUNCE_US) {
         self->limit_debounced = self->limit_raw;
     }
 }
@@ -151,6 +176,10 @@ static bool is_overspeed(const sim_card_t *self, int32_t oldest)
 {
     const uint32_t limit = self->command.overspeed_ticks_per_s;
     const uint32_t difference = (uint32_t)self->count - (uint32_t)oldest;
+
+    if (difference == 0U) {
+        return false;
+    }
     const uint32_t way = (difference <= (uint32_t)INT32_MAX) ? difference : 0U - difference;
 
     return (limit != 0U) && ((uint64_t)way * (1000000U / SIM_CARD_SPEED_WINDOW_US) > limit);
@@ -159,10 +188,12 @@ static bool is_overspeed(const sim_card_t *self, int32_t oldest)
 static void step_guards(sim_card_t *self, int32_t count)
 {
     const int32_t oldest = self->window[self->window_at];
+    const uint32_t even_steps = (count == self->count) ? (self->even_steps + 1U) : 1U;
 
+    self->even_steps = (even_steps < SIM_CARD_SPEED_STEPS) ? even_steps : SIM_CARD_SPEED_STEPS;
     self->count = count;
     self->window[self->window_at] = count;
-    self->window_at = (self->window_at + 1U) % SIM_CARD_SPEED_STEPS;
+    self->window_at = (self->window_at == SIM_CARD_SPEED_STEPS - 1U) ? 0U : (self->window_at + 1U);
     if (!self->has_command) {
         return;
     }
@@ -171,6 +202,21 @@ static void step_guards(sim_card_t *self, int32_t count)
     }
     if (is_outside_guard(self)) {
         trip(self, CARD_STATUS_GUARD);
+    }
+}
+
+/* A window that holds one reading alone holds it after any number of steps. */
+static void rest_guards(sim_card_t *self, int32_t count, uint32_t steps)
+{
+    uint32_t left = steps;
+
+    while ((left > 0U) && ((self->even_steps < SIM_CARD_SPEED_STEPS) || (count != self->count))) {
+        step_guards(self, count);
+        left--;
+    }
+    if (left > 0U) {
+        step_guards(self, count);
+        self->window_at = (self->window_at + left - 1U) % SIM_CARD_SPEED_STEPS;
     }
 }
 
@@ -185,6 +231,17 @@ static void step_temperature(sim_card_t *self)
     }
 }
 
+/* A motor as warm as the air stays so. */
+static void rest_temperature(sim_card_t *self, uint32_t steps)
+{
+    const bool is_warm = (self->motor_temperature_c > SIM_MOTOR_AIR_C) ||
+                         (self->motor_temperature_c < SIM_MOTOR_AIR_C);
+
+    for (uint32_t i = 0U; (i < steps) && (is_warm || self->is_motor_hot); i++) {
+        step_temperature(self);
+    }
+}
+
 void sim_card_step(sim_card_t *self, const sim_encoder_t *encoder, bool is_limit_active,
                    bool is_powered)
 {
@@ -195,6 +252,25 @@ void sim_card_step(sim_card_t *self, const sim_encoder_t *encoder, bool is_limit
     step_limit(self, is_limit_active);
     step_guards(self, sim_encoder_count(encoder));
     step_temperature(self);
+}
+
+void sim_card_rest(sim_card_t *self, const sim_encoder_t *encoder, bool is_limit_active,
+                   bool is_powered, uint32_t steps)
+{
+    if ((self->applied.mode != (uint32_t)CARD_DRIVE_OFF) || (steps == 0U)) {
+        for (uint32_t i = 0U; i < steps; i++) {
+            sim_card_step(self, encoder, is_limit_active, is_powered);
+        }
+        return;
+    }
+    self->time_us += steps * SIM_STEP_US;
+    self->uptime_us += (uint64_t)steps * SIM_STEP_US;
+    self->is_powered = is_powered;
+    rest_watchdog(self, steps);
+    step_limit(self, is_limit_active);
+    rest_limit(self, steps - 1U);
+    rest_guards(self, sim_encoder_count(encoder), steps);
+    rest_temperature(self, steps);
 }
 
 static uint32_t status_bits(const sim_card_t *self, const sim_encoder_t *encoder)

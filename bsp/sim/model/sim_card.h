@@ -48,6 +48,8 @@ typedef struct {
     int32_t count;                        /**< Encoder reading of the last step. */
     int32_t window[SIM_CARD_SPEED_STEPS]; /**< Readings of the last SIM_CARD_SPEED_WINDOW_US. */
     uint32_t window_at;
+    uint32_t
+        even_steps; /**< So many of the newest readings are `count`, all of the window at most. */
     uint32_t heartbeat;
     uint32_t rx_crc_errors;
     uint32_t sequence_gaps;
@@ -82,6 +84,10 @@ void sim_card_receive(sim_card_t *self, const uint8_t bytes[CARD_FRAME_BYTES]);
  */
 void sim_card_step(sim_card_t *self, const sim_encoder_t *encoder, bool is_limit_active,
                    bool is_powered);
+
+/** As `steps` of sim_card_step() while the encoder and the switch stand. */
+void sim_card_rest(sim_card_t *self, const sim_encoder_t *encoder, bool is_limit_active,
+                   bool is_powered, uint32_t steps);
 
 /** Writes the report of this moment; edges are counted from here anew. */
 void sim_card_report(sim_card_t *self, sim_encoder_t *encoder, uint8_t bytes[CARD_FRAME_BYTES]);

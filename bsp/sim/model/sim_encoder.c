@@ -132,6 +132,19 @@ void sim_encoder_step(sim_encoder_t *self, double from_ticks, double to_ticks, u
     }
 }
 
+bool sim_encoder_is_quiet(const sim_encoder_t *self, double ticks)
+{
+    return (self->burst_edges == 0U) && (self->displaced == 0) &&
+           (ticks >= edge_of(self, self->state)) && (ticks < edge_of(self, self->state + 1));
+}
+
+void sim_encoder_rest(sim_encoder_t *self, uint32_t steps)
+{
+    if (self->fault != SIM_ENCODER_STUCK) {
+        sim_random_pass(&self->random, steps);
+    }
+}
+
 int32_t sim_encoder_count(const sim_encoder_t *self)
 {
     int32_t reading;

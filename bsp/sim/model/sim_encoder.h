@@ -57,6 +57,13 @@ void sim_encoder_init(sim_encoder_t *self, const axis_config_t *axis, double pos
 void sim_encoder_step(sim_encoder_t *self, double from_ticks, double to_ticks, uint32_t start_us,
                       bool is_scanning);
 
+/** True if a shaft that stands at `ticks` crosses no edge and no burst is under way: without a
+ * scanner each step takes its share of chance alone. */
+bool sim_encoder_is_quiet(const sim_encoder_t *self, double ticks);
+
+/** As `steps` of sim_encoder_step() while it is quiet. */
+void sim_encoder_rest(sim_encoder_t *self, uint32_t steps);
+
 /** The reading. */
 int32_t sim_encoder_count(const sim_encoder_t *self);
 

@@ -5,10 +5,6 @@
 
 #define PAST (SIM_LOAD_CELL_LATENCY_MOST + 1U)
 #define PERIOD_S 0.001
-/* A sum of four equally distributed numbers from -1 to 1 has the standard deviation of sqrt(4 / 3).
- */
-#define NORMAL_SUMMANDS 4U
-#define NORMAL_SCALE 0.86602540378443865
 
 static uint32_t counts_of(const sim_load_cell_t *self, double force_n)
 {
@@ -34,17 +30,6 @@ void sim_load_cell_set(sim_load_cell_t *self, uint32_t reading)
     self->reading = reading;
 }
 
-/* With the standard deviation 1. Each reading takes its share of chance, whatever becomes of it. */
-static double chance(sim_random_t *random)
-{
-    double sum = 0.0;
-
-    for (uint32_t i = 0U; i < NORMAL_SUMMANDS; i++) {
-        sum += sim_random_signed(random);
-    }
-    return sum * NORMAL_SCALE;
-}
-
 static double delayed(sim_load_cell_t *self, double force_n)
 {
     const uint32_t latency = (uint32_t)self->config.latency_ms;
@@ -54,6 +39,7 @@ static double delayed(sim_load_cell_t *self, double force_n)
     return self->past_n[(self->past_at + PAST - latency) % PAST];
 }
 
+/* Each reading takes its share of chance, whatever becomes of it. */
 static uint32_t read_cell(sim_load_cell_t *self, double force_n)
 {
     const bool is_noisy = self->fault == SIM_LOAD_CELL_NOISY;
@@ -64,7 +50,7 @@ static uint32_t read_cell(sim_load_cell_t *self, double force_n)
     self->wandered_n +=
         (self->config.drift_n_per_s + (is_drifting ? SIM_LOAD_CELL_DRIFT_N_PER_S : 0.0)) * PERIOD_S;
     return counts_of(self, delayed(self, force_n) + self->config.offset_n + self->wandered_n +
-                               step_n + noise_n * chance(&self->random));
+                               step_n + noise_n * sim_random_normal(&self->random));
 }
 
 static void take_reading(sim_load_cell_t *self, double force_n)

@@ -19,7 +19,14 @@ typedef struct {
     double most;
 } field_t;
 
-typedef enum { PART_WHOLE = 0, PART_LAYER = 1, PART_CELL = 2 } part_kind_t;
+typedef enum {
+    PART_WHOLE = 0,
+    PART_LAYER = 1,
+    PART_CELL = 2,
+    PART_NEEDLE = 3,
+    PART_TARGET = 4,
+    PART_IMAGES = 5
+} part_kind_t;
 
 typedef struct {
     const char *name;
@@ -57,10 +64,36 @@ static const field_t cell_fields[] = {
     {"offset_n", CELL(offset_n), -20.0, 20.0},
     {"latency_ms", CELL(latency_ms), 0.0, SIM_LOAD_CELL_LATENCY_MOST}};
 
+#define NEEDLE(member) offsetof(sim_bevel_config_t, member)
+static const field_t needle_fields[] = {
+    {"curvature_per_mm", NEEDLE(curvature_per_mm), 0.0, SIM_CURVATURE_MOST_PER_MM},
+    {"torsion_deg_per_100_mm", NEEDLE(torsion_deg_per_100_mm), 0.0, SIM_TORSION_MOST_DEG}};
+
+#define TARGET(member) offsetof(sim_target_t, member)
+static const field_t target_fields[] = {{"x_mm", TARGET(x_mm), -100.0, 100.0},
+                                        {"y_mm", TARGET(y_mm), -100.0, 100.0},
+                                        {"depth_mm", TARGET(depth_mm), 0.0, 1000.0},
+                                        {"push_share", TARGET(push_share), 0.0, 1.0},
+                                        {"push_most_mm", TARGET(push_most_mm), 0.0, 10.0},
+                                        {"shift_x_mm", TARGET(shift_x_mm), -10.0, 10.0},
+                                        {"shift_y_mm", TARGET(shift_y_mm), -10.0, 10.0},
+                                        {"shift_from_mm", TARGET(shift_from_mm), 0.0, 1000.0},
+                                        {"shift_to_mm", TARGET(shift_to_mm), 0.0, 1000.0}};
+
+#define IMAGES(member) offsetof(sim_imager_config_t, member)
+static const field_t images_fields[] = {
+    {"period_ms", IMAGES(period_ms), 0.0, SIM_IMAGE_MOST_MS},
+    {"delay_ms", IMAGES(delay_ms), 0.0, SIM_IMAGE_MOST_MS},
+    {"noise_mm", IMAGES(noise_mm), 0.0, SIM_IMAGE_NOISE_MOST_MM},
+    {"noise_deg", IMAGES(noise_deg), 0.0, SIM_IMAGE_NOISE_MOST_DEG}};
+
 /* In the order of part_kind_t. */
 static const part_t parts[] = {{"phantom", whole_fields, COUNT_OF(whole_fields)},
                                {"layer", layer_fields, COUNT_OF(layer_fields)},
-                               {"cell", cell_fields, COUNT_OF(cell_fields)}};
+                               {"cell", cell_fields, COUNT_OF(cell_fields)},
+                               {"needle", needle_fields, COUNT_OF(needle_fields)},
+                               {"target", target_fields, COUNT_OF(target_fields)},
+                               {"images", images_fields, COUNT_OF(images_fields)}};
 
 const char *const sim_cell_words[] = {"hand", "needle", NULL};
 
@@ -101,7 +134,17 @@ const sim_phantom_file_t sim_phantom_usual = {
                            .relaxing_share = 0.45,
                            .relaxing_s = 0.5}}},
     .cells = {{.noise_n = 0.02, .drift_n_per_s = 0.00005, .latency_ms = 2.0},
-              {.noise_n = 0.02, .drift_n_per_s = -0.00005, .latency_ms = 2.0}}};
+              {.noise_n = 0.02, .drift_n_per_s = -0.00005, .latency_ms = 2.0}},
+    .needle = {.curvature_per_mm = 0.0041, .torsion_deg_per_100_mm = 45.0},
+    .images = {.period_ms = 2000.0, .delay_ms = 500.0, .noise_mm = 0.5, .noise_deg = 0.5}};
+
+const sim_target_t sim_target_usual = {.depth_mm = 100.0,
+                                       .push_share = 0.05,
+                                       .push_most_mm = 3.0,
+                                       .shift_x_mm = 3.2,
+                                       .shift_y_mm = -2.4,
+                                       .shift_from_mm = 10.0,
+                                       .shift_to_mm = 50.0};
 
 /* Reading of a text: the part under way, and where it began. */
 typedef struct {
@@ -111,6 +154,8 @@ typedef struct {
     uint32_t begun_at;       /* Its line. */
     uint32_t reported;       /* Bit n: field n has its number. */
     uint32_t cells_reported; /* Bit n: cell n has its part. */
+    uint32_t
+        kinds_reported; /* Bit n: the part of this kind is there, if there is one of it only. */
     uint32_t line;
     char *reason;
     uint32_t reason_size;
@@ -184,6 +229,40 @@ static bool begin_cell(reader_t *self, const char *name)
     return refuse(self, self->line, "a cell is \"hand\" or \"needle\", not", name);
 }
 
+/* False: it begins no part of which there is one. */
+static bool begins_single(const char *name, part_kind_t *kind)
+{
+    bool is_found = false;
+
+    for (uint32_t i = (uint32_t)PART_NEEDLE; i < COUNT_OF(parts); i++) {
+        if (strcmp(name, parts[i].name) == 0) {
+            *kind = (part_kind_t)i;
+            is_found = true;
+        }
+    }
+    return is_found;
+}
+
+static bool begin_single(reader_t *self, part_kind_t kind, const char *more)
+{
+    sim_phantom_file_t *const phantom = self->phantom;
+    const uint32_t bit = 1U << (uint32_t)kind;
+    void *const place = (kind == PART_NEEDLE)   ? (void *)&phantom->needle
+                        : (kind == PART_TARGET) ? (void *)&phantom->target
+                                                : (void *)&phantom->images;
+
+    if (more[0] != '\0') {
+        char says[LINE_SIZE];
+        (void)snprintf(says, sizeof says, "nothing may stand behind %s, as does", parts[kind].name);
+        return refuse(self, self->line, says, more);
+    }
+    if ((self->kinds_reported & bit) != 0U) {
+        return refuse(self, self->line, "there is a second part called", parts[kind].name);
+    }
+    self->kinds_reported |= bit;
+    return begin_part(self, kind, place);
+}
+
 static bool take_number(const reader_t *self, const field_t *field, const char *word)
 {
     char *end = NULL;
@@ -243,8 +322,12 @@ static bool take_line(reader_t *self, char *line)
         *word = '\0';
         word = without_blanks(&word[1]);
     }
+    part_kind_t single;
     if (strcmp(key, parts[PART_LAYER].name) == 0) {
         return begin_layer(self, word);
+    }
+    if (begins_single(key, &single)) {
+        return begin_single(self, single, word);
     }
     return (strcmp(key, parts[PART_CELL].name) == 0) ? begin_cell(self, word)
                                                      : take_field(self, key, word);
@@ -325,4 +408,10 @@ void sim_phantom_write(const sim_phantom_file_t *self, char *text, uint32_t size
         length = write_title(text, size, length, "cell ", sim_cell_words[i]);
         length = write_fields(PART_CELL, &self->cells[i], text, size, length);
     }
+    length = write_title(text, size, length, parts[PART_NEEDLE].name, "");
+    length = write_fields(PART_NEEDLE, &self->needle, text, size, length);
+    length = write_title(text, size, length, parts[PART_TARGET].name, "");
+    length = write_fields(PART_TARGET, &self->target, text, size, length);
+    length = write_title(text, size, length, parts[PART_IMAGES].name, "");
+    (void)write_fields(PART_IMAGES, &self->images, text, size, length);
 }

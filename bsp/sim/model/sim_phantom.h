@@ -1,15 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The phantom of a simulated box: tissue in front of the needle, and the properties of the two load
- * cells. A phantom is a text, one key with its number in each line; "layer" begins a layer, and
- * "cell hand" or "cell needle" the properties of a cell. A line that is empty or begins with # has
- * no meaning. Each key stands once where it belongs, and none may be missing.
+ * The phantom of a simulated box: tissue in front of the needle, how it bends the needle and moves
+ * a target, and the properties of the two load cells and of images of the tip. A phantom is a text,
+ * one key with its number in each line; "layer" begins a layer, and "cell hand" or "cell needle"
+ * the properties of a cell. A line that is empty or begins with # has no meaning. Each key stands
+ * once where it belongs, and none may be missing. The parts "needle", "target" and "images" may:
+ * without them the needle is never bent, and there is no target and no image.
  */
 #ifndef BORESIGHT_SIM_PHANTOM_H
 #define BORESIGHT_SIM_PHANTOM_H
 
+#include "sim/model/sim_bevel.h"
+#include "sim/model/sim_imager.h"
 #include "sim/model/sim_load_cell.h"
+#include "sim/model/sim_target.h"
 #include "sim/model/sim_tissue.h"
 
 #include <stdbool.h>
@@ -25,6 +30,9 @@ typedef enum { SIM_CELL_HAND = 0, SIM_CELL_NEEDLE = 1 } sim_cell_t;
 typedef struct {
     sim_phantom_t tissue;
     sim_load_cell_config_t cells[SIM_CELLS];
+    sim_bevel_config_t needle;
+    sim_target_t target;
+    sim_imager_config_t images;
 } sim_phantom_file_t;
 
 /**
@@ -34,6 +42,9 @@ typedef struct {
  * @satisfies SWR-BOX-531
  */
 extern const sim_phantom_file_t sim_phantom_usual;
+
+/** A target of that phantom, straight ahead at first, that moves by 5 mm. */
+extern const sim_target_t sim_target_usual;
 
 /** In the order of sim_cell_t; ends with NULL. */
 extern const char *const sim_cell_words[];

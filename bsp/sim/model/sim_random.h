@@ -12,10 +12,18 @@ typedef struct {
     uint64_t state;
 } sim_random_t;
 
+#define SIM_RANDOM_STEP UINT64_C(0x9E3779B97F4A7C15)
+
+/** Leaves out the next `count` numbers. */
+static inline void sim_random_pass(sim_random_t *self, uint32_t count)
+{
+    self->state += SIM_RANDOM_STEP * count;
+}
+
 /** The next number, all 32-bit values equally likely. */
 static inline uint32_t sim_random_next(sim_random_t *self)
 {
-    self->state += UINT64_C(0x9E3779B97F4A7C15);
+    self->state += SIM_RANDOM_STEP;
     uint64_t mixed = self->state;
     mixed = (mixed ^ (mixed >> 30U)) * UINT64_C(0xBF58476D1CE4E5B9);
     mixed = (mixed ^ (mixed >> 27U)) * UINT64_C(0x94D049BB133111EB);
@@ -32,6 +40,18 @@ static inline uint32_t sim_random_below(sim_random_t *self, uint32_t count)
 static inline double sim_random_signed(sim_random_t *self)
 {
     return (double)sim_random_next(self) / 2147483648.0 - 1.0;
+}
+
+/** The next number of a distribution near the normal one, of standard deviation 1 and at most 3.5:
+ * a sum of four equally distributed numbers from -1 to 1, whose own deviation is sqrt(4 / 3). */
+static inline double sim_random_normal(sim_random_t *self)
+{
+    double sum = 0.0;
+
+    for (uint32_t i = 0U; i < 4U; i++) {
+        sum += sim_random_signed(self);
+    }
+    return sum * 0.86602540378443865;
 }
 
 #endif

@@ -72,28 +72,45 @@ static void chatter(sim_switch_t *self)
     }
 }
 
+/* As the card sees a contact whose wire is not loose. */
+static bool is_seen_active(const sim_switch_t *self)
+{
+    bool active = self->is_closed;
+
+    switch (self->fault) {
+    case SIM_SWITCH_STUCK:
+        active = true;
+        break;
+    case SIM_SWITCH_OPEN:
+        active = false;
+        break;
+    case SIM_SWITCH_REVERSED:
+        active = !self->is_closed;
+        break;
+    case SIM_SWITCH_CHATTER:
+    case SIM_SWITCH_NORMAL:
+    default:
+        break;
+    }
+    return active;
+}
+
 void sim_switch_step(sim_switch_t *self, double position_ticks)
 {
     const bool was_operated = self->is_operated;
 
     self->is_operated = is_pressed(self, position_ticks);
     step_contact(self, was_operated);
-    switch (self->fault) {
-    case SIM_SWITCH_STUCK:
-        self->is_active = true;
-        break;
-    case SIM_SWITCH_OPEN:
-        self->is_active = false;
-        break;
-    case SIM_SWITCH_CHATTER:
+    if (self->fault == SIM_SWITCH_CHATTER) {
         chatter(self);
-        break;
-    case SIM_SWITCH_REVERSED:
-        self->is_active = !self->is_closed;
-        break;
-    case SIM_SWITCH_NORMAL:
-    default:
-        self->is_active = self->is_closed;
-        break;
+    } else {
+        self->is_active = is_seen_active(self);
     }
+}
+
+bool sim_switch_is_settled(const sim_switch_t *self, double position_ticks)
+{
+    return (self->fault != SIM_SWITCH_CHATTER) && (self->bounce_us == 0U) &&
+           (self->is_closed == self->is_operated) && (self->is_active == is_seen_active(self)) &&
+           (is_pressed(self, position_ticks) == self->is_operated);
 }

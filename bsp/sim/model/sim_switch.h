@@ -52,4 +52,7 @@ void sim_switch_init(sim_switch_t *self, const axis_config_t *axis, double posit
  */
 void sim_switch_step(sim_switch_t *self, double position_ticks);
 
+/** True if no step changes it while the axis stands at `position_ticks`. */
+bool sim_switch_is_settled(const sim_switch_t *self, double position_ticks);
+
 #endif

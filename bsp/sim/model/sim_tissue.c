@@ -177,6 +177,10 @@ void sim_tissue_step(sim_tissue_t *self, const sim_phantom_t *phantom, double st
     const double way_mm = depth_mm - self->depth_mm;
 
     self->depth_mm = depth_mm;
+    if (phantom->layer_count == 0U) {
+        self->front_mm = (depth_mm > self->front_mm) ? depth_mm : self->front_mm;
+        return;
+    }
     press_membrane(self, phantom, step_s, speed_mm_per_s);
     const double tip = tip_mm(self, phantom);
     const sim_layer_t *const layer = layer_at(phantom, tip);

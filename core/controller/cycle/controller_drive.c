@@ -46,6 +46,7 @@ typedef struct {
     uint32_t at_coupled_limit; /* coupled_guard_blocks(); nothing without a table. */
     uint32_t driven;           /* The axes that ask for a drive. */
     uint32_t heeding_needle;   /* mode_heeding_needle() while armed. */
+    uint32_t unsteered;        /* The needle's axis, while mode_waits_for_rotation(). */
 } view_t;
 
 static uint32_t driven_axes(const controller_t *self, const card_drive_t requests[ROBOT_AXIS_MAX])
@@ -77,6 +78,8 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
         .is_needle_in = ((view->heeding_needle & bit) != 0U) &&
                         needle_forbids_jog(cycle->robot, self->axes, index,
                                            is_on && motor_model_is_upwards(config, request)),
+        .is_unsteered =
+            ((view->unsteered & bit) != 0U) && is_on && motor_model_is_upwards(config, request),
     };
     return permit_decide(&view->common, &facts);
 }
@@ -223,6 +226,9 @@ void controller_drive(controller_t *self, const cycle_t *cycle, uint32_t guards,
     gather_sent(self, sent);
     if (facts.is_armed) {
         view.heeding_needle = mode_heeding_needle(&self->mode, kind, cycle->robot, view.driven);
+    }
+    if (facts.is_armed && mode_waits_for_rotation(&self->mode, kind, cycle->robot, self->axes)) {
+        view.unsteered = (uint32_t)1U << (cycle->robot->needle_axis % ROBOT_AXIS_MAX);
     }
     if (!facts.is_memory_damaged) {
         view.at_coupled_limit = coupled_guard_blocks(cycle->robot, &view.axes);

@@ -29,6 +29,7 @@ static void feel(controller_t *self, const cycle_t *cycle, mode_frame_t *frame)
     if (cycle->robot->force.is_there != 0U) {
         const bool goes_on =
             procedure_is_moving(&self->procedure) &&
+            !force_channel_is_still(&self->force.sealed.channels[FORCE_CHANNEL_HAND]) &&
             !mode_wants_hand_off(&self->mode, mode_in(&self->mode, frame->workphase));
         hand->force_mn = hand_guard_step(&self->sealed.hand_guard, &cycle->robot->hand, hand,
                                          goes_on, cycle->inputs->elapsed_us);
@@ -87,8 +88,23 @@ static bool is_hand_doubtful(const controller_t *self, const mode_frame_t *frame
            (!frame->hand.is_trusted || robot_is_force_damaged(frame->robot));
 }
 
+/* A steering is forgotten with its target, whatever has taken that. */
+static void note_unsteered(controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t was_steered = self->sealed.is_steered;
+    self->sealed.is_steered = 0U;
+    if (steering_is_on(&self->plan.steering)) {
+        self->sealed.is_steered = 1U;
+    } else if (was_steered != 0U) {
+        controller_note(self, cycle, EVENT_STEERING_FORGOTTEN, 0U, 0);
+    } else {
+        /* It goes straight, as before. */
+    }
+}
+
 void controller_move(controller_t *self, const cycle_t *cycle, mode_result_t *result)
 {
+    note_unsteered(self, cycle);
     follow_pedal(self, cycle);
     mode_frame_t frame;
     fill_frame(self, cycle, controller_is_homed(self), &frame);

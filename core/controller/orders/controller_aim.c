@@ -44,6 +44,9 @@ solution_t controller_aim(controller_t *self, const cycle_t *cycle, const comman
         result = judge_target(self, cycle);
         (void)memcpy(request->sealed.move.target_ticks, target_ticks,
                      sizeof request->sealed.move.target_ticks);
+        if (aim == MODE_AIM_DEPTH) {
+            request->sealed.move.steering = self->plan.steering;
+        }
         if ((aim == MODE_AIM_STEPS) && (result.status == STATUS_OK)) {
             result = controller_judge_program(self, cycle, command_as_list(command)->checksum,
                                               &request->sealed.move);

@@ -19,9 +19,10 @@ static bool is_known(const command_t *command)
 /* An unknown command is left to be refused as unknown. */
 static bool is_allowed(const command_t *command)
 {
+    const bool is_named = command->kind < COMMAND_KIND_COUNT;
+    const uint32_t sources = is_named ? command_traits[command->kind].sources : 0U;
     return (command->source < COMMAND_SOURCE_COUNT) &&
-           (!is_known(command) ||
-            (((command_traits[command->kind].sources >> command->source) & 1U) != 0U));
+           (!is_known(command) || (((sources >> command->source) & 1U) != 0U));
 }
 
 /* Faults that only START_UP clears must not stay for ever where START_UP is refused: the needle has

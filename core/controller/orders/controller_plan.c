@@ -213,6 +213,31 @@ status_t controller_obey_withdraw(controller_t *self, const cycle_t *cycle,
     return status;
 }
 
+status_t controller_obey_steer(controller_t *self, const cycle_t *cycle, const command_t *command,
+                               answer_t *answer)
+{
+    (void)answer;
+    const command_steering_t *const sent = command_as_steering(command);
+    status_t status = STATUS_OK;
+    if (!controller_is_of_workphase(self, command)) {
+        status = STATUS_WRONG_WORKPHASE;
+    } else if (procedure_is_armed(&self->procedure)) {
+        status = STATUS_MOTION_ARMED;
+    } else {
+        status = plan_steer(&self->plan, cycle->robot, sent->method, sent->curvature_per_km,
+                            sent->direction_deg);
+    }
+    if (status == STATUS_OK) {
+        self->sealed.is_steered = 0U;  /* What it was before is not forgotten, but replaced. */
+        self->sealed.has_arrived = 0U; /* What has been steered otherwise stands elsewhere. */
+        controller_note(self, cycle, EVENT_STEERING_TAKEN, self->plan.steering.method,
+                        (int32_t)self->plan.steering.curvature_per_km);
+        controller_note(self, cycle, EVENT_STEERING_DIRECTION, 0U,
+                        self->plan.steering.direction_deg);
+    }
+    return status;
+}
+
 status_t controller_obey_needle(controller_t *self, const cycle_t *cycle, const command_t *command,
                                 answer_t *answer)
 {

@@ -7,6 +7,17 @@
 
 #include <stdbool.h>
 
+/**
+ * Takes how the needle is steered.
+ *
+ * @return as plan_steer(), STATUS_WRONG_WORKPHASE, or STATUS_MOTION_ARMED
+ *
+ * @satisfies SWR-STEER-002
+ * @satisfies SWR-STEER-009
+ */
+status_t controller_obey_steer(controller_t *self, const cycle_t *cycle, const command_t *command,
+                               answer_t *answer);
+
 /** Its sender states that it is not worth an event: a proposal or a needle of many. */
 bool controller_is_unlogged(const command_t *command);
 

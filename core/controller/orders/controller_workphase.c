@@ -50,6 +50,7 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
     mode_request_t request = {.sealed.axes = mode_axes(kind, 0U, cycle->robot)};
     (void)memcpy(request.sealed.move.target_ticks, self->plan.target_ticks,
                  sizeof request.sealed.move.target_ticks);
+    request.sealed.move.steering = self->plan.steering;
     return request;
 }
 

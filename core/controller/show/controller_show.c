@@ -447,6 +447,21 @@ static void show_membranes(const membrane_watch_t *watch, snapshot_membranes_t *
     shown->least_fall_mn = watch->least_fall_mn;
 }
 
+static void show_steering(const controller_t *self, const cycle_t *cycle, mode_kind_t kind,
+                          snapshot_t *shown)
+{
+    const steering_t *const steering = &self->plan.steering;
+    shown->steering_method = steering->method;
+    shown->steering_curvature_per_km = steering->curvature_per_km;
+    shown->steering_direction_deg = steering->direction_deg;
+    shown->steering_most_per_km = cycle->robot->steering.most_per_km;
+    shown->is_rotation_awaited = 0U;
+    if (procedure_is_moving(&self->procedure) &&
+        mode_waits_for_rotation(&self->mode, kind, cycle->robot, self->axes)) {
+        shown->is_rotation_awaited = 1U;
+    }
+}
+
 void controller_look_ahead(controller_t *self, const cycle_t *cycle, uint32_t guards)
 {
     if ((self->plan.has_target != 0U) && guards_have(guards, GUARD_HOMED) &&
@@ -512,6 +527,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle, uint32_t gu
         clear_aligned_words((uint8_t *)shown->forces, sizeof shown->forces);
         clear_aligned_words((uint8_t *)&shown->membranes, sizeof shown->membranes);
     }
+    show_steering(self, cycle, kind, shown);
     show_way(self, kind, shown);
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         show_card(self, cycle, slot);

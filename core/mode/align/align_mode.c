@@ -10,6 +10,7 @@ move_mode_t align_mode_move(const robot_t *robot, const axis_t axes[ROBOT_AXIS_M
 {
     const uint32_t needle = robot->needle_axis;
     move_mode_t move;
+    (void)memset(&move, 0, sizeof move);
     (void)memcpy(move.target_ticks, target_ticks, sizeof move.target_ticks);
     move.target_ticks[needle] = needle_is_out(robot, axes)
                                     ? axes[needle].sealed.encoder.position_ticks
@@ -20,5 +21,5 @@ move_mode_t align_mode_move(const robot_t *robot, const axis_t axes[ROBOT_AXIS_M
 void align_mode_step(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame,
                      mode_result_t *result)
 {
-    move_mode_step(self, leg, frame, result);
+    move_mode_go(self, leg, frame, result);
 }

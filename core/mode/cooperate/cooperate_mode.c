@@ -53,12 +53,15 @@ static int64_t asked_q8(const mode_frame_t *frame)
 }
 
 /* That speed as far as the axis may have it, and 0 behind a puncture. */
-static int64_t most_q8(const cooperate_mode_t *self, const mode_frame_t *frame, uint32_t index)
+static int64_t most_q8(const cooperate_mode_t *self, const move_mode_t *move,
+                       const mode_frame_t *frame, uint32_t index)
 {
     const axis_config_t *const config = &frame->robot->axes[index];
+    const uint32_t percent = steering_is_on(&move->steering) ? steer_needle_percent(frame)
+                                                             : frame->speed_cap_percent[index];
     const int64_t wanted_q8 = cooperate_mode_is_vibrating(self) ? 0 : asked_q8(frame);
-    const int64_t axis_q8 = fixed_divide_by(
-        (int64_t)config->speed_ticks_per_s * 256 * (int64_t)frame->speed_cap_percent[index], 100U);
+    const int64_t axis_q8 =
+        fixed_divide_by((int64_t)config->speed_ticks_per_s * 256 * (int64_t)percent, 100U);
     return fixed_within(wanted_q8, 0, axis_q8);
 }
 
@@ -70,25 +73,26 @@ static int32_t from_ticks(const axis_t *axis)
 }
 
 /* Speed of the set-point in this cycle. It ends at the target, whatever the force. */
-static int64_t next_q8(const cooperate_mode_t *self, const mode_frame_t *frame, uint32_t index,
-                       int32_t target_ticks)
+static int64_t next_q8(const cooperate_mode_t *self, const move_mode_t *move,
+                       const mode_frame_t *frame, uint32_t index)
 {
+    const int32_t target_ticks = move->target_ticks[index];
     const axis_t *const axis = &frame->axes[index];
     const int64_t room_ticks = (int64_t)target_ticks - (int64_t)from_ticks(axis);
     const int64_t now_q8 = fixed_larger((int64_t)axis->sealed.setpoint_speed_ticks_per_s_q8, 0);
     const ramp_steps_t steps = {
         .up_q8 = step_q8((uint32_t)frame->robot->axes[index].acceleration_ticks_per_s2),
         .down_q8 = step_q8(frame->robot->hand.stop_ticks_per_s2)};
-    return ramp_next(now_q8, most_q8(self, frame, index), &steps,
+    return ramp_next(now_q8, most_q8(self, move, frame, index), &steps,
                      (room_ticks * RAMP_TICK) - (int64_t)self->rest);
 }
 
 /* No rest of the way is made up for once the hand has let go: the set-point is the position. */
-static card_drive_t push(cooperate_mode_t *self, const mode_frame_t *frame, uint32_t index,
-                         int32_t target_ticks)
+static card_drive_t push(cooperate_mode_t *self, const move_mode_t *move, const mode_frame_t *frame,
+                         uint32_t index)
 {
     axis_t *const axis = &frame->axes[index];
-    const int64_t speed_q8 = next_q8(self, frame, index, target_ticks);
+    const int64_t speed_q8 = next_q8(self, move, frame, index);
     if (speed_q8 == 0) {
         self->rest = 0;
         return axis_rest(axis, frame->elapsed_us);
@@ -141,24 +145,51 @@ static card_drive_t vibrate(cooperate_mode_t *self, const mode_frame_t *frame, u
                        point.speed_ticks_per_s_q8, frame->elapsed_us);
 }
 
-static card_drive_t drive_needle(cooperate_mode_t *self, const mode_frame_t *frame, uint32_t index,
-                                 int32_t target_ticks)
+/* Without its rotation it rests where it is. */
+static card_drive_t drive_needle(cooperate_mode_t *self, const move_mode_t *move,
+                                 const mode_frame_t *frame, uint32_t index, bool may_go_in)
 {
-    choose_stage(self, frame, index);
-    return (self->stage == (uint32_t)COOPERATE_VIBRATES) ? vibrate(self, frame, index)
-                                                         : push(self, frame, index, target_ticks);
+    card_drive_t drive;
+    if (cooperate_mode_is_stroke(self)) {
+        drive = vibrate(self, frame, index);
+    } else if (may_go_in) {
+        drive = push(self, move, frame, index);
+    } else {
+        self->rest = 0;
+        axis_t *const axis = &frame->axes[index];
+        drive = axis_rest(axis, frame->elapsed_us);
+    }
+    return drive;
 }
 
-static void go(cooperate_mode_t *self, const move_mode_t *move, const mode_frame_t *frame,
-               mode_result_t *result)
+/* What the axes but the needle do: only the rotation of one that is steered turns, while a hand
+ * pushes: the permit stands against every drive otherwise. */
+static bool drive_others(const move_mode_t *move, steer_t *steer, const mode_frame_t *frame,
+                         mode_result_t *result)
 {
-    const uint32_t needle = frame->robot->needle_axis;
+    const bool is_steered = steering_is_on(&move->steering);
+    const bool is_turning = is_steered && (asked_q8(frame) > 0);
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         axis_t *const axis = &frame->axes[i];
-        result->requests[i] = (i == needle)
-                                  ? drive_needle(self, frame, needle, move->target_ticks[needle])
-                                  : axis_rest(axis, frame->elapsed_us);
+        if ((i != frame->robot->needle_axis) &&
+            !(is_turning && (i == frame->robot->steering.axis))) {
+            result->requests[i] = axis_rest(axis, frame->elapsed_us);
+        }
     }
+    bool may_go_in = !is_steered;
+    if (is_turning) {
+        may_go_in = steer_step(steer, &move->steering, frame, result);
+    }
+    return may_go_in;
+}
+
+static void go(cooperate_mode_t *self, const move_mode_t *move, steer_t *steer,
+               const mode_frame_t *frame, mode_result_t *result)
+{
+    const uint32_t needle = frame->robot->needle_axis;
+    choose_stage(self, frame, needle);
+    const bool may_go_in = drive_others(move, steer, frame, result);
+    result->requests[needle] = drive_needle(self, move, frame, needle, may_go_in);
     /* At its depth, and the set-point rests. */
     if ((left_ticks(move, frame->robot, frame->axes) <=
          (int64_t)frame->robot->axes[needle].deadband_ticks) &&
@@ -167,13 +198,13 @@ static void go(cooperate_mode_t *self, const move_mode_t *move, const mode_frame
     }
 }
 
-void cooperate_mode_step(cooperate_mode_t *self, const move_mode_t *move, const mode_frame_t *frame,
-                         mode_result_t *result)
+void cooperate_mode_step(cooperate_mode_t *self, const move_mode_t *move, steer_t *steer,
+                         const mode_frame_t *frame, mode_result_t *result)
 {
     const solution_t judged = cooperate_mode_judge(move, frame->robot, frame->axes);
     if (judged.status != STATUS_OK) {
         mode_give_up(frame, result, judged.status);
     } else {
-        go(self, move, frame, result);
+        go(self, move, steer, frame, result);
     }
 }

@@ -4,7 +4,8 @@
  * Cooperative insertion: the hand on the handle moves the needle towards its depth at the target,
  * as fast as it pushes (motion/admittance.h), and never back but to vibrate: a puncture stops the
  * needle, which then goes back and forward again a few times (motion/vibration.h), while the hand
- * still pushes and is not followed. All other axes rest. A design of this project after thesis 5.5,
+ * still pushes and is not followed. All other axes rest but the rotation of a needle that is
+ * steered, for which a push waits as an insertion does. A design of this project after thesis 5.5,
  * which names the mode and gives no law.
  */
 #ifndef BORESIGHT_COOPERATE_MODE_H
@@ -58,8 +59,8 @@ solution_t cooperate_mode_judge(const move_mode_t *move, const robot_t *robot,
  * @satisfies SWR-VIB-704
  * @satisfies SWR-VIB-707
  */
-void cooperate_mode_step(cooperate_mode_t *self, const move_mode_t *move, const mode_frame_t *frame,
-                         mode_result_t *result);
+void cooperate_mode_step(cooperate_mode_t *self, const move_mode_t *move, steer_t *steer,
+                         const mode_frame_t *frame, mode_result_t *result);
 
 /** The pedal does not let it run: a vibration is over. */
 static inline void cooperate_mode_pause(cooperate_mode_t *self)
@@ -71,6 +72,12 @@ static inline void cooperate_mode_pause(cooperate_mode_t *self)
 static inline bool cooperate_mode_is_vibrating(const cooperate_mode_t *self)
 {
     return self->stage != (uint32_t)COOPERATE_FOLLOWS;
+}
+
+/** The needle vibrates: it is never deeper than where that began. */
+static inline bool cooperate_mode_is_stroke(const cooperate_mode_t *self)
+{
+    return self->stage == (uint32_t)COOPERATE_VIBRATES;
 }
 
 /** The hand is to be seen off before the needle follows it again. */

@@ -275,9 +275,10 @@ static void go_home(leg_t *leg, const mode_frame_t *frame, mode_result_t *result
     const status_t judged = (leg->is_running == 0U) ? judge_way(frame) : STATUS_OK;
     if (judged == STATUS_OK) {
         move_mode_t move;
+        (void)memset(&move, 0, sizeof move);
         (void)memcpy(move.target_ticks, frame->robot->poses[POSE_HOME].ticks,
                      sizeof move.target_ticks);
-        move_mode_step(&move, leg, frame, result);
+        move_mode_go(&move, leg, frame, result);
     } else {
         mode_give_up(frame, result, judged);
     }

@@ -9,11 +9,11 @@ solution_t insert_mode_judge(const move_mode_t *self, const robot_t *robot,
     return result;
 }
 
-void insert_mode_step(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame,
-                      mode_result_t *result)
+void insert_mode_step(const move_mode_t *self, leg_t *leg, steer_t *steer,
+                      const mode_frame_t *frame, mode_result_t *result)
 {
     if ((leg->is_running != 0U) || move_mode_is_aligned(self, frame->robot, frame->axes)) {
-        move_mode_step(self, leg, frame, result);
+        move_mode_step(self, leg, steer, frame, result);
     } else {
         mode_give_up(frame, result, STATUS_NOT_ALIGNED);
     }

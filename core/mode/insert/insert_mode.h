@@ -26,7 +26,7 @@ solution_t insert_mode_judge(const move_mode_t *self, const robot_t *robot,
  *
  * @satisfies SWR-ALIGN-005
  */
-void insert_mode_step(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame,
-                      mode_result_t *result);
+void insert_mode_step(const move_mode_t *self, leg_t *leg, steer_t *steer,
+                      const mode_frame_t *frame, mode_result_t *result);
 
 #endif

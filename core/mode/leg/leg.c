@@ -37,6 +37,7 @@ void leg_begin(leg_t *self, const mode_frame_t *frame, uint32_t axes,
     int32_t from[ROBOT_AXIS_MAX] = {0};
     int32_t to[ROBOT_AXIS_MAX] = {0};
     self->axes = axes;
+    self->lent = 0U;
     leg_positions(frame, from);
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         to[i] = has_axis(self, i) ? ends[i] : from[i];
@@ -106,8 +107,10 @@ bool leg_step(leg_t *self, const mode_frame_t *frame, mode_result_t *result)
     profile_step(&self->profile);
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         axis_t *const axis = &frame->axes[i];
-        result->requests[i] =
-            has_axis(self, i) ? follow(self, frame, i) : axis_rest(axis, frame->elapsed_us);
+        if ((self->lent & LEG_AXIS(i)) == 0U) {
+            result->requests[i] =
+                has_axis(self, i) ? follow(self, frame, i) : axis_rest(axis, frame->elapsed_us);
+        }
     }
     self->settled_cycles = is_at_end(self, frame) ? (self->settled_cycles + 1U) : 0U;
     const bool has_arrived = self->settled_cycles >= SETTLED_CYCLES;

@@ -21,7 +21,8 @@
 /** At first all zero. */
 typedef struct {
     profile_t profile;
-    uint32_t axes;            /**< Bit n: axis n is of it; the others are left alone. */
+    uint32_t axes;            /**< Bit n: axis n is of it; the others rest... */
+    uint32_t lent;            /**< ...but for these (bits), which the mode drives by itself. */
     uint32_t is_running;      /**< 0 or 1. */
     uint32_t settled_cycles;  /**< At the end, in a row. */
     uint32_t overtime_cycles; /**< Since the end of the profile, on the way to its end. */
@@ -32,7 +33,7 @@ void leg_positions(const mode_frame_t *frame, int32_t ticks[ROBOT_AXIS_MAX]);
 
 /**
  * Begins: `axes` (LEG_AXIS bits) are driven to `ends`, within the cap of each; of the others `ends`
- * says nothing.
+ * says nothing. None is lent.
  *
  * @satisfies SWR-AXIS-006
  * @satisfies SWR-PERMIT-005

@@ -74,6 +74,22 @@ class TestRobotHand < Minitest::Test
     end
   end
 
+  # 2.5 s and a rest.
+  def test_SWR_VIB_751_refuses_a_vibration_that_lasts_too_long
+    assert_refused 'periods: 3', 'periods: 10', 'hand.vibration.periods: takes 2515 ms with its rests; expected 2000 at most'
+    assert_includes compile(WHOLE.sub('periods: 3', 'periods: 7')).last, '.periods = 7U'
+  end
+
+  # 0.07 mm of the needle's axis are 116 ticks.
+  def test_SWR_VIB_751_refuses_a_vibration_within_the_deadband
+    deadband = /deadband_ticks: 3( +# 1\.8 um)/
+    assert_match deadband, WHOLE
+    assert_includes compile(WHOLE.sub(deadband, 'deadband_ticks: 58\1')).last, '.amplitude_ticks = 116U'
+    status, errors, = compile(WHOLE.sub(deadband, 'deadband_ticks: 59\1'))
+    assert_equal 1, status
+    assert_match(/robot\.yml:#{LINE}: .*amplitude_mm: is 116 ticks beside a deadband of 59; expected 118 at least/, errors)
+  end
+
   def test_SWR_VIB_706_refuses_strokes_above_the_speed_of_the_axis
     text = WHOLE.gsub('acceleration_ticks_per_s2: 40000', 'acceleration_ticks_per_s2: 1000000')
     status, errors, = compile(text.sub('frequency_hz: 4', 'frequency_hz: 20'))

@@ -33,7 +33,8 @@
 #define PUSH_CYCLES 5000U
 #define STOP_CYCLES 100U
 #define PULL_MN 5000
-#define HARD_MN 7500 /* The sensor says no more than 8.2 N. */
+#define QUIET_N 0.004 /* Noise of less than half a count. */
+#define HARD_MN 7500  /* The sensor says no more than 8.2 N. */
 
 static const command_t cooperate = {.kind = (uint32_t)COMMAND_COOPERATE};
 
@@ -322,6 +323,52 @@ void test_SWR_COOP_016_a_stuck_sensor_moves_the_true_needle_a_short_way(void)
         TEST_ASSERT_TRUE((depth_ticks() - there) <= (LIMIT_HAND_STUCK_UM * TICKS_PER_MM / 1000.0));
         TEST_ASSERT_TRUE((depth_ticks() - there) > (0.2 * TICKS_PER_MM));
     }
+}
+
+/* Load cell with less than a count of noise. */
+static void start_quiet(void)
+{
+    align();
+    rig.box.force.cells[SIM_CELL_HAND].config.noise_n = QUIET_N;
+    zero_force();
+    TEST_ASSERT_LESS_OR_EQUAL_UINT32(
+        LIMIT_FORCE_STILL_NOISE, rig.controller.force.sealed.channels[FORCE_CHANNEL_HAND].noise_q8);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    rig_cycles(&rig, OFF_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(cooperate));
+    rig_press(&rig);
+    rig_cycles(&rig, OFF_CYCLES);
+}
+
+void test_SWR_COOP_750_a_quiet_sensor_brings_the_needle_to_its_depth(void)
+{
+    start_quiet();
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, push_on(800).kind);
+    TEST_ASSERT_DOUBLE_WITHIN(DEADBAND_TICKS, (double)target_ticks(), depth_ticks());
+}
+
+/* Once it works again, the hand has to be seen off. */
+void test_SWR_COOP_750_a_quiet_sensor_that_is_stuck_moves_the_needle_a_short_way(void)
+{
+    start_quiet();
+    push(JERK_MN);
+    rig_cycles(&rig, 1000U);
+    rig_box(&rig, "force hand stuck");
+    const double there = depth_ticks();
+    rig_cycles(&rig, PUSH_CYCLES);
+    TEST_ASSERT_TRUE(has_reason(PERMIT_REASON_HAND_UNPROVEN));
+    TEST_ASSERT_TRUE((depth_ticks() - there) <= (LIMIT_HAND_STUCK_UM * TICKS_PER_MM / 1000.0));
+    TEST_ASSERT_TRUE((depth_ticks() - there) > (0.2 * TICKS_PER_MM));
+    const double stopped = depth_ticks();
+    rig_box(&rig, "force hand normal");
+    rig_cycles(&rig, OFF_CYCLES);
+    TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, stopped, depth_ticks());
+    let_go();
+    rig_cycles(&rig, OFF_CYCLES);
+    push(800);
+    rig_cycles(&rig, OFF_CYCLES);
+    TEST_ASSERT_TRUE(depth_ticks() > (stopped + STILL_TICKS));
+    TEST_ASSERT_FALSE(is_over());
 }
 
 /* It stands where a move that was armed by entering the workphase would be run by the pedal. */

@@ -27,8 +27,9 @@
 #define NEAR_UM 1000
 #define LATE_UM 400 /* From a puncture to its report. */
 #define PUSH_CYCLES                                                                                \
-    5000U            /* From one push to the next, with the hand off in the last ones of them. */
-#define PUSHED 3000U /* Cycles of a push that end in front of the tissue, at 2.5 mm/s. */
+    5000U /* From one push to the next, with the hand off in the last ones of them. */
+#define AFTER_CYCLES 2000U /* Behind the end of an insertion nothing is driven. */
+#define PUSHED 3000U       /* Cycles of a push that end in front of the tissue, at 2.5 mm/s. */
 
 static const command_t cooperate = {.kind = (uint32_t)COMMAND_COOPERATE};
 
@@ -188,6 +189,25 @@ void test_SWR_PUNCT_610_a_needle_that_goes_in_anew_has_all_of_them_ahead(void)
     TEST_ASSERT_EQUAL_UINT32(0U, shown()->unexpected);
 }
 
+/* Two boxes with the same hand go on together, until the insertion has ended and beyond. */
+static void expect_same_drives(rig_t *other, bool is_other_blind)
+{
+    uint32_t after = 0U;
+    for (uint32_t i = 0U; (i < LONG_CYCLES) && (after < AFTER_CYCLES); i++) {
+        if (is_other_blind) {
+            (void)memset(&other->controller.membranes, 0, sizeof other->controller.membranes);
+        }
+        move_hand(other);
+        cycle();
+        rig_cycle(other);
+        TEST_ASSERT_EQUAL_MEMORY(rig.outputs.frames, other->outputs.frames,
+                                 sizeof rig.outputs.frames);
+        TEST_ASSERT_EQUAL_UINT32(rig.outputs.snapshot.order, other->outputs.snapshot.order);
+        after += (rig.outputs.snapshot.order == (uint32_t)ARMING_STATE_NONE) ? 1U : 0U;
+    }
+    TEST_ASSERT_EQUAL_UINT32(AFTER_CYCLES, after);
+}
+
 /* Two boxes have the same hand and tissue, and the controller of one is blinded in each cycle. No
  * vibration answers a puncture. */
 void test_SWR_PUNCT_611_the_same_drives_whatever_was_found(void)
@@ -197,16 +217,7 @@ void test_SWR_PUNCT_611_the_same_drives_whatever_was_found(void)
     rig.robot.seal = seal_of(SEAL_START, (const uint8_t *)&rig.robot, offsetof(robot_t, seal));
     begin();
     blind = rig;
-    for (uint32_t i = 0U; i < LONG_CYCLES; i++) {
-        (void)memset(&blind.controller.membranes, 0, sizeof blind.controller.membranes);
-        move_hand(&blind);
-        cycle();
-        rig_cycle(&blind);
-        TEST_ASSERT_EQUAL_MEMORY(rig.outputs.frames, blind.outputs.frames,
-                                 sizeof rig.outputs.frames);
-        TEST_ASSERT_EQUAL_UINT32(rig.outputs.snapshot.order, blind.outputs.snapshot.order);
-    }
-    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
+    expect_same_drives(&blind, true);
     TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&blind, EVENT_MEMBRANE_UNEXPECTED));
 }
@@ -224,13 +235,7 @@ void test_SWR_PUNCT_611_the_same_drives_whatever_is_expected(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&other, cooperate).status);
     rig_press(&other);
     by_hand_push(&other, GRIP_MN);
-    for (uint32_t i = 0U; i < LONG_CYCLES; i++) {
-        move_hand(&other);
-        cycle();
-        rig_cycle(&other);
-        TEST_ASSERT_EQUAL_MEMORY(rig.outputs.frames, other.outputs.frames,
-                                 sizeof rig.outputs.frames);
-    }
+    expect_same_drives(&other, false);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANE_MISSED));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&other, EVENT_MEMBRANE_MISSED));
 }
@@ -269,6 +274,53 @@ void test_SWR_PUNCT_612_an_insertion_that_was_stopped_has_missed_nothing(void)
     rig_cycles(&rig, 10U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANE_MISSED));
     TEST_ASSERT_EQUAL_UINT32(1U, shown()->left);
+}
+
+/* Below the entry point, with the target known. */
+static int32_t needle_um(void)
+{
+    const double left_ticks = (double)rig.controller.plan.target_ticks[BY_HAND_NEEDLE] -
+                              (double)rig_position(&rig, BY_HAND_NEEDLE);
+    return (int32_t)(((double)(TARGET_Z_NM - ENTRY_Z_NM) - (left_ticks * 600.0)) / 1000.0);
+}
+
+/* One is behind the needle by more than the window, and the next is still to be punctured. */
+void test_SWR_PUNCT_752_a_membrane_that_another_mode_has_passed_is_not_missed(void)
+{
+    const int32_t depths_um[] = {NOWHERE_UM, SECOND_UM, 59900};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(3U, depths_um));
+    by_hand_enter(&rig);
+    rig_press(&rig);
+    for (uint32_t i = 0U; (i < LONG_CYCLES) && (needle_um() < (SECOND_UM - (2 * NEAR_UM))); i++) {
+        rig_cycle(&rig);
+    }
+    rig_release(&rig);
+    rig_cycles(&rig, BY_HAND_OFF_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(3U, shown()->left);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, cooperate).status);
+    rig_press(&rig);
+    pushed = 0U;
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, finish());
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANE_PASSED));
+    TEST_ASSERT_EQUAL_UINT32(1U, event_of(EVENT_MEMBRANE_PASSED, 0U)->subject);
+    TEST_ASSERT_EQUAL_INT32(NOWHERE_UM * 1000, event_of(EVENT_MEMBRANE_PASSED, 0U)->value);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_PASSED, shown()->membranes[0].state);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_FOUND, shown()->membranes[1].state);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_MISSED, shown()->membranes[2].state);
+}
+
+void test_SWR_PUNCT_752_nor_is_one_that_was_passed_with_a_doubtful_force(void)
+{
+    const int32_t depths_um[] = {NOWHERE_UM, 59900};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(2U, depths_um));
+    begin();
+    insert_to(NOWHERE_UM - NEAR_UM);
+    rig_box(&rig, "force needle broken");
+    (void)finish();
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_PASSED));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANE_MISSED));
 }
 
 void test_SWR_PUNCT_613_it_is_blind_at_rest_and_says_so(void)

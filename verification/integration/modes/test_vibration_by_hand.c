@@ -30,6 +30,7 @@
 #define RANDOM_SCENES 25U
 #define SOFT_MN 500
 #define NEAR_TRIALS 10U
+#define BEFORE_MM 8.0 /* More than a membrane yields before it ruptures. */
 
 static const command_t cooperate = {.kind = (uint32_t)COMMAND_COOPERATE};
 
@@ -43,6 +44,15 @@ typedef struct {
     double ended_ticks; /* The largest distance between end and beginning of one that was whole. */
     uint32_t count;
 } witness_t;
+
+/* All that a test has come to, so that another one goes on from there without playing the same
+ * again. */
+typedef struct {
+    bool is_kept;
+    rig_t rig;
+    uint32_t pushed;
+    witness_t witness;
+} moment_t;
 
 static rig_t rig;
 static uint32_t pushed;
@@ -58,6 +68,18 @@ void setUp(void)
 void tearDown(void)
 {
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
+}
+
+static void keep(moment_t *moment)
+{
+    *moment = (moment_t){true, rig, pushed, witness};
+}
+
+static void go_on_from(const moment_t *moment)
+{
+    rig = moment->rig;
+    pushed = moment->pushed;
+    witness = moment->witness;
 }
 
 static uint32_t random_below(uint32_t count)
@@ -154,7 +176,7 @@ static void cycle(int32_t force_mn)
 }
 
 /* The needle is in its first stroke, a little behind where it began. */
-static void begin_vibration(void)
+static void begin_vibration_in_this_tissue(void)
 {
     begin();
     for (uint32_t i = 0U; (i < LONG_CYCLES) && !witness.has_begun; i++) {
@@ -167,14 +189,41 @@ static void begin_vibration(void)
     TEST_ASSERT_TRUE((witness.begin_ticks - needle_ticks()) > (10.0 * TICKS_PER_UM));
 }
 
-static void insert(void)
+/* In the usual tissue, from setUp() on. */
+static void begin_vibration(void)
 {
-    begin();
+    static moment_t begun;
+    if (!begun.is_kept) {
+        begin_vibration_in_this_tissue();
+        keep(&begun);
+    }
+    go_on_from(&begun);
+}
+
+static void finish(void)
+{
     for (uint32_t i = 0U; (i < LONG_CYCLES) && !is_over(); i++) {
         cycle(GRIP_MN);
     }
     TEST_ASSERT_TRUE(is_over());
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig.answers[rig.answer_count - 1U].kind);
+}
+
+static void insert(void)
+{
+    begin();
+    finish();
+}
+
+/* The whole insertion in the usual tissue, from setUp() on. */
+static void insert_as_usual(void)
+{
+    static moment_t inserted;
+    if (!inserted.is_kept) {
+        insert();
+        keep(&inserted);
+    }
+    go_on_from(&inserted);
 }
 
 /* A pause from the box, and the membranes at these depths behind the first layer's. */
@@ -194,7 +243,7 @@ static void lay_membranes(double apart_mm)
 /* It cannot follow its set-point to the last tick: half of the amplitude it makes at least. */
 void test_SWR_VIB_700_each_puncture_is_felt_as_a_motion_of_the_true_needle(void)
 {
-    insert();
+    insert_as_usual();
     TEST_ASSERT_EQUAL_UINT32(2U, found());
     TEST_ASSERT_EQUAL_UINT32(2U, witness.count);
     TEST_ASSERT_TRUE(witness.farthest_ticks >
@@ -203,7 +252,7 @@ void test_SWR_VIB_700_each_puncture_is_felt_as_a_motion_of_the_true_needle(void)
 
 void test_SWR_VIB_707_the_true_needle_stays_behind_and_ends_where_it_began(void)
 {
-    insert();
+    insert_as_usual();
     expect_behind();
     TEST_ASSERT_TRUE(witness.ended_ticks <= (LIMIT_VIBRATION_DEEPER_UM * TICKS_PER_UM));
 }
@@ -235,7 +284,7 @@ void test_SWR_VIB_707_nor_does_any_hand_lead_it_forward(void)
 void test_SWR_VIB_707_nor_does_another_motor(void)
 {
     static const double paces[] = {0.8, 0.9, 1.1, 1.2};
-    for (uint32_t i = 0U; i < (sizeof paces / sizeof paces[0]); i++) {
+    for (uint32_t i = 0U; i < SCENES(sizeof paces / sizeof paces[0]); i++) {
         setUp();
         rig.box.axes[BY_HAND_NEEDLE].motor.full_speed_ticks_per_s *= paces[i];
         count_balance_init(
@@ -247,22 +296,44 @@ void test_SWR_VIB_707_nor_does_another_motor(void)
     }
 }
 
+/* The needle stands in front of all tissue, and of its target by this way. */
+static void insert_before_tissue(double surface_mm, double before_mm)
+{
+    setUp();
+    lay_membranes(6.0);
+    rig.box.force.phantom.tissue.surface_mm = surface_mm;
+    box_force_heal(&rig.box.force);
+    begin();
+    for (uint32_t i = 0U;
+         (i < LONG_CYCLES) && (needle_ticks() < (target_ticks() - (before_mm * TICKS_PER_MM)));
+         i++) {
+        cycle(GRIP_MN);
+    }
+}
+
+/* Untouched tissue of which only the surface is elsewhere. */
+static void move_surface(double surface_mm)
+{
+    rig.box.force.phantom.tissue.surface_mm = surface_mm;
+    box_force_heal(&rig.box.force);
+    TEST_ASSERT_TRUE(box_depth_mm(&rig.box) < surface_mm);
+}
+
 /* The needle comes to rest for it just in front of its depth, or there. */
 void test_SWR_VIB_707_nor_beyond_the_target_behind_a_membrane_close_to_it(void)
 {
+    static moment_t before;
     lay_membranes(6.0);
     const double surface_mm = rig.box.force.phantom.tissue.surface_mm;
-    begin_vibration();
+    begin_vibration_in_this_tissue();
     const double left_mm = (target_ticks() - witness.begin_ticks) / TICKS_PER_MM;
     uint32_t vibrations = 0U;
+    insert_before_tissue(surface_mm + left_mm, BEFORE_MM);
+    keep(&before);
     for (uint32_t i = 0U; i < NEAR_TRIALS; i++) {
-        setUp();
-        lay_membranes(6.0);
-        sim_phantom_file_t phantom = rig.box.force.phantom;
-        phantom.tissue.surface_mm = surface_mm + left_mm + 0.02 - (0.01 * (double)i);
-        box_force_lay(&rig.box.force, &phantom);
-        by_hand_zero(&rig);
-        insert();
+        go_on_from(&before);
+        move_surface(surface_mm + left_mm + 0.02 - (0.01 * (double)i));
+        finish();
         expect_behind();
         vibrations += witness.count;
         TEST_ASSERT_LESS_OR_EQUAL_UINT32(1U, witness.count);
@@ -330,6 +401,47 @@ void test_SWR_VIB_704_scanner_emergency_stop_and_doubt_end_it(void)
         const double there = needle_ticks();
         rig_cycles(&rig, 500U);
         TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, there, needle_ticks());
+    }
+}
+
+/* Where the last event of the kind says that it was. */
+static int32_t last_um(event_id_t id)
+{
+    int32_t depth_um = INT32_MIN;
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        depth_um = (rig.events[i].id == (uint32_t)id) ? (rig.events[i].value / 1000) : depth_um;
+    }
+    return depth_um;
+}
+
+static uint32_t cuts(void)
+{
+    return rig_count(&rig, EVENT_VIBRATION_CUT);
+}
+
+void test_SWR_VIB_753_each_that_begins_is_in_the_log(void)
+{
+    insert();
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_VIBRATION_BEGUN));
+    TEST_ASSERT_EQUAL_UINT32(0U, cuts());
+}
+
+void test_SWR_VIB_753_one_that_is_ended_is_in_the_log_whatever_ends_it(void)
+{
+    static const char *const ends[] = {"hand release", "pedal release", "scanner on",
+                                       "force hand broken"};
+    for (uint32_t i = 0U; i < (sizeof ends / sizeof ends[0]); i++) {
+        setUp();
+        begin_vibration();
+        TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_VIBRATION_BEGUN));
+        TEST_ASSERT_EQUAL_UINT32(0U, cuts());
+        const int32_t there_um = rig.outputs.snapshot.membranes.depth_um;
+        rig_box(&rig, ends[i]);
+        rig_cycles(&rig, 2U * FILTERED_CYCLES);
+        TEST_ASSERT_EQUAL_UINT32(1U, cuts());
+        TEST_ASSERT_INT32_WITHIN((int32_t)LIMIT_VIBRATION_MOST_UM, there_um,
+                                 last_um(EVENT_VIBRATION_CUT));
+        TEST_ASSERT_GREATER_OR_EQUAL_INT32(there_um, last_um(EVENT_VIBRATION_BEGUN));
     }
 }
 

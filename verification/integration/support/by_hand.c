@@ -4,7 +4,6 @@
 #include "unity.h"
 
 #include "limits/requirement_limits.h"
-#include "robot/robot_prostate.h"
 
 #include <stdio.h>
 
@@ -32,7 +31,7 @@ void by_hand_align(rig_t *rig, int32_t entry_z_nm, int32_t target_z_nm)
     pose.translation = (point_t){5000000, -10000000, target_z_nm};
     command_t entry = {.kind = (uint32_t)COMMAND_ENTRY, .as.pose = {.pose = pose}};
     entry.as.pose.pose.translation.z_nm = entry_z_nm;
-    rig_start_robot_targeted(rig, &robot_prostate, &pose);
+    rig_start_robot_targeted(rig, rig_short_prostate(), &pose);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(rig, entry).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(rig, &pose).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK,

@@ -106,6 +106,14 @@ bool mode_is_by_hand(mode_kind_t kind)
     return is_by_hand;
 }
 
+bool mode_wants_hand_off(const mode_state_t *self, mode_kind_t kind)
+{
+    bool is_wanted;
+    (void)self;
+    (void)kind;
+    return is_wanted;
+}
+
 uint32_t mode_axes(mode_kind_t kind, uint32_t commanded, const robot_t *robot)
 {
     uint32_t axes;

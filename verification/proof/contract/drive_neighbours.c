@@ -36,6 +36,16 @@ uint32_t mode_heeding_needle(const mode_state_t *self, mode_kind_t kind, const r
     return drive_neighbours.heeding_needle;
 }
 
+bool mode_waits_for_rotation(const mode_state_t *self, mode_kind_t kind, const robot_t *robot,
+                             const axis_t axes[ROBOT_AXIS_MAX])
+{
+    (void)self;
+    (void)kind;
+    (void)robot;
+    (void)axes;
+    return drive_neighbours.is_waiting_for_rotation;
+}
+
 bool needle_forbids_jog(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index,
                         bool is_upwards)
 {

@@ -22,6 +22,7 @@ typedef struct {
     bool may_be_unhomed;
     uint32_t hand_reasons;
     uint32_t heeding_needle;
+    bool is_waiting_for_rotation;
     uint32_t at_coupled_limit;
     bool is_needle_in_way[ROBOT_AXIS_MAX];
     bool is_too_fast[ROBOT_AXIS_MAX];

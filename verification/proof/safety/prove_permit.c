@@ -28,7 +28,8 @@ static bool bars_axis(const permit_common_facts_t *common, const permit_facts_t 
 {
     return facts->is_axis_faulty || !facts->is_axis_enabled ||
            (!facts->is_homed && !common->may_be_unhomed) || facts->is_towards_switch ||
-           facts->is_beyond_soft_limit || facts->is_coupled_limit || facts->is_needle_in;
+           facts->is_beyond_soft_limit || facts->is_coupled_limit || facts->is_needle_in ||
+           facts->is_unsteered;
 }
 
 static bool has(const permit_t *permit, permit_reason_t name)
@@ -120,6 +121,8 @@ void prove_SWR_PERMIT_003_each_reason_stands_exactly_for_its_fact(void)
           "SWR-PERMIT-003: a coupled limit");
     PROVE(SAME(has(&permit, PERMIT_REASON_NEEDLE_IN), facts.is_needle_in),
           "SWR-PERMIT-003: the needle");
+    PROVE(SAME(has(&permit, PERMIT_REASON_ROTATION_LAGS), facts.is_unsteered),
+          "SWR-PERMIT-003: a rotation that does not follow its law");
     PROVE((permit.reasons & OF_A_HAND) == common_facts.hand_reasons,
           "SWR-COOP-008: a hand that moves the needle");
     POSSIBLE(permit.is_allowed, "no reason");

@@ -33,6 +33,20 @@ static void zero(scenario_t *self, rig_t *rig)
     }
 }
 
+/* Somehow, now and then by more than the needle can be bent. */
+static void steer(scenario_t *self, rig_t *rig)
+{
+    const uint32_t most_per_km = rig->box.robot->steering.most_per_km;
+    scenario_send(
+        self, rig,
+        (command_t){
+            .kind = (uint32_t)COMMAND_STEER,
+            .as.steering = {.method = scenario_random_below(self, STEERING_METHOD_COUNT),
+                            .curvature_per_km =
+                                scenario_random_below(self, most_per_km + (most_per_km / 8U) + 1U),
+                            .direction_deg = (int32_t)scenario_random_below(self, 721U) - 360}});
+}
+
 static void aim(scenario_t *self, rig_t *rig)
 {
     if (is_doubtful(rig) && is_out(rig) && !scenario_has_whim(self, 12U)) {
@@ -41,6 +55,8 @@ static void aim(scenario_t *self, rig_t *rig)
         scenario_send_target(self, rig);
     } else if (scenario_has_whim(self, 4U)) {
         command(self, rig, COMMAND_ALIGN);
+    } else if (scenario_has_whim(self, 4U)) {
+        steer(self, rig);
     } else {
         scenario_send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
     }
@@ -59,6 +75,8 @@ static void go_on(scenario_t *self, rig_t *rig)
         command(self, rig, COMMAND_INSERT);
     } else if (scenario_has_whim(self, 12U)) {
         command(self, rig, COMMAND_RETRACT);
+    } else if (scenario_has_whim(self, 12U)) {
+        steer(self, rig);
     } else if (rig->outputs.snapshot.next_step == (uint32_t)NEXT_STEP_NOTHING) {
         scenario_send_phase(self, rig, WORKPHASE_TARGETING);
     } else {

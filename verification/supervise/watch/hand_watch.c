@@ -9,6 +9,8 @@
 #define VIBRATION_MM ((double)LIMIT_VIBRATION_MOST_UM / 1000.0)
 #define PUSH_N 0.15 /* Half of a dead zone: less is no push, whatever the noise. */
 #define TOUCH_N 0.02
+#define TURNED_TICKS 24.0 /* 5 degrees of the ProstateRobot. */
+#define UNTURNED_MM 0.5
 #define IDLE_CYCLES 120U /* Latency and filter of the sensor, and the time for hands off. */
 #define OFF_CYCLES 100U  /* A slower drive than this is none. */
 #define GHOST_CYCLES ((LIMIT_HAND_PUSH_US / LIMIT_CYCLE_US) + 300U)
@@ -52,9 +54,25 @@ static bool is_beside(const rig_t *rig)
     const uint32_t needle = rig->box.robot->needle_axis;
     bool is_any = false;
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
-        is_any = is_any || ((i != needle) && is_sent(rig, i));
+        is_any = is_any || ((i != needle) && !order_watch_is_steering(rig, i) && is_sent(rig, i));
     }
     return is_any;
+}
+
+/* Way that a needle that is steered has gained since its true rotation has last turned. */
+static bool is_unturned(hand_watch_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX])
+{
+    const robot_t *const robot = rig->box.robot;
+    const uint32_t needle = robot->needle_axis;
+    const uint32_t rotation = robot->steering.axis;
+    const bool is_watched = order_watch_is_steering(rig, rotation) && is_sent(rig, needle) &&
+                            (rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET);
+    if (!is_watched || (fabs(truth[rotation] - self->turned_ticks) > TURNED_TICKS)) {
+        self->turned_ticks = truth[rotation];
+        self->turned_needle_ticks = truth[needle];
+    }
+    return truth_measure(&robot->axes[needle], truth[needle] - self->turned_needle_ticks) >
+           UNTURNED_MM;
 }
 
 /* A drive without a hand goes on once its time is over, or at all by a sensor that is true. */
@@ -93,5 +111,5 @@ uint32_t hand_watch_look(hand_watch_t *self, const order_watch_t *order, const r
     return rule(HAND_ALONE,
                 is_armed && (is_beside(rig) || is_drawn_out(self, rig, truth[needle]))) |
            rule(HAND_DEPTH, self->is_insertion && (deeper > DEEPER_MM)) |
-           rule(HAND_PUSH, is_driven_on);
+           rule(HAND_PUSH, is_driven_on) | rule(HAND_ROTATION, is_unturned(self, rig, truth));
 }

@@ -17,21 +17,25 @@
 typedef enum {
     HAND_ALONE = 0, /**< It drives the needle alone, and in; out by a vibration's way at most. */
     HAND_DEPTH = 1, /**< The true needle is never deeper than the target by more than 0.1 mm. */
-    HAND_PUSH = 2   /**< It drives while a hand truly pushes; by an untrue sensor not for long. */
+    HAND_PUSH = 2,  /**< It drives while a hand truly pushes; by an untrue sensor not for long. */
+    HAND_ROTATION =
+        3 /**< A needle that is steered gains no 0.5 mm while its true rotation stands. */
 } hand_rule_t;
 
-#define HAND_RULES 3U
+#define HAND_RULES 4U
 
 /** At first all zero. */
 typedef struct {
-    bool is_untrue;        /**< A load cell is or was broken, or was zeroed under a force. */
-    bool is_insertion;     /**< The last order that was accepted is one. */
-    uint32_t armed;        /**< Insertions that were accepted. */
-    int32_t target_ticks;  /**< Depth of its target. */
-    uint32_t idle_cycles;  /**< No hand has truly pushed for so long. */
-    uint32_t ghost_cycles; /**< The needle has been driven for so long meanwhile. */
-    uint32_t off_cycles;   /**< It has not been driven for so long. */
-    double deepest_ticks;  /**< The deepest place of the true needle in this insertion. */
+    bool is_untrue;             /**< A load cell is or was broken, or was zeroed under a force. */
+    bool is_insertion;          /**< The last order that was accepted is one. */
+    uint32_t armed;             /**< Insertions that were accepted. */
+    int32_t target_ticks;       /**< Depth of its target. */
+    uint32_t idle_cycles;       /**< No hand has truly pushed for so long. */
+    uint32_t ghost_cycles;      /**< The needle has been driven for so long meanwhile. */
+    uint32_t off_cycles;        /**< It has not been driven for so long. */
+    double deepest_ticks;       /**< The deepest place of the true needle in this insertion. */
+    double turned_ticks;        /**< Where the true rotation had turned last, */
+    double turned_needle_ticks; /**< and where the true needle was then. */
 } hand_watch_t;
 
 /** Looks at the cycle that `rig` has just run, and `order` has. @return the rules that it broke */

@@ -65,6 +65,7 @@ const char *motion_oracle_sentence(sentence_t sentence)
         "An insertion by hand drives the needle alone, inwards, and out by 0.1 mm at most",
         "No hand takes the true needle past its target by 0.1 mm",
         "Without a hand that truly pushes no insertion by hand goes on",
+        "A needle that is steered gains no 0.5 mm while its true rotation stands",
         "One commands: between two it is lost, and the axes rest",
         "Authority is lost by its holder, silence, or button without pedal",
         "A page that commands has renewed it",
@@ -354,7 +355,9 @@ static void judge_reached(motion_oracle_t *self, const rig_t *rig,
     uint32_t axis = 0U;
     double away = 0.0;
     for (uint32_t i = 0U; is_said && (i < rig->box.robot->axis_count); i++) {
-        const double beyond = beyond_target(self, rig, i, truth[i], is_disturbed);
+        const double beyond = order_watch_is_steering(rig, i)
+                                  ? 0.0
+                                  : beyond_target(self, rig, i, truth[i], is_disturbed);
         axis = (beyond > away) ? i : axis;
         away = fmax(away, beyond);
     }
@@ -502,10 +505,14 @@ static bool is_moving_to_target(const rig_t *rig)
            (rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING);
 }
 
+/* The end is that of a profile; a hand moves the needle without one, and hand_watch.h judges that.
+ */
 static void judge_beyond(motion_oracle_t *self, const rig_t *rig)
 {
     const profile_t *const profile = &rig->controller.mode.sealed.leg.profile;
-    for (uint32_t i = 0U; (i < rig->box.robot->axis_count) && is_moving_to_target(rig); i++) {
+    const bool is_by_profile =
+        is_moving_to_target(rig) && (rig->controller.mode.sealed.kind != (uint32_t)MODE_COOPERATE);
+    for (uint32_t i = 0U; (i < rig->box.robot->axis_count) && is_by_profile; i++) {
         const int32_t way = profile->end_ticks[i] - profile->start_ticks[i];
         const int32_t beyond = rig->outputs.snapshot.axes[i].position_ticks - profile->end_ticks[i];
         const int32_t over = (way > 0) ? beyond : -beyond;

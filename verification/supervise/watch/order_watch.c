@@ -29,6 +29,12 @@ static bool is_farther(const rig_t *rig, uint32_t axis, double ticks)
     return fabs(truth_measure(config, ticks)) > (is_mm ? STILL_MM : STILL_DEG);
 }
 
+bool order_watch_is_steering(const rig_t *rig, uint32_t axis)
+{
+    return (rig->outputs.snapshot.steering_method != (uint32_t)STEERING_NONE) &&
+           (axis == rig->box.robot->steering.axis);
+}
+
 static void begin_list(order_watch_t *self)
 {
     for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
@@ -160,6 +166,7 @@ static uint32_t judge_axis(const order_watch_t *self, const rig_t *rig, uint32_t
             ? is_farther(rig, axis, self->lowest[axis] - truth)
             : ((truth > self->highest[axis]) && is_farther(rig, axis, truth - self->highest[axis]));
     return rule(ORDER_INSERT, (self->kind == (uint32_t)COMMAND_INSERT) && !is_needle &&
+                                  !order_watch_is_steering(rig, axis) &&
                                   is_farther(rig, axis, truth - self->from[axis])) |
            rule(ORDER_LISTED, (self->kind == (uint32_t)COMMAND_RUN_TRAJECTORY) && is_astray);
 }

@@ -14,9 +14,9 @@
 
 /** Each a bit of order_watch_look(). */
 typedef enum {
-    ORDER_POSE = 0,      /**< To a pose the needle is not driven. */
-    ORDER_ALIGN = 1,     /**< To line up the needle is not driven in. */
-    ORDER_INSERT = 2,    /**< An insertion moves no other axis. */
+    ORDER_POSE = 0,   /**< To a pose the needle is not driven. */
+    ORDER_ALIGN = 1,  /**< To line up the needle is not driven in. */
+    ORDER_INSERT = 2, /**< An insertion moves no other axis, but turns a needle that is steered. */
     ORDER_COMMANDED = 3, /**< Jogs, speeds, sweeps and programs drive the axes that they name. */
     ORDER_DISABLED = 4,  /**< An axis that was disabled is not driven. */
     ORDER_LISTED = 5,    /**< A trajectory keeps each axis between its rows. */
@@ -39,6 +39,9 @@ typedef struct {
     uint32_t armed[COMMAND_KIND_COUNT]; /**< How many orders there were, by command_kind_t. */
     uint32_t done[COMMAND_KIND_COUNT];  /**< How many of them ended as asked. */
 } order_watch_t;
+
+/** The axis turns a needle that is steered to the accepted target. */
+bool order_watch_is_steering(const rig_t *rig, uint32_t axis);
 
 /** Looks at the cycle that `rig` has just run. `is_disturbed`: something is or was broken, and
  * where the axes truly are is no matter of the order alone. @return the rules that it broke */

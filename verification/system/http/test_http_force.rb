@@ -60,6 +60,29 @@ class TestHttpForce < Minitest::Test
     assert_in_delta AT_REST.first, forces.first, NOISE
   end
 
+  def needle
+    fetch_json('/api/v1/box').fetch('needle')
+  end
+
+  def test_SWR_BOX_779_the_true_needle_bends_while_it_is_driven_in
+    anna = holder
+    under_pedal(anna, 'needle/retract')
+    boresight.simctl('target', 'usual')
+    assert_answer '200', 'done', anna.act('workphase', { workphase: 'MANUAL' })
+    jog(anna, 25)
+    wait_until('the tip is shown at 25 mm') { (needle['way'].last['depth_mm'] - 25).abs < 0.1 }
+    assert_in_delta 0, needle['way'].last['y_mm'], 1e-9
+    jog(anna, 70)
+    wait_until('the tip is shown 3.3 mm off its line') { (needle['way'].last['y_mm'] + 3.271).abs < 0.02 }
+    needle['target'].values_at('x_mm', 'y_mm', 'depth_mm').zip([2.4, -1.8, 102]) { |seen, expected| assert_in_delta expected, seen, 0.01 }
+    assert_operator needle['image']['number'], :>, 0
+    assert_includes boresight.simctl('needle', 'show'), 'off the line at 69.8'
+    boresight.simctl('tissue', 'none')
+    assert_nil needle
+  ensure
+    boresight.simctl('tissue', 'usual')
+  end
+
   def ask(one, method, order = nil)
     one.request(method, '/api/v1/box', order && JSON.generate(order), { SessionClient::PAGE => one.page.to_s })
   end
@@ -186,6 +209,32 @@ class TestHttpForce < Minitest::Test
     assert_in_delta 20.5, membranes['expected'].first['found_mm'], 1.5
     assert_equal [0, 1], membranes.values_at('left', 'unexpected')
     assert_described '/api/v1/targeting', 'GET', client('anna').request('get', '/api/v1/targeting')
+    assert_replayed
+  end
+
+  def steer(anna, method, curvature_per_km, direction_deg)
+    anna.act('targeting/steering', { method:, curvature_per_km:, direction_deg: })
+  end
+
+  def steering
+    fetch_json('/api/v1/targeting').then do |targeting|
+      [targeting['steering_method']['name'], *targeting.values_at('steering_curvature_per_km', 'steering_direction_deg')]
+    end
+  end
+
+  def test_SWR_STEER_012_a_needle_is_steered_to_its_target_by_http
+    anna = holder
+    prepare(anna, 22, 52)
+    assert_answer '409', 'STEERING_CURVATURE', steer(anna, 'BIDIRECTIONAL', 5000, 0)
+    assert_answer '200', 'done', steer(anna, 'BIDIRECTIONAL', 1200, -90)
+    assert_described '/api/v1/targeting/steering', 'POST', anna.last
+    assert_equal ['BIDIRECTIONAL', 1200, -90], steering
+    enter(anna, 'MOVE_TO_TARGET')
+    turned = []
+    under_pedal(anna, 'needle/insert') { turned << axis('rotation')['position'] }
+    assert_operator turned.min, :<, -200
+    assert_operator turned.max, :>, 20
+    assert_in_delta 52, fetch_json('/api/v1/targeting')['scanner_treatment'][11], 0.05
     assert_replayed
   end
 

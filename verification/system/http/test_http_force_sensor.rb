@@ -29,7 +29,7 @@ class TestHttpForceSensor < Minitest::Test
     wait_until('the reading is there') { forces.fetch('HAND').fetch('reading') == 1980 }
     anna = holder
     wait_until('everything rests, and it is zeroed') { anna.act('force/zero').code == '200' }
-    wait_until('the hand does not tremble') { doubts('HAND') == ['TOO_QUIET'] && doubts('NEEDLE').empty? }
+    wait_until('the hand reads the same each time') { doubts('HAND') == ['TOO_QUIET'] && doubts('NEEDLE').empty? }
     assert_equal [0, 88], forces.fetch('HAND').values_at('force_mn', 'zero_mn')
     boresight.simctl('force', 'hand', 'normal')
     assert_equal '200', anna.act('force/zero').code

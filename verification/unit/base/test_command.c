@@ -51,6 +51,8 @@ static const void *read_as(command_form_t form, const command_t *command)
         return command_as_probe(command);
     case COMMAND_FORM_MEMBRANES:
         return command_as_membranes(command);
+    case COMMAND_FORM_STEERING:
+        return command_as_steering(command);
     case COMMAND_FORM_JOG_BY:
         return command_as_jog_by(command);
     case COMMAND_FORM_POSE_NAME:

@@ -390,13 +390,26 @@ void test_SWR_IGTL_612_the_status_has_the_forces_or_their_doubts(void)
     feel();
     command(1U, "Status");
     TEST_ASSERT_NOT_NULL(strstr(igtl_peer_next(&outbox),
-                                " Moving=\"0\" ForceHand=\"1.250\" ForceNeedle=\"-0.075\"/>"));
+                                " Moving=\"0\" ForceHand=\"1.250\" ForceNeedle=\"-0.075\" "));
     doubt(FORCE_CHANNEL_HAND, FORCE_DOUBT_BROKEN_WIRE);
     doubt(FORCE_CHANNEL_HAND, FORCE_DOUBT_ZERO_WANDERED);
     command(1U, "Status");
     TEST_ASSERT_NOT_NULL(
-        strstr(igtl_peer_next(&outbox), " ForceHand=\"BROKEN_WIRE\" ForceNeedle=\"-0.075\"/>"));
+        strstr(igtl_peer_next(&outbox), " ForceHand=\"BROKEN_WIRE\" ForceNeedle=\"-0.075\" "));
     asker.robot = &robot_neuro;
     command(1U, "Status");
     TEST_ASSERT_NOT_NULL(strstr(igtl_peer_next(&outbox), " Moving=\"0\"/>"));
+}
+
+void test_SWR_IGTL_757_the_status_says_whether_a_puncture_can_be_found(void)
+{
+    feel();
+    command(1U, "Status");
+    TEST_ASSERT_NOT_NULL(strstr(igtl_peer_next(&outbox), "\" Sight=\"OFF\"/>"));
+    snapshot.membranes.sight = (uint32_t)MEMBRANE_SIGHT_VIBRATING;
+    command(1U, "Status");
+    TEST_ASSERT_NOT_NULL(strstr(igtl_peer_next(&outbox), "\" Sight=\"VIBRATING\"/>"));
+    asker.robot = &robot_neuro;
+    command(1U, "Status");
+    TEST_ASSERT_NULL(strstr(igtl_peer_next(&outbox), "Sight"));
 }

@@ -51,7 +51,7 @@ static void run(const move_mode_t *move)
         TEST_ASSERT_LESS_THAN_UINT32(LONG_CYCLES, cycles);
         cycles++;
         mode_clear(&result);
-        move_mode_step(move, &leg, &frame, &result);
+        move_mode_go(move, &leg, &frame, &result);
         world_follow();
         watch(head_before);
     } while (result.progress == MODE_RUNNING);

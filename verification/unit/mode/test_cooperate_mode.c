@@ -9,6 +9,7 @@
 #include "limits/requirement_limits.h"
 #include "mode/cooperate/cooperate_mode.h"
 #include "mode/leg/mode_frame.h"
+#include "mode/leg/steer.h"
 #include "mode/move/move_mode.h"
 #include "motion/admittance.h"
 #include "robot/joints.h"
@@ -19,7 +20,7 @@
 #define LONG_CYCLES 20000U
 #define HARD_MN 1000000
 
-static const move_mode_t move = {{-400, 150, -200, DEEP_TICKS, 500, 30, -60}};
+static const move_mode_t move = {.target_ticks = {-400, 150, -200, DEEP_TICKS, 500, 30, -60}};
 /* That of the ProstateRobot. */
 static const hand_law_t law = {300U, 2133U, 8333U, 333334U};
 
@@ -27,12 +28,14 @@ static const hand_law_t law = {300U, 2133U, 8333U, 333334U};
 static const vibration_law_t vibration = {116U, 110U, 15U, 3U};
 
 static cooperate_mode_t mode;
+static steer_t steer;
 
 void setUp(void)
 {
     world_start();
     robot.hand = law;
     mode = (cooperate_mode_t){0};
+    steer = (steer_t){0};
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         world_put(i, move.target_ticks[i]);
     }
@@ -54,7 +57,7 @@ static void step(int32_t force_mn)
 {
     frame.hand.force_mn = force_mn;
     mode_clear(&result);
-    cooperate_mode_step(&mode, &move, &frame, &result);
+    cooperate_mode_step(&mode, &move, &steer, &frame, &result);
     world_follow();
 }
 

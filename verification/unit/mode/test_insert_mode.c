@@ -9,6 +9,7 @@
 #include "mode/insert/insert_mode.h"
 #include "mode/leg/leg.h"
 #include "mode/leg/mode_frame.h"
+#include "mode/leg/steer.h"
 #include "mode/move/move_mode.h"
 #include "robot/joints.h"
 #include "safety/needle.h"
@@ -17,14 +18,16 @@
 #define LONG_CYCLES 100000U
 #define DEEP_TICKS 60000
 
-static const move_mode_t move = {{-400, 150, -200, DEEP_TICKS, 500, 30, -60}};
+static const move_mode_t move = {.target_ticks = {-400, 150, -200, DEEP_TICKS, 500, 30, -60}};
 
 static leg_t leg;
+static steer_t steer;
 
 void setUp(void)
 {
     world_start();
     leg = (leg_t){.axes = 0U};
+    steer = (steer_t){0};
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         world_put(i, move.target_ticks[i]);
     }
@@ -39,7 +42,7 @@ static void steps(uint32_t count)
 {
     for (uint32_t i = 0U; (i < count) && (result.progress == MODE_RUNNING); i++) {
         mode_clear(&result);
-        insert_mode_step(&move, &leg, &frame, &result);
+        insert_mode_step(&move, &leg, &steer, &frame, &result);
         world_follow();
     }
 }

@@ -8,6 +8,7 @@
 #include "axis/axis.h"
 #include "mode/leg/leg.h"
 #include "mode/leg/mode_frame.h"
+#include "mode/leg/steer.h"
 #include "mode/move/move_mode.h"
 #include "robot/joints.h"
 #include "safety/needle.h"
@@ -17,13 +18,15 @@
 #define LONG_CYCLES 100000U
 
 static leg_t leg;
+static steer_t steer;
 static move_mode_t move;
 
 void setUp(void)
 {
     world_start();
     leg = (leg_t){.axes = 0U};
-    move = (move_mode_t){{-400, 150, -200, DEEP_TICKS, 500, 30, -60}};
+    steer = (steer_t){0};
+    move = (move_mode_t){.target_ticks = {-400, 150, -200, DEEP_TICKS, 500, 30, -60}};
 }
 
 void tearDown(void)
@@ -38,7 +41,7 @@ static void run_leg(void)
         TEST_ASSERT_LESS_THAN_UINT32(LONG_CYCLES, cycles);
         cycles++;
         mode_clear(&result);
-        move_mode_step(&move, &leg, &frame, &result);
+        move_mode_step(&move, &leg, &steer, &frame, &result);
         world_follow();
     } while ((leg.is_running != 0U) && (result.progress == MODE_RUNNING));
 }
@@ -106,6 +109,7 @@ void test_SWR_MOTION_002_an_axis_that_is_not_aligned_lets_the_needle_be_retracte
         for (uint32_t axis = 0U; axis < robot.axis_count; axis++) {
             world_start();
             leg = (leg_t){.axes = 0U};
+            steer = (steer_t){0};
             for (uint32_t i = 0U; i < robot.axis_count; i++) {
                 world_put(i, move.target_ticks[i]);
             }
@@ -123,7 +127,7 @@ void test_SWR_MOTION_005_a_move_that_is_held_fails(void)
 {
     while (result.progress == MODE_RUNNING) {
         mode_clear(&result);
-        move_mode_step(&move, &leg, &frame, &result);
+        move_mode_step(&move, &leg, &steer, &frame, &result);
         world_follow_but(NEURO_AXIS_YAW);
     }
     TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);

@@ -11,7 +11,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#define FACTS 20U
+#define FACTS 21U
 #define COMBINATIONS (1UL << FACTS)
 
 /* Those of every axis and those of one. */
@@ -20,7 +20,7 @@ typedef struct {
     permit_facts_t axis;
 } facts_t;
 
-/* Seventeen facts forbid by themselves; two decide together about the eighteenth
+/* Eighteen facts forbid by themselves; two decide together about the nineteenth
  * reason; one decides about the speed cap. */
 typedef struct {
     size_t fact;
@@ -44,6 +44,7 @@ static const rule_t rules[] = {
     {offsetof(facts_t, axis.is_beyond_soft_limit), true, PERMIT_REASON_SOFT_LIMIT},
     {offsetof(facts_t, axis.is_coupled_limit), true, PERMIT_REASON_COUPLED_LIMIT},
     {offsetof(facts_t, axis.is_needle_in), true, PERMIT_REASON_NEEDLE_IN},
+    {offsetof(facts_t, axis.is_unsteered), true, PERMIT_REASON_ROTATION_LAGS},
     {offsetof(facts_t, common.is_memory_damaged), true, PERMIT_REASON_MEMORY},
     {offsetof(facts_t, common.are_cards_unprotected), true, PERMIT_REASON_CARDS_UNPROTECTED},
 };

@@ -180,11 +180,22 @@ void test_SWR_FORCE_565_any_change_and_any_rest_begins_the_time_anew(void)
     TEST_ASSERT_EQUAL_HEX32(0U, move_still(LIMIT_FORCE_STILL_CYCLES - 1U));
 }
 
-void test_SWR_FORCE_565_a_channel_without_noise_may_stand_still(void)
+void test_SWR_FORCE_565_a_channel_with_hardly_any_noise_may_stand_still(void)
 {
     begin_zeroed(1U);
     TEST_ASSERT_EQUAL_UINT32(LIMIT_FORCE_STILL_NOISE, channel.noise_q8);
     TEST_ASSERT_EQUAL_HEX32(0U, move_still(10U * LIMIT_FORCE_STILL_CYCLES));
+}
+
+void test_SWR_COOP_750_a_quiet_channel_is_still_until_its_reading_changes(void)
+{
+    begin_zeroed(1U);
+    (void)move_still(LIMIT_FORCE_STILL_CYCLES - 1U);
+    TEST_ASSERT_FALSE(force_channel_is_still(&channel));
+    (void)move_still(2U);
+    TEST_ASSERT_TRUE(force_channel_is_still(&channel));
+    (void)force_channel_step(&channel, &config, REST + 1U, true);
+    TEST_ASSERT_FALSE(force_channel_is_still(&channel));
 }
 
 void test_SWR_FORCE_566_a_reading_outside_of_the_range_is_doubted(void)

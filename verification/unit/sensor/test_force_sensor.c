@@ -85,9 +85,9 @@ void test_SWR_FORCE_572_both_channels_are_zeroed_by_as_many_readings(void)
 }
 
 /* A needle that rests in air may stand still. */
-void test_SWR_FORCE_700_a_hand_that_does_not_tremble_is_doubted(void)
+void test_SWR_FORCE_700_a_hand_of_which_all_readings_are_the_same_is_doubted(void)
 {
-    zero_but_one(1U);
+    zero_but_one(0U);
     TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_DONE, zero().ends[HAND]);
     TEST_ASSERT_EQUAL_HEX32(force_doubt_bit(FORCE_DOUBT_TOO_QUIET), doubts(HAND));
     TEST_ASSERT_EQUAL_HEX32(0U, doubts(NEEDLE));
@@ -96,6 +96,16 @@ void test_SWR_FORCE_700_a_hand_that_does_not_tremble_is_doubted(void)
                             doubts(HAND)); /* Judged anew. */
     zero_almost();
     (void)zero();
+    TEST_ASSERT_EQUAL_HEX32(0U, doubts(HAND));
+}
+
+void test_SWR_FORCE_700_a_hand_that_hardly_trembles_is_believed(void)
+{
+    zero_but_one(0U);
+    step(HAND_AT_REST + 1U, NEEDLE_AT_REST);
+    TEST_ASSERT_EQUAL_INT(FORCE_ZERO_END_DONE, zero().ends[HAND]);
+    TEST_ASSERT_LESS_THAN_UINT32(LIMIT_FORCE_STILL_NOISE / 16U,
+                                 sensor.sealed.channels[HAND].noise_q8);
     TEST_ASSERT_EQUAL_HEX32(0U, doubts(HAND));
 }
 

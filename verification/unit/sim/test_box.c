@@ -170,6 +170,69 @@ void test_SWR_BOX_004_time_below_a_step_is_kept(void)
     TEST_ASSERT_EQUAL_UINT32(99U, box.pending_us);
 }
 
+/* One cycle, its time in pieces. @return what the cards have reported before */
+static uint32_t crc_of_a_cycle(bool is_exchanged, uint32_t piece_us)
+{
+    (void)exchange(is_exchanged ? ALL_SLOTS : 0U);
+    for (uint32_t us = 0U; us < 1000U; us += piece_us) {
+        box_advance(&box, piece_us);
+    }
+    return crc32c(&received[0][0], sizeof received);
+}
+
+/* Of all axes, closer than the cards report them. */
+static uint32_t sum_of_clocks_and_warmth(void)
+{
+    uint32_t sum = 0U;
+
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        const sim_card_t *const card = &box.axes[i].card;
+        sum = (sum * 31U) + (uint32_t)card->uptime_us + card->time_us;
+        sum = (sum * 31U) + (uint32_t)(card->motor_temperature_c * 1e6);
+    }
+    return sum;
+}
+
+/* Axes that drive, rest, are warm, are pushed or disturbed, switches that act, and cards that trip.
+ */
+static uint32_t crc_of_a_course(uint32_t piece_us)
+{
+    static const struct {
+        uint32_t cycle;
+        const char *order;
+    } orders[] = {
+        {200U, "switch lateral stuck"}, {220U, "motor pitch hot"}, {230U, "motor pitch normal"},
+        {240U, "scanner on"},           {260U, "scanner off"},     {280U, "estop pull"},
+        {300U, "estop reset"},          {320U, "push 1"},          {340U, "switch yaw chatter"}};
+    uint32_t next = 0U;
+    uint32_t sum = 0U;
+
+    start(1U);
+    drive(NEURO_AXIS_HEAD, true);
+    for (uint32_t i = 0U; i < 500U; i++) {
+        if (i == 150U) {
+            commands[robot_neuro.axes[NEURO_AXIS_HEAD].slot].drive = (card_drive_t){0};
+        }
+        if ((next < (sizeof orders / sizeof orders[0])) && (i == orders[next].cycle)) {
+            order(orders[next].order);
+            next++;
+        }
+        sum = (sum * 31U) + crc_of_a_cycle((i < 400U) || (i >= 450U), piece_us);
+    }
+    TEST_ASSERT_EQUAL_HEX32(CARD_STATUS_WATCHDOG,
+                            report_of(NEURO_AXIS_HEAD).status & CARD_STATUS_WATCHDOG);
+    return sum + sum_of_clocks_and_warmth();
+}
+
+/* Axes at rest are advanced over all of its steps at once. */
+void test_SWR_BOX_004_time_in_pieces_is_the_same_time(void)
+{
+    const uint32_t whole = crc_of_a_course(1000U);
+
+    TEST_ASSERT_EQUAL_HEX32(whole, crc_of_a_course(100U));
+    TEST_ASSERT_EQUAL_HEX32(whole, crc_of_a_course(500U));
+}
+
 static double needle_mm(void)
 {
     return box.axes[NEURO_AXIS_INSERTION].motor.position_ticks / 3333.34;

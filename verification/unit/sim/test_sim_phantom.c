@@ -77,7 +77,7 @@ void test_SWR_BOX_529_any_number_of_layers_up_to_eight_is_taken(void)
         TEST_ASSERT_EQUAL_MEMORY(&many, &phantom, sizeof phantom);
     }
     (void)strcat(text, "\nlayer\n");
-    expect_refused("line 153: there are too many parts called \"layer\".");
+    expect_refused("line 174: there are too many parts called \"layer\".");
 }
 
 void test_SWR_BOX_530_a_number_that_is_none_or_out_of_range_is_refused(void)
@@ -126,6 +126,42 @@ void test_SWR_BOX_530_a_key_or_part_that_is_missing_is_refused(void)
     expect_refused("line 5: nothing may stand behind layer, as does \"skin\".");
     text[0] = '\0';
     expect_refused("line 1: the phantom has no \"surface_mm\".");
+}
+
+void test_SWR_BOX_529_a_phantom_may_have_no_needle_target_or_images(void)
+{
+    static const sim_bevel_config_t straight = {0.0, 0.0};
+    static const sim_imager_config_t none = {.period_ms = 0.0};
+
+    *strstr(text, "\nneedle\n") = '\0';
+    expect_read();
+    TEST_ASSERT_EQUAL_MEMORY(&straight, &phantom.needle, sizeof straight);
+    TEST_ASSERT_EQUAL_MEMORY(&none, &phantom.images, sizeof none);
+    TEST_ASSERT_FALSE(sim_target_is_there(&phantom.target));
+}
+
+void test_SWR_BOX_529_a_target_is_read_as_it_was_written(void)
+{
+    sim_phantom_file_t moving = sim_phantom_usual;
+
+    moving.target = sim_target_usual;
+    sim_phantom_write(&moving, text, sizeof text);
+    expect_read();
+    TEST_ASSERT_EQUAL_MEMORY(&moving, &phantom, sizeof phantom);
+}
+
+void test_SWR_BOX_530_needle_target_and_images_stand_once_and_whole(void)
+{
+    replace("\nneedle\n", "\nneedle bent\n");
+    expect_refused("line 51: nothing may stand behind needle, as does \"bent\".");
+    replace("\ntarget\n", "\nneedle\n");
+    expect_refused("line 55: there is a second part called \"needle\".");
+    replace("period_ms 2000\n", "");
+    expect_refused("line 66: the part that begins here has no \"period_ms\".");
+    replace("curvature_per_mm 0.0041", "curvature_per_mm 0.021");
+    expect_refused("line 52: curvature_per_mm is a number from 0 to 0.02, not \"0.021\".");
+    replace("shift_to_mm 0", "period_ms 0");
+    expect_refused("line 64: a target has no \"period_ms\".");
 }
 
 void test_SWR_BOX_530_a_line_that_is_too_long_is_refused(void)

@@ -49,6 +49,9 @@ static inline command_t commands_of_number(command_kind_t kind, uint32_t number)
     case (uint32_t)COMMAND_FORM_MEMBRANES:
         command.as.membranes.count = number;
         break;
+    case (uint32_t)COMMAND_FORM_STEERING:
+        command.as.steering.curvature_per_km = number;
+        break;
     case (uint32_t)COMMAND_FORM_POSITIONS:
         command.as.positions.axes = number;
         break;
@@ -103,6 +106,8 @@ static inline uint32_t commands_number(const command_t *command)
         return command->as.probe.count;
     case (uint32_t)COMMAND_FORM_MEMBRANES:
         return command->as.membranes.count;
+    case (uint32_t)COMMAND_FORM_STEERING:
+        return command->as.steering.curvature_per_km;
     case (uint32_t)COMMAND_FORM_POSITIONS:
         return command->as.positions.axes;
     case (uint32_t)COMMAND_FORM_VELOCITY:

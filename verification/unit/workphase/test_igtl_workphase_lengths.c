@@ -2,7 +2,8 @@
 /**
  * @file
  * Rule under test: the length of a needle is only compared with that of the robot; lengths of a
- * probe and depths of membranes go to the controller, and the result back.
+ * probe, depths of membranes and the zeroing of the force sensor go to the controller, and the
+ * result back.
  */
 #include "igtl/dialect/igtl_dialect.h"
 #include "igtl/dialect/igtl_requests.h"
@@ -211,4 +212,62 @@ void test_SWR_PUNCT_619_no_list_of_depths_is_refused_and_not_passed_on(void)
         EXPECT_BEGIN(0U, "STATUS MEMBRANES 10 OUT_OF_RANGE|");
         expect_no_command();
     }
+}
+
+static void expect_steering(steering_method_t method, uint32_t per_km, int32_t direction_deg)
+{
+    pass_us(0U);
+    expect_command(COMMAND_STEER, per_km);
+    TEST_ASSERT_EQUAL_UINT32(method, command.as.steering.method);
+    TEST_ASSERT_EQUAL_INT32(direction_deg, command.as.steering.direction_deg);
+}
+
+void test_SWR_STEER_010_steering_is_passed_on_and_the_result_is_reported(void)
+{
+    say(0U, "STEER", "BIDIRECTIONAL 1.2 /m -90 deg");
+    expect_steering(STEERING_BIDIRECTIONAL, 1200U, -90);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
+    EXPECT(0U, "STATUS STEER 1 MOVE_TO_TARGET|");
+    say(0U, "CMD_1", "STEER UNIDIRECTIONAL 0 /m 360 deg");
+    EXPECT(0U, "STRING ACK_1 STEER UNIDIRECTIONAL 0 /m 360 deg");
+    expect_steering(STEERING_UNIDIRECTIONAL, 0U, 360);
+    answer_to(&command, ANSWER_REFUSED, STATUS_STEERING_CURVATURE, 1U);
+    EXPECT_BEGIN(0U, "STATUS STEER 10 MOVE_TO_TARGET|STEERING_CURVATURE: ");
+    say(0U, "STEER", "NONE");
+    expect_steering(STEERING_NONE, 0U, 0);
+}
+
+void test_SWR_STEER_010_no_steering_is_refused_and_not_passed_on(void)
+{
+    static const char *const wrong[] = {"BIDIRECTIONAL 1.2 /m 90",
+                                        "BIDIRECTIONAL 1.2 90 deg",
+                                        "BIDIRECTIONAL -0.1 /m 90 deg",
+                                        "BIDIRECTIONAL 21 /m 90 deg",
+                                        "BIDIRECTIONAL 1.2 /m 361 deg",
+                                        "BIDIRECTIONAL nan /m 90 deg",
+                                        "BIDIRECTIONAL 1.2 /m 90 deg 1",
+                                        "NONE 1.2 /m 90 deg",
+                                        "BOTH 1.2 /m 90 deg",
+                                        ""};
+
+    for (uint32_t i = 0U; i < (sizeof wrong / sizeof wrong[0]); i++) {
+        say(0U, "STEER", wrong[i]);
+        EXPECT_BEGIN(0U, "STATUS STEER ");
+        expect_no_command();
+    }
+}
+
+void test_SWR_IGTL_756_the_force_sensor_is_zeroed_and_the_result_is_reported(void)
+{
+    say(0U, "ZERO_FORCE", "");
+    pass_us(0U);
+    expect_command(COMMAND_ZERO_FORCE, 0U);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
+    EXPECT(0U, "STATUS ZERO_FORCE 1 MOVE_TO_TARGET|");
+    say(0U, "CMD_1", "ZERO_FORCE");
+    EXPECT(0U, "STRING ACK_1 ZERO_FORCE");
+    pass_us(0U);
+    expect_command(COMMAND_ZERO_FORCE, 0U);
+    answer_to(&command, ANSWER_REFUSED, STATUS_NEEDLE_IN, 1U);
+    EXPECT_BEGIN(0U, "STATUS ZERO_FORCE 13 MOVE_TO_TARGET|NEEDLE_IN: ");
 }

@@ -157,7 +157,7 @@ export class TelemetryStore implements StreamListener {
 
   private take(robot: RobotState): void {
     this.arrivedAt = this.surroundings.now();
-    this.trace.take(robot, this.arrivedAt);
+    this.trace.take(robot, this.arrivedAt, this.view.log);
     this.replace({ isConnected: true, robot, ...this.judge(robot, true) });
   }
 

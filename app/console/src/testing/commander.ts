@@ -98,6 +98,7 @@ export const plainActs = [
   "ENTRY",
   "PROBE",
   "MEMBRANES",
+  "STEER",
   "CLEAR_AXIS",
   "CONFIRM_AXIS",
   "SET_HOME",

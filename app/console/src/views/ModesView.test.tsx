@@ -115,3 +115,31 @@ test("SWR-CON-032 what moves says how far it has come", async () => {
     screen.getByRole("progressbar", { name: "The needle is drawn out." }),
   ).toBeTruthy();
 });
+
+const moveArmed = {
+  order: "waiting",
+  mode: { name: "MOVE", text: "The robot goes to its target." },
+} as const;
+const stays = /MOVE is armed all the same, and the pedal runs it: command STOP/;
+
+test("SWR-CON-755 a refused insertion by hand says that the move is armed", async () => {
+  await show(makeOutlook(), moveArmed);
+  choose("COOPERATE");
+  const order = screen.getByRole<HTMLButtonElement>("button", {
+    name: "Cooperative insertion",
+  });
+  expect(order.disabled).toBe(true);
+  expect(screen.getByText(stays).textContent).toContain(refusedHere);
+});
+
+test.each([
+  ["that may be commanded", makeOutlook("COOPERATE"), moveArmed],
+  ["with nothing armed", makeOutlook(), { ...moveArmed, order: "none" }],
+] as const)(
+  "SWR-CON-755 an insertion by hand %s says nothing of it",
+  async (_, outlook, change) => {
+    await show(outlook, change);
+    choose("COOPERATE");
+    expect(screen.queryByText(stays)).toBeNull();
+  },
+);

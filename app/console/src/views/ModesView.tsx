@@ -49,14 +49,19 @@ function ByWorkphase({ name, commanding, outlook }: Properties) {
 
 /** By what the mode is commanded. */
 function Orders(properties: Properties) {
-  const { name, commanding, outlook } = properties;
+  const { name, robot, commanding, outlook } = properties;
   if (name in own) {
     const Content = own[name as keyof typeof own];
     return <Content {...properties} />;
   }
   if (isButtonMode(name)) {
     return (
-      <ButtonOrder mode={name} commanding={commanding} outlook={outlook} />
+      <ButtonOrder
+        mode={name}
+        status={robot.status}
+        commanding={commanding}
+        outlook={outlook}
+      />
     );
   }
   switch (name) {

@@ -54,6 +54,7 @@ const kinds: Readonly<Record<PermitReason, SignKind>> = {
   SOFT_LIMIT: "stands",
   COUPLED_LIMIT: "stands",
   AT_DEPTH: "stands",
+  ROTATION_LAGS: "stands",
   PEDAL_UNPROVEN: "stands",
   PEDAL_RELEASED: "armed",
   HAND_UNPROVEN: "armed",

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Axis, Force, Membrane, RobotState } from "@interface";
+import type { Axis, Force, LogEntry, Membrane, RobotState } from "@interface";
 import { STALE_MS } from "../state/freshness";
 import { isKnown } from "../state/trust";
 
 export const TRACE_S = 30;
 const US_PER_S = 1e6;
+const NM_PER_MM = 1e6;
 
 /** Quantities of an axis, in this order. */
 export const quantities = [
@@ -36,9 +37,31 @@ interface Line {
   /** Position of the needle's axis with the needle at the entry point; null until an insertion by hand has shown it. */
   entry: number | null;
   expected: readonly Membrane[];
+  /** Depths of punctures that were none of them. */
+  unexpected: readonly number[];
 }
 
-function lineOf({ status, motors, targeting }: RobotState, last?: Line): Line {
+type Log = readonly Pick<LogEntry, "name" | "value">[];
+
+/** A line across the force over depth. */
+export interface DepthMark {
+  state: Membrane["state"] | "UNEXPECTED";
+  place: number;
+}
+
+/** Those of the present or last insertion by hand are the last ones. The newest entry comes first. */
+function unexpectedOf(count: number, log: Log): number[] {
+  return log
+    .filter(({ name }) => name === "MEMBRANE_UNEXPECTED")
+    .slice(0, count)
+    .map(({ value }) => value / NM_PER_MM);
+}
+
+function lineOf(
+  { status, motors, targeting }: RobotState,
+  log: Log,
+  last?: Line,
+): Line {
   const { target, entry_mm, membranes, probe, registration } = targeting;
   const key = JSON.stringify([target, entry_mm, probe, registration]);
   const depth = membranes?.depth_mm ?? null;
@@ -46,7 +69,8 @@ function lineOf({ status, motors, targeting }: RobotState, last?: Line): Line {
   const before = last?.key === key ? last.entry : null;
   const entry =
     depth === null || needle === undefined ? before : needle.position - depth;
-  return { key, entry, expected: membranes?.expected ?? [] };
+  const { expected = [], unexpected = 0 } = membranes ?? {};
+  return { key, entry, expected, unexpected: unexpectedOf(unexpected, log) };
 }
 
 /** Forces in newton; none of a channel that is doubtful. */
@@ -91,13 +115,13 @@ export class Trace {
     return this.rows.length;
   }
 
-  /** `nowMs`: when it came. */
-  take(robot: RobotState, nowMs: number): void {
+  /** `nowMs`: when it came; `log`: the newest entry first. */
+  take(robot: RobotState, nowMs: number, log: Log = []): void {
     const { status, motors } = robot;
     const last = this.rows.at(-1);
     const isGap = nowMs - this.takenMs > STALE_MS;
     // In a gap another plan may have come and gone.
-    const line = lineOf(robot, isGap ? undefined : last?.line);
+    const line = lineOf(robot, log, isGap ? undefined : last?.line);
     // Its counter wraps.
     const wayS = ((motors.time_us - this.timeUs) >>> 0) / US_PER_S;
     if (status.boot_id !== this.bootId || last === undefined) {
@@ -162,15 +186,37 @@ export class Trace {
     return this.rows.map(({ forces }) => forces.get(channel) ?? null);
   }
 
-  /** Membranes at positions of the needle's axis, one that was found where it was punctured. */
-  membranes(): { state: Membrane["state"]; place: number }[] {
-    const { entry = null, expected = [] } = this.rows.at(-1)?.line ?? {};
-    return entry === null
-      ? []
-      : expected.map(({ state, depth_mm, found_mm }) => ({
-          state,
-          place: entry + (found_mm ?? depth_mm),
-        }));
+  /** Whether the depth of the needle below the entry point is known. */
+  get hasDepth(): boolean {
+    return this.entry !== null;
+  }
+
+  /** Depth below the entry point; while that is not known, the position itself. */
+  depthOf(position: number): number {
+    return Math.round((position - (this.entry ?? 0)) * NM_PER_MM) / NM_PER_MM;
+  }
+
+  /** Of the needle by the positions of its axis, as `depthOf` has them. */
+  depths(axis: string): (number | null)[] {
+    return this.column(axis, "position").map((position) =>
+      position === null ? null : this.depthOf(position),
+    );
+  }
+
+  /**
+   * Membranes at depths below the entry point, one that was found where it was punctured, and punctures that were not
+   * expected.
+   */
+  membranes(): DepthMark[] {
+    const { expected = [], unexpected = [] } = this.rows.at(-1)?.line ?? {};
+    const marks: DepthMark[] = [
+      ...expected.map(({ state, depth_mm, found_mm }) => ({
+        state,
+        place: found_mm ?? depth_mm,
+      })),
+      ...unexpected.map((place) => ({ state: "UNEXPECTED" as const, place })),
+    ];
+    return this.hasDepth ? marks : [];
   }
 
   /** Values `agoS` seconds before the last row, or nearest to that; null in a gap. */
@@ -214,7 +260,7 @@ export class Trace {
 
   /** Depth and force of the needle where both were known, and the hand's force beside them. */
   forceCsv(axis: string): string {
-    const depths = this.column(axis, "position");
+    const depths = this.depths(axis);
     const [hand, needle] = [this.force("HAND"), this.force("NEEDLE")];
     const lines = this.rows.flatMap(({ timeS }, index) => {
       const [depth, force] = [depths[index], needle[index]];
@@ -222,7 +268,12 @@ export class Trace {
         ? [[(timeS * 1000).toFixed(0), depth, force, hand[index] ?? ""].join()]
         : [];
     });
-    return ["time_ms,depth_mm,force_n,hand_n", ...lines, ""].join("\n");
+    const name = this.hasDepth ? "depth_mm" : "position_mm";
+    return [`time_ms,${name},force_n,hand_n`, ...lines, ""].join("\n");
+  }
+
+  private get entry(): number | null {
+    return this.rows.at(-1)?.line.entry ?? null;
   }
 
   private endS(): number {

@@ -92,6 +92,10 @@ static void prove_axis(uint32_t index, uint32_t guards, const card_drive_t *requ
           "SWR-PERMIT-200: no drive leaves unless nothing stands against it");
     PROVE(IMPLIES(!is_off(&sent->command.drive), drive_neighbours.hand_reasons == 0U),
           "SWR-COOP-008: no drive leaves while anything stands against a hand");
+    PROVE(IMPLIES(!is_off(&sent->command.drive) && drive_neighbours.is_waiting_for_rotation,
+                  (index != robot.needle_axis) ||
+                      !motor_model_is_upwards(&robot.axes[index], request)),
+          "SWR-STEER-006: the needle goes no deeper while its rotation does not follow its law");
     PROVE(IMPLIES(is_permitted, is_machine_ready(guards)),
           "SWR-PERMIT-200: no permit is reported unless nothing stands against it");
     PROVE(IMPLIES((sent->command.control & CARD_CONTROL_AMPLIFIER) != 0U, is_permitted),

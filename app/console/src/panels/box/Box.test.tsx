@@ -149,6 +149,7 @@ beforeEach(() => {
     is_lamp_fault: false,
     gate: "off",
     probe: "coupled",
+    needle: null,
     slots: [
       makeSlot(0),
       makeSlot(1, { axis: "yaw", card_type: "pwm" }),
@@ -461,6 +462,28 @@ test("SWR-BOX-534 the box is shown as it is", async () => {
       '[aria-label="Load cell of the needle"] select',
     )?.value,
   ).toBe("full");
+});
+
+test("SWR-BOX-778 the needle is shown where the box shows one", async () => {
+  await show();
+  expect(document.querySelector(".box-needle")).toBeNull();
+  box.needle = {
+    surface_mm: 30,
+    turn_deg: 0,
+    lag_deg: 0,
+    way: [{ x_mm: 0, y_mm: 0, depth_mm: 2 }],
+    target: null,
+    image: null,
+    curvature: 4100,
+    torsion_deg: 45,
+    images_period_ms: 2000,
+    images_delay_ms: 500,
+    images_noise_um: 500,
+  };
+  await pass(LOOK_MS);
+  expect(document.querySelector(".box-needle")).not.toBeNull();
+  fireEvent.click(button("Put a moving target there"));
+  expect(asked).toEqual(['{"target":"usual"}']);
 });
 
 test("SWR-BOX-534 a box without a sensor card has neither handle nor tissue", async () => {

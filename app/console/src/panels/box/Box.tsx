@@ -18,6 +18,7 @@ import { mayCommand, obstacleOf, type Operation } from "../../state/operation";
 import { HoldButton } from "../../parts/HoldButton";
 import { BoxFaults } from "./BoxFaults";
 import { BoxForce, Grip } from "./BoxForce";
+import { BoxNeedle } from "./BoxNeedle";
 import { hasForceSensor } from "./force";
 import "./Box.css";
 
@@ -247,6 +248,7 @@ function Open({
             <Levels {...properties} box={box} />
             <Group name="Lamps" state={litOf(box)} />
           </div>
+          <BoxNeedle {...properties} box={box} />
           <details>
             <summary>Gate, probe and faults</summary>
             <div className="box-groups">

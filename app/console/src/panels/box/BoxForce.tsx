@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Box } from "@interface";
 import type { BoxHands } from "../../state/box";
+import { Choice, NumberChoice } from "./Choice";
 import { hasForceSensor } from "./force";
 
 type Cell = "force_hand" | "force_needle";
@@ -34,42 +35,6 @@ interface ForceProperties {
   isDisabled: boolean;
 }
 
-interface ChoiceProperties {
-  name: string;
-  /** The one that is now, and all by their texts. */
-  value: string;
-  texts: ReadonlyMap<string, string>;
-  isDisabled: boolean;
-  onChoose: (value: string) => void;
-}
-
-function Choice({
-  name,
-  value,
-  texts,
-  isDisabled,
-  onChoose,
-}: ChoiceProperties) {
-  return (
-    <div className="box-group" role="group" aria-label={name}>
-      <label>
-        <span className="box-name">{name}</span>
-        <select
-          value={value}
-          disabled={isDisabled}
-          onChange={(event) => onChoose(event.target.value)}
-        >
-          {[...texts].map(([one, text]) => (
-            <option key={one} value={one}>
-              {text}
-            </option>
-          ))}
-        </select>
-      </label>
-    </div>
-  );
-}
-
 function Tissue({ hands, box, isDisabled }: ForceProperties) {
   const isNone = box.layers === 0;
   return (
@@ -98,16 +63,14 @@ function Tissue({ hands, box, isDisabled }: ForceProperties) {
 
 /** The force of the hand that holds the handle. */
 export function Grip({ hands, box, isDisabled }: ForceProperties) {
-  const present = grips.includes(box.grip_mn) ? [] : [box.grip_mn];
   return (
-    <Choice
+    <NumberChoice
       name="Hand"
-      value={String(box.grip_mn)}
-      texts={
-        new Map([...present, ...grips].map((mn) => [String(mn), gripText(mn)]))
-      }
+      value={box.grip_mn}
+      numbers={grips}
+      text={gripText}
       isDisabled={isDisabled}
-      onChoose={(mn) => void hands.order({ grip_mn: Number(mn) })}
+      onChoose={(mn) => void hands.order({ grip_mn: mn })}
     />
   );
 }

@@ -5,6 +5,7 @@ import {
   type Modes,
   type PoseName,
   type RobotState,
+  type Status,
 } from "@interface";
 import { words } from "../../words/format";
 import {
@@ -25,21 +26,35 @@ export interface NeedleProperties {
   outlook: Modes | null;
 }
 
+/**
+ * A hand was asked for, and the move that entering the workphase has armed stays: the pedal runs that one.
+ *
+ * @satisfies SWR-CON-755
+ */
+function whyNotByHand(reason: string, { order, mode }: Status): string {
+  return order === "none" || mode.name === "COOPERATE"
+    ? reason
+    : `${reason} ${words(mode.name)} is armed all the same, and the pedal runs it: command STOP.`;
+}
+
 export function isButtonMode(name: string): name is ButtonMode {
   return name in modeButtons;
 }
 
 export function ButtonOrder({
   mode,
+  status,
   commanding,
   outlook,
-}: NeedleProperties & { mode: ButtonMode }) {
+}: NeedleProperties & { mode: ButtonMode; status: Status }) {
   const { label, path } = modeButtons[mode];
+  const reason = reasonAgainst(outlook, mode);
+  const isByHand = mode === "COOPERATE" && reason !== null;
   return (
     <Order
       commanding={commanding}
       path={path}
-      refusal={reasonAgainst(outlook, mode)}
+      refusal={isByHand ? whyNotByHand(reason, status) : reason}
     >
       {label}
     </Order>
@@ -92,7 +107,12 @@ export function Needle({
       <OrderNotes commanding={commanding} />
       <Orders name="Needle">
         {ofNeedle.map((mode) => (
-          <ButtonOrder key={mode} mode={mode} {...properties} />
+          <ButtonOrder
+            key={mode}
+            mode={mode}
+            status={robot.status}
+            {...properties}
+          />
         ))}
       </Orders>
       <Poses {...properties} poses={poses} />

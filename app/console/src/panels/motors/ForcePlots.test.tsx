@@ -3,9 +3,9 @@
 // saved.
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import type { Force } from "@interface";
+import type { Force, LogEntry } from "@interface";
 import { saveText } from "../../words/download";
-import { makeAxis, makeForce, makeRobot } from "../../testing/robot";
+import { makeAxis, makeEntry, makeForce, makeRobot } from "../../testing/robot";
 import { Trace } from "../../words/trace";
 import { ForcePlots } from "./ForcePlots";
 
@@ -105,12 +105,14 @@ test("SWR-CON-610 both forces are drawn over the depth", () => {
 
 test("SWR-CON-610 they are numbers at the end, and at a cursor in all plots", () => {
   show();
-  expect(reading()).toBe("Now; hand 3.00 N; needle 1.50 N; depth 20.00 mm");
+  expect(reading()).toBe(
+    "Now; hand 3.00 N; needle 1.50 N; position of the axis 20.00 mm",
+  );
   fireEvent.change(screen.getByLabelText(/^Cursor/), {
     target: { value: "-0.05" },
   });
   expect(reading()).toBe(
-    "0.05 s before; hand 1.00 N; needle 0.50 N; depth 10.00 mm",
+    "0.05 s before; hand 1.00 N; needle 0.50 N; position of the axis 10.00 mm",
   );
   const cursors = [...document.querySelectorAll(".plot")].map((plot) =>
     Number(
@@ -139,12 +141,27 @@ test("SWR-CON-610 they are saved where depth and force of the needle are known",
   const [name, , text] = vi.mocked(saveText).mock.calls.at(-1) ?? [];
   expect([name, text]).toEqual([
     "force.csv",
-    "time_ms,depth_mm,force_n,hand_n\n0,10,0.5,1\n50,20,1.5,3\n100,21,1.6,\n",
+    "time_ms,position_mm,force_n,hand_n\n0,10,0.5,1\n50,20,1.5,3\n100,21,1.6,\n",
   ]);
 });
 
+/** The newest one first; that at 1 mm is of another insertion. */
+const log = [
+  ["MEMBRANE_UNEXPECTED", 8_000_000],
+  ["MEMBRANE_FOUND", 6_000_000],
+  ["MEMBRANE_UNEXPECTED", 2_500_000],
+  ["MEMBRANE_UNEXPECTED", 1_000_000],
+].map(([name, value]) =>
+  makeEntry(1, { name: name as LogEntry["name"], value: Number(value) }),
+);
+
 /** The needle is at `depth`, which is so far `below` the entry point. */
-function takeInsertion(depth: number, below: number | null, z = 0): void {
+function takeInsertion(
+  depth: number,
+  below: number | null,
+  z = 0,
+  unexpected = 0,
+): void {
   const axis = makeAxis("insertion", { position: depth });
   const robot = makeRobot({ forces: [makeForce({})] }, [axis]);
   robot.targeting.entry_mm = [0, 0, z];
@@ -155,7 +172,7 @@ function takeInsertion(depth: number, below: number | null, z = 0): void {
       { depth_mm: 16, found_mm: null, state: "AHEAD" },
     ],
     left: 1,
-    unexpected: 0,
+    unexpected,
     sight: "OFF",
     says: "",
     depth_mm: below,
@@ -163,8 +180,49 @@ function takeInsertion(depth: number, below: number | null, z = 0): void {
   };
   timeUs += 50_000;
   robot.motors.time_us = timeUs;
-  trace.take(robot, timeUs / 1000);
+  trace.take(robot, timeUs / 1000, log);
 }
+
+function titles(): (string | null)[] {
+  const captions = document.querySelectorAll("figcaption");
+  return [...captions].map(({ firstChild }) => firstChild?.textContent ?? null);
+}
+
+/** Words under the plot. */
+function ticks(plot: number): string[] {
+  const svg = document.querySelectorAll(".plot")[plot];
+  const found = svg?.querySelectorAll('text[text-anchor="middle"]') ?? [];
+  return [...found].map(({ textContent }) => textContent ?? "");
+}
+
+test("SWR-CON-750 once the entry point is known, each depth counts from there and says so", () => {
+  const { rerender } = show();
+  expect(titles()).toEqual([
+    "Force over time, N",
+    "Force over the position of the axis, N",
+    "The position of the axis over time, mm",
+  ]);
+  expect(ticks(OVER_DEPTH)).toContain("20 mm");
+  // It is at 14 mm of the axis, and was so for all of the curve.
+  takeInsertion(18.2, 4.2);
+  rerender(<ForcePlots needle={needle} trace={trace} />);
+  expect(titles()).toEqual([
+    "Force over time, N",
+    "Force over the depth below the entry point, N",
+    "The depth below the entry point over time, mm",
+  ]);
+  expect(ticks(OVER_DEPTH)).toContain("-5 mm");
+  expect(ticks(OVER_DEPTH)).not.toContain("20 mm");
+  expect(reading()).toContain("depth below the entry point 4.20 mm");
+  const cursor = screen.getByLabelText(/^Cursor/);
+  fireEvent.change(cursor, { target: { value: "-0.05" } });
+  expect(reading()).toContain("depth below the entry point 6.00 mm");
+  fireEvent.click(screen.getByRole("button", { name: "Save as CSV" }));
+  const [, , text] = vi.mocked(saveText).mock.calls.at(-1) ?? [];
+  expect(text).toMatch(
+    /^time_ms,depth_mm,force_n,hand_n\n0,-4,0\.5,1\n50,6,1\.5,3\n$/,
+  );
+});
 
 /** Places across of the marks, by their look. */
 function marks(): Record<string, number> {
@@ -194,6 +252,23 @@ test("SWR-CON-700 membranes stand in the force over depth, one that was found wh
   expect(Object.keys(marks())).toHaveLength(3);
 });
 
+test("SWR-CON-754 punctures that were not expected stand in the force over depth", () => {
+  takeInsertion(24, 10, 0, 2);
+  show();
+  const curve = drawn(OVER_DEPTH, "needle")[0]!;
+  const perMm = (curve[1]![0] - curve[0]![0]) / 10;
+  const places = [...document.querySelectorAll(".plot .plot-mark-unexpected")]
+    .map((mark) => /^M([\d.]+),/.exec(mark.getAttribute("d") ?? "")?.[1])
+    .filter((place) => place !== undefined);
+  // 20 mm of the axis are 6 mm below the entry point.
+  expect(
+    places.map((place) => (Number(place) - curve[1]![0]) / perMm + 6),
+  ).toEqual([expect.closeTo(8, 1), expect.closeTo(2.5, 1)]);
+  expect(document.querySelector(".plots-kinds")?.textContent).toContain(
+    "unexpected puncture",
+  );
+});
+
 test("SWR-CON-700 no membrane stands where the entry point is not known", () => {
   takeInsertion(18, null);
   const { rerender } = show();
@@ -218,7 +293,9 @@ test("SWR-CON-611 a doubtful force is a gap, and no number", () => {
   expect(drawn(OVER_TIME, "needle").map(({ length }) => length)).toEqual([4]);
   take(23, null, 1800);
   rerender(<ForcePlots needle={needle} trace={trace} />);
-  expect(reading()).toBe("Now; hand doubtful; needle 1.80 N; depth 23.00 mm");
+  expect(reading()).toBe(
+    "Now; hand doubtful; needle 1.80 N; position of the axis 23.00 mm",
+  );
 });
 
 test("SWR-CON-611 where no data came there is a gap", () => {

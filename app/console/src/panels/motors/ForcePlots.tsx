@@ -15,6 +15,11 @@ function newtons(force: number | undefined): string {
   return force === undefined ? "doubtful" : `${formatNumber(force, 2)} N`;
 }
 
+/** What the needle's place is counted from. */
+function placeOf({ hasDepth }: Trace): string {
+  return hasDepth ? "depth below the entry point" : "position of the axis";
+}
+
 /** Of each channel. */
 function Forces({ forces }: { forces: Newtons }) {
   return channels.map(({ label, channel }) => (
@@ -34,9 +39,9 @@ function Reading({ needle, plots }: { needle: Needle; plots: Shown }) {
       <span>{whenOf(plots, values.agoS)}</span>
       <Forces forces={values.forces} />
       <span>
-        depth{" "}
+        {placeOf(plots.shown)}{" "}
         {values.isKnown
-          ? formatValue(values.position, needle.unit)
+          ? formatValue(plots.shown.depthOf(values.position), needle.unit)
           : "not known"}
       </span>
     </p>
@@ -45,10 +50,13 @@ function Reading({ needle, plots }: { needle: Needle; plots: Shown }) {
 
 /**
  * Forces of hand and needle in the last 30 s, over time with the depth below, and over the depth with the
- * membranes.
+ * membranes. The depth counts from the entry point, as membranes do; before an insertion by hand has shown where that
+ * is, there are positions of the axis in its place.
  *
  * @satisfies SWR-CON-610
  * @satisfies SWR-CON-700
+ * @satisfies SWR-CON-750
+ * @satisfies SWR-CON-754
  */
 export function ForcePlots({
   needle,
@@ -59,7 +67,8 @@ export function ForcePlots({
 }) {
   const plots = useShown(trace);
   const { shown, agoS, setCursor } = plots;
-  const depths = shown.column(needle.axis, "position");
+  const depths = shown.depths(needle.axis);
+  const place = placeOf(shown);
   const forces = channels.map(({ channel, ...curve }) => ({
     ...curve,
     values: shown.force(channel),
@@ -71,9 +80,12 @@ export function ForcePlots({
     cursor: agoS === null ? null : -agoS,
     onCursor: setCursor,
   };
-  const marks = shown
-    .membranes()
-    .map(({ state, place }) => ({ look: words(state).toLowerCase(), place }));
+  const marks = shown.membranes().map((mark) => {
+    const look = words(mark.state).toLowerCase();
+    const label =
+      mark.state === "UNEXPECTED" ? "unexpected puncture" : `membrane ${look}`;
+    return { look, label, place: mark.place };
+  });
   const there = agoS === null ? null : shown.at(needle.axis, agoS);
   return (
     <>
@@ -88,17 +100,17 @@ export function ForcePlots({
       <div className="plots-kinds">
         <Figure title="Force over time, N" curves={forces} {...time} />
         <Figure
-          title="Force over depth, N"
+          title={`Force over the ${place}, N`}
           curves={forces}
           places={depths}
           across={rangeOf([depths, marks.map(({ place }) => place)])}
           unit={needle.unit}
-          cursor={there?.isKnown ? there.position : null}
+          cursor={there?.isKnown ? shown.depthOf(there.position) : null}
           marks={marks}
         />
         <Figure
-          title={`Depth over time, ${needle.unit}`}
-          curves={[{ look: "depth", label: "depth", values: depths }]}
+          title={`The ${place} over time, ${needle.unit}`}
+          curves={[{ look: "depth", label: place, values: depths }]}
           {...time}
         />
       </div>

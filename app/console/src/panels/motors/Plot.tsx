@@ -31,8 +31,10 @@ export interface PlotCurve {
 
 /** A line across all curves. */
 export interface PlotMark {
-  /** Its look: the end of its class, and its kind in the legend. */
+  /** Its look: the end of its class. */
   look: string;
+  /** Its kind in the legend. */
+  label: string;
   place: number;
 }
 
@@ -205,7 +207,7 @@ function Legend({
   curves,
   marks = [],
 }: Pick<PlotProperties, "curves" | "marks">) {
-  const looks = [...new Set(marks.map(({ look }) => look))];
+  const kinds = new Map(marks.map(({ look, label }) => [look, label]));
   return (
     <ul className="plot-legend">
       {curves.map(({ look, label, dash }) => (
@@ -222,12 +224,12 @@ function Legend({
           {label}
         </li>
       ))}
-      {looks.map((look) => (
+      {[...kinds].map(([look, label]) => (
         <li key={look}>
           <svg viewBox="0 0 30 10" aria-hidden="true">
             <path className={`plot-mark plot-mark-${look}`} d="M15,0V10" />
           </svg>
-          membrane {look}
+          {label}
         </li>
       ))}
     </ul>

@@ -27,6 +27,7 @@ import { reasonAgainst } from "../../state/outlook";
 import { refusalOf, type Page } from "../../state/page";
 import { fitted } from "../../words/shape";
 import { MembraneOrder } from "./Membranes";
+import { SteeringOrder } from "./Steering";
 
 const PREVIEW_PATH: Path = "/api/v1/targeting/preview";
 const PREVIEW_AFTER_MS = 300;
@@ -328,6 +329,14 @@ export function Aim({
         <MembraneOrder
           key={membranes.expected.map((one) => one.depth_mm).join()}
           membranes={membranes}
+          outlook={outlook}
+          commanding={commanding}
+        />
+      )}
+      {robot.targeting.steering_most_per_km > 0 && (
+        <SteeringOrder
+          key={`${robot.targeting.steering_method.name} ${robot.targeting.steering_curvature_per_km} ${robot.targeting.steering_direction_deg}`}
+          targeting={robot.targeting}
           outlook={outlook}
           commanding={commanding}
         />

@@ -8,6 +8,7 @@ import {
 } from "../../words/format";
 import { Matrix } from "../../parts/drawn/Matrix";
 import { membranesText } from "./Membranes";
+import { steeringText } from "./Steering";
 
 function pointText(matrix: readonly number[] | null, missing: string): string {
   return matrix === null ? missing : formatPoint(originOf(matrix));
@@ -98,6 +99,7 @@ function Matrices({ targeting }: { targeting: TargetingData }) {
  */
 export function Targeting({ targeting }: { targeting: TargetingData }) {
   const { distance_mm: distance } = targeting;
+  const steering = steeringText(targeting);
   return (
     <>
       <dl className="facts">
@@ -122,6 +124,12 @@ export function Targeting({ targeting }: { targeting: TargetingData }) {
           <>
             <dt>Membranes</dt>
             <dd>{membranesText(targeting.membranes)}</dd>
+          </>
+        )}
+        {steering !== null && (
+          <>
+            <dt>Steering</dt>
+            <dd>{steering}</dd>
           </>
         )}
         <dt>Distance to target</dt>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "sim/box_number.h"
+#include "sim/orders/box_number.h"
 
 #include "sim/box.h"
 
@@ -22,6 +22,12 @@ static const box_number_t numbers[] = {
     {"keep", NULL, 1, UINT32_MAX, ""},
     {"force", "hand", 0, SIM_LOAD_CELL_MOST, ""},
     {"force", "needle", 0, SIM_LOAD_CELL_MOST, ""},
+    {"needle", "curvature", 0, BOX_CURVATURE_MOST, " per km"},
+    {"needle", "torsion", 0, BOX_TORSION_MOST, " degrees per 100 mm"},
+    {"images", "period", 0, BOX_IMAGE_MOST_MS, " ms"},
+    {"images", "delay", 0, BOX_IMAGE_MOST_MS, " ms"},
+    {"images", "noise", 0, BOX_IMAGE_NOISE_MOST_UM, " um"},
+    {"images", "tilt", 0, BOX_IMAGE_TILT_MOST_MDEG, " mdeg"},
     {"push", NULL, -BOX_PUSH_MOST_MM, BOX_PUSH_MOST_MM, " mm"},
 };
 

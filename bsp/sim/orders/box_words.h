@@ -3,7 +3,7 @@
 #ifndef BORESIGHT_BOX_WORDS_H
 #define BORESIGHT_BOX_WORDS_H
 
-#include "sim/box_number.h"
+#include "sim/orders/box_number.h"
 
 #include <stdbool.h>
 #include <stdint.h>

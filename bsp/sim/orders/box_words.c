@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "sim/box_words.h"
+#include "sim/orders/box_words.h"
 
 #include <stddef.h>
 #include <string.h>

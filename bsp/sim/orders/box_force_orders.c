@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "sim/box_force_orders.h"
+#include "sim/orders/box_force_orders.h"
 
-#include "sim/box_reply.h"
+#include "sim/orders/box_needle_orders.h"
+#include "sim/orders/box_reply.h"
 
 #include <stddef.h>
 
@@ -100,8 +101,9 @@ static bool order_tissue(box_t *self, const box_words_t *order)
 static const struct {
     const char *word;
     bool (*order)(box_t *self, const box_words_t *order);
-} acts[] = {
-    {"hand", order_hand}, {"grip", order_grip}, {"force", order_force}, {"tissue", order_tissue}};
+} acts[] = {{"hand", order_hand},        {"grip", order_grip},         {"force", order_force},
+            {"tissue", order_tissue},    {"needle", box_needle_order}, {"images", box_needle_order},
+            {"target", box_needle_order}};
 
 #define ACTS (sizeof acts / sizeof acts[0])
 

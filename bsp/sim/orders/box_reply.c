@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "sim/box_reply.h"
+#include "sim/orders/box_reply.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sim/box.h"
-#include "sim/box_force_orders.h"
-#include "sim/box_number.h"
-#include "sim/box_reply.h"
-#include "sim/box_words.h"
+#include "sim/orders/box_force_orders.h"
+#include "sim/orders/box_needle_orders.h"
+#include "sim/orders/box_number.h"
+#include "sim/orders/box_reply.h"
+#include "sim/orders/box_words.h"
 
 #include <string.h>
 
 /* Words of which any may be taken; `plug` takes any slot that no axis has, `force` any reading,
- * `push` any way in mm, `hand` and `grip` any speed, way, stiffness and force of a hand. */
+ * `push` any way in mm, `hand` and `grip` any speed, way, stiffness and force of a hand, `needle`
+ * and `images` any number of their range. */
 static const char orders[] =
     "pedal press|release|pulse\n"
     "pedal hold|drop WHO\n"
@@ -33,6 +35,14 @@ static const char orders[] =
     "hand stiffness 200|1000|5000\n"
     "grip 3000|-3000\n"
     "tissue none|usual|whole|show\n"
+    "needle curvature 0|4100\n"
+    "needle torsion 0|45\n"
+    "needle show\n"
+    "images period 0|1000\n"
+    "images delay 500\n"
+    "images noise 0|500\n"
+    "images tilt 0|500\n"
+    "target none|usual\n"
     "probe coupled|free\n"
     "push 10|-10\n"
     "show\n";
@@ -303,6 +313,23 @@ static bool carry_out(box_t *self, const box_words_t *order)
     return false;
 }
 
+/* Orders that only ask; false: it is none. */
+static bool show(const box_t *self, const box_words_t *order, box_reply_t *reply)
+{
+    const bool is_about = (order->count == 2U) && box_words_is(order, 1U, "show");
+
+    if ((order->count == 1U) && box_words_is(order, 0U, "show")) {
+        box_reply_show(reply, self);
+    } else if (is_about && box_words_is(order, 0U, "tissue")) {
+        box_reply_tissue(reply, self);
+    } else if (is_about && box_words_is(order, 0U, "needle")) {
+        box_needle_reply(reply, self);
+    } else {
+        return false;
+    }
+    return true;
+}
+
 bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_size)
 {
     box_reply_t answer = {reply, reply_size, 0U};
@@ -313,13 +340,7 @@ bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_siz
         refuse(&words, order, &answer);
         return false;
     }
-    if (box_words_is(&words, 0U, "show") && (words.count == 1U)) {
-        box_reply_show(&answer, self);
-        return true;
-    }
-    if (box_words_is(&words, 0U, "tissue") && box_words_is(&words, 1U, "show") &&
-        (words.count == 2U)) {
-        box_reply_tissue(&answer, self);
+    if (show(self, &words, &answer)) {
         return true;
     }
     bool is_done;
