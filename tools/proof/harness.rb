@@ -34,6 +34,7 @@ module Proof
     LIST = 'verification/proof/proofs.yml'
     FOLDER = 'verification/proof'
     FUNCTION = /^void (prove_\w+)\(void\)$/
+    LEMMA = /^static void (lemma_\w+)\(/.freeze
     INCLUDES = [FOLDER, 'core', 'build/gen'].freeze
     UNWIND = 12
 
@@ -97,7 +98,14 @@ module Proof
     def prover(sources, function, includes, broken: nil, checks: true)
       return Cbmc.new(sources, function, includes: includes, unwind: @unwind, checks: checks) if tool == 'cbmc'
 
-      Wp.new(@file, function, @by_contract, includes: includes, broken: broken)
+      Wp.new(@file, function, lemmas + @by_contract, includes: includes, broken: broken)
+    end
+
+    # Functions of the harness that show what a solver does not find on its own; others rely on their contracts.
+    #
+    # @satisfies SWR-TOOL-800
+    def lemmas
+      File.read(@file).scan(LEMMA).flatten
     end
   end
 end

@@ -10,7 +10,7 @@ module Proof
   # its contract in the harness, calls of others by theirs alone. Of a broken contract some goal is not proved any more; no
   # input is found.
   class Wp
-    # Of a goal, counted by the solver and equal on every computer; the dearest goal takes 0.7 million, half a second on a free core.
+    # Of a goal, counted by the solver and equal on every computer; the dearest goal takes 1.5 million, a second on a free core.
     MOST_STEPS = 2_000_000
     GOAL_SECONDS = 120
     MOST_SECONDS = 300

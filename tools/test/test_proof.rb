@@ -131,6 +131,13 @@ class TestProof < Minitest::Test
     assert_match(/^    syntax error/, text)
   end
 
+  def test_SWR_TOOL_800_a_lemma_function_that_does_not_hold_is_named
+    lemma = "/*@ requires 0 <= a <= 100;\n    assigns \\nothing;\n    ensures a * a <= 9999;\n*/\nstatic void lemma_squared(int a)\n{\n}\n\n"
+    text, is_green = run_proof(proof: CONTRACT.sub('static int value;', "#{lemma}static int value;"), unit: SHARE, row: BY_CONTRACT.merge('mutants' => []))
+    refute is_green
+    assert_includes text, 'verification/proof/half/prove_half.c: does not hold: lemma_squared_ensures'
+  end
+
   def test_SWR_TOOL_202_a_fault_that_breaks_no_contract_is_named
     text, is_green = run_proof(proof: CONTRACT, unit: SHARE, row: BY_CONTRACT.merge('mutants' => [BROKEN.merge('after' => '- 1 + 0')]))
     refute is_green
