@@ -57,6 +57,7 @@ class CTests
   FILES = ['verification/{unit,integration}/*/test_*.c', "#{ROBOT_TESTS}/test_*.c", 'build/gen/tests/test_*.c'].freeze
   SUPPORT = Dir['verification/*/support/*.c'] + Dir["#{ROBOT_TESTS}/*.c"].grep_v(%r{/test_\w+\.c\z}) +
             ["#{UNITY}/src/unity.c", "#{CMOCK}/src/cmock.c"]
+  PART = /^#include "([^"]+\.inc)"$/
   ALWAYS = %w[contract_trap unity cmock].freeze
   RUNNER = PROJECT.fetch(:unity).slice(:use_param_tests)
                   .merge(PROJECT.fetch(:cmock).slice(:mock_prefix, :enforce_strict_ordering)).freeze
@@ -131,8 +132,10 @@ class CTests
     end
   end
 
+  # Those of a part that it shares with another test (*.inc) are its own.
   def headers_of(file)
-    File.read(file).scan(/#include "([^"]+)\.h"/).flatten
+    text = File.read(file)
+    text.scan(/#include "([^"]+)\.[ch]"/).flatten + text.scan(PART).flatten.flat_map { |part| headers_of(Dir["{verification,core}/#{part}"].first) }
   end
 
   def parallel(items, &work)

@@ -54,13 +54,18 @@ class Change
   end
 
   def reached
-    headers = of('.c', '.h').map { |file| "#{file.delete_suffix(File.extname(file))}.h" }
+    headers = of('.c', '.h').map { |file| "#{file.delete_suffix(File.extname(file))}.h" } + of('.inc')
     Dir.glob(CTests::FILES, base: @root).sort.select { |test| includes(test).any? { |one| headers.any? { |header| header.end_with?("/#{one}") } } }
   end
 
   def includes(test)
     @includes ||= {}
-    @includes[test] ||= File.read(File.join(@root, test)).scan(/^#include "(.+)"/).flatten
+    @includes[test] ||= File.read(File.join(@root, test)).scan(/^#include "(.+)"/).flatten.flat_map { |one| [one, *of_part(one)] }
+  end
+
+  # Includes of a part that tests share.
+  def of_part(name)
+    name.end_with?('.inc') ? Dir.glob("{verification,core}/#{name}", base: @root).flat_map { |file| includes(file) } : []
   end
 end
 

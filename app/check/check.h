@@ -14,7 +14,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** How long the parts of a cycle take. */
+/** Durations of the parts of a cycle. */
 typedef struct {
     uint32_t wake_us;
     uint32_t words_us;

@@ -46,7 +46,7 @@ static bool fits(const check_budget_t *budget)
 }
 
 /*
- * How many cards a cycle has time for.
+ * The number of cards for which a cycle has time.
  *
  * @satisfies SWR-CHECK-010
  */

@@ -13,7 +13,7 @@
 FILE *check_open(const char *root, const char *path);
 
 /**
- * Reads the first line of a file, without its end; "" when there is none.
+ * Reads the first line of a file, without its end; "" when none exists.
  *
  * @return false when the file cannot be read
  */

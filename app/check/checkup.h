@@ -10,7 +10,7 @@
 /**
  * Wakes up `cycles` times as the control loop does, with the rights that it gets itself, and fills
  * in what `facts` has of that: core, cores, rights, clock and all that is measured. Nothing is
- * driven: no card hears of it.
+ * driven: no card receives anything of it.
  *
  * @satisfies SWR-CHECK-003
  */

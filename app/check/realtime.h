@@ -45,7 +45,7 @@ uint64_t realtime_now_ns(void);
 /** Page faults of the calling thread since it began; those that waited for the disk are major. */
 void realtime_count_faults(uint64_t *minor, uint64_t *major);
 
-/** The core that realtime_acquire() asks for, of how many. */
+/** The core that realtime_acquire() asks for, and the number of cores. */
 uint32_t realtime_core(uint32_t *cores);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-/** Monotonic time in us; says how long something took. */
+/** Monotonic time in us, for durations. */
 uint64_t clock_monotonic_us(void);
 
 /** UTC in us since 1970; may jump. */

@@ -91,7 +91,7 @@ static size_t name_length(const char *word)
     return strcspn(word, "=") - 2U;
 }
 
-/* The place of the option that `word` names; the count of options where there is none. */
+/* The place of the option that `word` names; the count of options where none exists. */
 static uint32_t find(const command_line_t *self, const char *word)
 {
     uint32_t place = 0U;

@@ -42,7 +42,7 @@ uint64_t file_series_any_number(const char *name);
 void file_series_path(const file_series_t *self, const char *directory, uint32_t number,
                       uint64_t utc_us, char path[FILE_SERIES_PATH_SIZE]);
 
-/** Finds the one with `number`. False: there is none. */
+/** Finds the one with `number`. False: none exists. */
 bool file_series_find(const file_series_t *self, const char *directory, uint32_t number,
                       char path[FILE_SERIES_PATH_SIZE]);
 
@@ -50,13 +50,13 @@ bool file_series_find(const file_series_t *self, const char *directory, uint32_t
  * The names in `directory`, the oldest first, those without a number before all others.
  *
  * @param entries  set to the list, to be given back by file_series_forget()
- * @return how many; 0 when there is no such directory
+ * @return their number; 0 when there is no such directory
  */
 uint32_t file_series_list(const file_series_t *self, const char *directory,
                           struct dirent ***entries);
 void file_series_forget(struct dirent **entries, uint32_t count);
 
-/** The number of the newest; 0 when there is none. */
+/** The number of the newest; 0 when none exists. */
 uint32_t file_series_newest(const file_series_t *self, const char *directory);
 
 /**

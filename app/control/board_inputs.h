@@ -17,7 +17,7 @@ typedef struct {
 
 /**
  * Sets the digital inputs of `inputs`, and nothing else of it. An input that was 0 at any time, or
- * was not read, counts as 0. Without a button there is none; without a gate of the treatment
+ * was not read, counts as 0. Without a button no press exists; without a gate of the treatment
  * nothing is stated about dose and stop; each other input that was never read stays as a cut wire
  * has it, and is named as not read.
  *

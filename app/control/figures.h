@@ -27,7 +27,7 @@ void histogram_add(histogram_t *self, uint64_t value_us);
 /** Smallest value that `per_mille` of the counts do not exceed; 0 when empty. */
 uint32_t histogram_quantile_us(const histogram_t *self, uint32_t per_mille);
 
-/** Counts one cycle, how long each of its stages took. */
+/** Counts one cycle with the duration of each of its stages. */
 void figures_add(figures_t *self, const uint64_t stage_ns[LOOP_STAGE_COUNT]);
 
 /**

@@ -146,7 +146,7 @@ status_t exchange_send_command(exchange_t *self, const command_t *command);
 uint32_t exchange_request_stop(exchange_t *self, workphase_t workphase);
 
 /** Control's answer to the stop request `number` or, as one stop serves all, to a later one. False
- * while there is none. */
+ * while none exists. */
 bool exchange_read_stop_answer(const exchange_t *self, uint32_t number, answer_t *answer);
 
 /** Where stops are listened for, noted for the next run of the HTTP server; 0: not noted. */
@@ -205,7 +205,7 @@ void exchange_push_event(exchange_t *self, const event_t *event, uint64_t utc_us
 uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, exchange_event_t *events,
                               uint32_t most, uint32_t *lost);
 
-/** Number of the oldest event that is kept; where there is none, of the first one. */
+/** Number of the oldest event that is kept; where none exists, of the first one. */
 uint32_t exchange_oldest_event(const exchange_t *self);
 
 /** Up to which event the log has them, noted for the next run of the recorder: the number of the

@@ -23,7 +23,7 @@
  */
 uint32_t exchange_write_note(exchange_t *self, note_kind_t kind, const char *who, const char *text);
 
-/** For http: number of the newest note; 0: there is none. Looked for once, as no other process
+/** For http: number of the newest note; 0: none exists. Looked for once, as no other process
  * writes notes. */
 uint32_t exchange_newest_note(exchange_t *self);
 

@@ -106,7 +106,7 @@ static uint32_t last_order(const exchange_t *self)
     } else if ((last == 0U) && read_answer(self, &answer)) {
         last = answer.id;
     } else {
-        /* It has given some, or there is none. */
+        /* It has given some, or none exists. */
     }
     return last;
 }

@@ -44,7 +44,7 @@ bool exchange_read_peers(const exchange_t *self, command_source_t source, exchan
  */
 uint32_t exchange_give_order(exchange_t *self, const exchange_order_t *order);
 
-/** igtl's answer to the order `id`; false while there is none. */
+/** igtl's answer to the order `id`; false while none exists. */
 bool exchange_read_order_answer(const exchange_t *self, uint32_t id, status_t *status);
 
 /** For igtl: the newest order, if it is not answered. False as well when a number in it is out of

@@ -5,7 +5,7 @@
  *
  * Three parts on pages of their own: what control writes, what the recorder writes alone, and what
  * everybody else writes. A process that called exchange_protect() cannot write the first, and only
- * the recorder the second, even by a stray pointer. Indices grow for ever and are reduced when
+ * the recorder the second, even by a stray pointer. Indices only grow and are reduced when
  * used, so that no value found in the segment leads outside of it.
  *
  * Any process may damage a part that is not control's. No process trusts its own part: a process

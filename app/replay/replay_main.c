@@ -217,7 +217,7 @@ static int treat_file(char *path, const char *const values[])
 }
 
 /**
- * Does with `path` what was asked for.
+ * Carries out the request for `path`.
  *
  * @satisfies SWR-REPLAY-035
  */
@@ -276,7 +276,7 @@ static int find_membranes(const char *const values[], int count, char *const fil
     return EXIT_SUCCESS;
 }
 
-/* Does what was asked for with `words`, which are one or more. */
+/* Carries out the request of `words`, which are one or more. */
 static int answer(const char *const values[], int count, char *const words[])
 {
     if (count_given(values) > 1U) {

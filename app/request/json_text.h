@@ -36,7 +36,7 @@ bool json_text_is_at_end(json_text_t *self);
  */
 request_fault_t json_text_string(json_text_t *self, char *text, size_t size);
 
-/** Takes a word or a number as it stands. Returns its length, 0 when there is none. */
+/** Takes a word or a number as it stands. Returns its length, 0 when none exists. */
 size_t json_text_scalar(json_text_t *self, const char **start);
 
 /** Something else that JSON may have at this place: a value of another type. */

@@ -14,7 +14,7 @@ typedef struct {
 
 /**
  * The type of a value by its first byte, as people call it, such as "a string". `is_whole` asks
- * for a whole number, which this one is not. Lives for ever.
+ * for a whole number, which this one is not. Lives as long as the process.
  */
 const char *request_expected_type(char first, bool is_whole);
 

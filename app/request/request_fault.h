@@ -42,7 +42,7 @@ typedef struct {
 void request_fault_set(request_result_t *result, request_fault_t fault,
                        const request_message_t *message);
 
-/** A sentence. Lives for ever. */
+/** A sentence. Lives as long as the process. */
 const char *request_fault_text(request_fault_t fault);
 
 #endif

@@ -28,7 +28,7 @@ static bool has_weight(const char *item)
     return (strncasecmp(rest, "q=", 2U) != 0) || (strtod(&rest[2], NULL) > 0.0);
 }
 
-/* The next item of a list between commas; NULL: there is none. */
+/* The next item of a list between commas; NULL: none exists. */
 static const char *next_item(const char *item)
 {
     const char *comma = strchr(item, ',');

@@ -13,7 +13,7 @@ request_fault_t request_names_find(const request_message_t *message, const char 
 /** The first field that must be there and is not in `seen`; NULL: none. */
 const request_field_t *request_names_missing(const request_message_t *message, uint32_t seen);
 
-/** Notes in `structure` that an optional value is there, or how many values a list has. */
+/** Notes in `structure` that an optional value is there, or the number of values in a list. */
 void request_names_report(const request_field_t *field, uint32_t count, void *structure);
 
 #endif

@@ -13,7 +13,7 @@ static size_t skip_digits(const char *text, size_t size, size_t place)
     return place;
 }
 
-/* The end of a JSON number's whole part at the start of `text`, 0 when there is none. */
+/* The end of a JSON number's whole part at the start of `text`, 0 when none exists. */
 static size_t whole_part(const char *text, size_t size)
 {
     const size_t start = ((size > 0U) && (text[0] == '-')) ? 1U : 0U;

@@ -21,7 +21,7 @@ typedef struct {
 } saved_key_t;
 
 /**
- * Reads the key in the file `path`; makes it, of random bytes, if there is none.
+ * Reads the key in the file `path`; makes it, of random bytes, if none exists.
  *
  * @return false with a sentence in `error`: it cannot be made or read, is not a whole key, or is
  * not its owner's alone

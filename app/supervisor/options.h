@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** How many times slower the board's time passes, at least 1. */
+/** Factor by which the board's time passes slower, at least 1. */
 uint32_t options_slowness(const options_t *self);
 
 /** Whether the option `name` of the board was given; NULL is none. */

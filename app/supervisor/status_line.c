@@ -103,7 +103,7 @@ static void add_inputs(status_parts_t *parts, const snapshot_t *snapshot)
     status_parts_add(parts, is_pulled ? STATUS_BAD : latched, "e-stop %s", estop_word(snapshot));
 }
 
-/* How many of the cards that the robot names answer. */
+/* Number of the cards of the robot that answer. */
 static void add_links(status_parts_t *parts, const robot_t *robot, const snapshot_t *snapshot)
 {
     uint32_t named = 0U;

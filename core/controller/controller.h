@@ -243,6 +243,7 @@ solution_t controller_hold(controller_t *self, const robot_t *robot, const traje
  * @satisfies SWR-CMD-002
  * @satisfies SWR-CORE-002
  * @satisfies SWR-CTRL-020
+ * @satisfies SWR-FORCE-760
  * @satisfies SWR-ROBOT-013
  */
 void controller_step(controller_t *self, const robot_t *robot, const controller_inputs_t *inputs,

@@ -189,8 +189,9 @@ static void end(controller_t *self, const cycle_t *cycle)
                 note_missed(self, cycle, place);
             }
         }
-        seal_list(watch);
     }
+    membrane_list_look(&watch->plan.list, watch->depth_um);
+    seal_list(watch);
     note_vibration(self, cycle, MEMBRANE_ANSWER_NONE);
     watch->run.is_running = 0U;
     watch->sight = (uint32_t)MEMBRANE_SIGHT_OFF;
@@ -211,12 +212,18 @@ static void note_event(controller_t *self, const cycle_t *cycle, const membrane_
     }
 }
 
-static membrane_sight_t sight_of(const membrane_run_t *run, bool is_believed, bool is_vibrating)
+/* A reading that stands still in a motion may be that of a dead sensor, with or without noise. */
+static bool is_felt(const force_channel_t *needle)
+{
+    return force_channel_is_believed(needle) && !force_channel_is_still(needle);
+}
+
+static membrane_sight_t sight_of(const membrane_run_t *run, bool is_felt_now, bool is_vibrating)
 {
     membrane_sight_t sight = MEMBRANE_SIGHT_DOUBTFUL;
-    if (is_believed && is_vibrating) {
+    if (is_felt_now && is_vibrating) {
         sight = MEMBRANE_SIGHT_VIBRATING;
-    } else if (is_believed) {
+    } else if (is_felt_now) {
         sight = membrane_detector_is_looking(&run->detector) ? MEMBRANE_SIGHT_LOOKING
                                                              : MEMBRANE_SIGHT_PAUSED;
     } else {
@@ -238,15 +245,15 @@ static bool feel(controller_t *self, const cycle_t *cycle, bool is_vibrating)
 {
     membrane_watch_t *const watch = &self->membranes;
     const force_channel_t *const channel = &self->force.sealed.channels[FORCE_CHANNEL_NEEDLE];
-    const bool is_believed = force_channel_is_believed(channel);
+    const bool is_felt_now = is_felt(channel);
     const uint32_t before = watch->sight;
     watch->depth_um = depth_um(self, cycle);
     const membrane_view_t view = {
         .force_mn = reading_mn(channel, &cycle->robot->force.channels[FORCE_CHANNEL_NEEDLE]),
         .depth_um = watch->depth_um,
         .is_inserting = self->axes[needle_of(cycle)].sealed.setpoint_speed_ticks_per_s_q8 > 0,
-        .is_blind = !is_believed || is_vibrating};
-    if (!is_believed) {
+        .is_blind = !is_felt_now || is_vibrating};
+    if (!is_felt_now) {
         pass_blindly(watch);
     }
     const membrane_event_t event =
@@ -255,8 +262,8 @@ static bool feel(controller_t *self, const cycle_t *cycle, bool is_vibrating)
         note_event(self, cycle, &event);
         seal_list(watch);
     }
-    watch->sight = (uint32_t)sight_of(&watch->run, is_believed, is_vibrating);
-    if (!is_believed && (before != watch->sight)) {
+    watch->sight = (uint32_t)sight_of(&watch->run, is_felt_now, is_vibrating);
+    if (!is_felt_now && (before != watch->sight)) {
         controller_note(self, cycle, EVENT_MEMBRANES_UNSEEN, 0U, 0);
     }
     seal_run(watch);

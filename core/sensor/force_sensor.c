@@ -79,10 +79,10 @@ static void add(force_readings_t *readings, uint32_t count)
 }
 
 /* The converter of a live sensor does not read the same each time. */
-static void doubt_dead_hand(force_channel_t *hand)
+static void doubt_dead(force_channel_t *channel)
 {
-    if ((hand->noise_q8 < LIMIT_FORCE_LIVE_NOISE) && force_channel_is_believed(hand)) {
-        hand->doubts |= force_doubt_bit(FORCE_DOUBT_TOO_QUIET);
+    if ((channel->noise_q8 < LIMIT_FORCE_LIVE_NOISE) && force_channel_is_believed(channel)) {
+        channel->doubts |= force_doubt_bit(FORCE_DOUBT_TOO_QUIET);
     }
 }
 
@@ -100,9 +100,7 @@ static bool zero_channel(force_sensor_t *self, const force_config_t *config, uin
         zeroed->ends[index] = force_channel_zero(channel, &config->channels[index],
                                                  &self->readings[index], &zeroed->moved_mn[index]);
         self->sealed.force_mn[index] = force_channel_mn(channel, &config->channels[index]);
-        if (index == (uint32_t)FORCE_CHANNEL_HAND) {
-            doubt_dead_hand(channel);
-        }
+        doubt_dead(channel);
     } else {
         has_ended = false;
     }

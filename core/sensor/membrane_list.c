@@ -3,6 +3,8 @@
 
 #include "base/fixed.h"
 
+#define SAME_PLACE_UM 100 /* A drive that stands is moved on by less. */
+
 static bool are_in_order(const int32_t depths_um[], uint32_t count)
 {
     int32_t least_um = 0;
@@ -32,6 +34,7 @@ void membrane_list_renew(membrane_list_t *self)
 {
     self->unexpected = 0U;
     self->unseen_um = 0;
+    self->seen_um = 0;
     for (uint32_t i = 0U; i < self->count; i++) {
         self->membranes[i].found_um = 0;
         self->membranes[i].state = (uint32_t)MEMBRANE_AHEAD;
@@ -78,9 +81,17 @@ static uint32_t miss(membrane_list_t *self, int64_t behind_um)
     return MEMBRANE_NONE;
 }
 
+void membrane_list_look(membrane_list_t *self, int32_t depth_um)
+{
+    self->seen_um = (depth_um > self->seen_um) ? depth_um : self->seen_um;
+}
+
 void membrane_list_blind(membrane_list_t *self, int32_t depth_um)
 {
-    self->unseen_um = (depth_um > self->unseen_um) ? depth_um : self->unseen_um;
+    const bool is_deeper = ((int64_t)depth_um - (int64_t)SAME_PLACE_UM) > (int64_t)self->seen_um;
+    if (is_deeper && (depth_um > self->unseen_um)) {
+        self->unseen_um = depth_um;
+    }
 }
 
 uint32_t membrane_list_pass(membrane_list_t *self, int32_t depth_um)

@@ -29,7 +29,7 @@ typedef struct {
     uint32_t count;
     uint32_t unexpected; /**< Number of punctures that were no membrane of the list. */
     int32_t unseen_um; /**< Down to this depth the needle came while no puncture was looked for. */
-    uint32_t reserved; /**< 0. */
+    int32_t seen_um;   /**< Down to this depth insertions that looked for punctures have come. */
     membrane_t membranes[LIMIT_MEMBRANES_MOST];
 } membrane_list_t;
 
@@ -54,9 +54,13 @@ status_t membrane_list_set(membrane_list_t *self, const int32_t depths_um[], uin
  */
 uint32_t membrane_list_take(membrane_list_t *self, int32_t depth_um);
 
+/** An insertion that looked for punctures has ended at `depth_um`. */
+void membrane_list_look(membrane_list_t *self, int32_t depth_um);
+
 /**
- * The needle is at `depth_um` without being looked at: of a membrane that is less deep, the
- * puncture may have been there already. One that is not found is passed, and not missed.
+ * The needle is at `depth_um` without being looked at, deeper than membrane_list_look() has it: of
+ * a membrane that is less deep, the puncture may have been there already. One that is not found is
+ * passed, and not missed.
  *
  * @satisfies SWR-PUNCT-752
  */

@@ -219,10 +219,10 @@ module Robot
       @coupled_limits = read_coupled_limits(nodes['coupled_limits'])
       @axes = read_axes(nodes['axes'])
       @sensor_slots = nodes.key?('cards') ? read_sensors(nodes['cards']) : []
-      @force = Force.new(nodes['force'], @sensor_slots) if nodes.key?('force')
+      @force = nodes.key?('force') ? Force.new(nodes['force'], @sensor_slots) : nil
       @followers = Followers.new(@axes)
       check_axes
-      @hand = Hand.new(nodes['hand'], @axes[needle_axis], nodes.key?('force'))
+      @hand = Hand.new(nodes['hand'], @axes[needle_axis], @force)
       @steering = Steering.new(nodes['steering'], @axes)
       @poses = read_poses(nodes['poses'])
       @reported = Reported.new(nodes['reported'], @axes.map { |axis| axis['name'] }, @geometry, @probe)

@@ -17,7 +17,7 @@ module Robot
     Q16 = 2**16
     Q30 = 2**30
 
-    attr_reader :converter
+    attr_reader :converter, :cutoff_hz
 
     def initialize(node, unit_mn)
       @nodes = node.mapping(%w[converter slope offset zero_reference cutoff_hz minimum_n maximum_n])
@@ -100,6 +100,15 @@ module Robot
       return unless @channels.map(&:converter).uniq.one?
 
       @channels.last.refuse('converter', "is #{@channels.last.converter}, which #{CHANNELS.first} has; expected another")
+    end
+
+    # A filter that delays the force too much makes a hand and the needle swing.
+    def follow_hand
+      hand = @channels.first
+      least = Limit.of('hand_cutoff_least_hz')
+      return if hand.cutoff_hz >= least
+
+      hand.refuse('cutoff_hz', "is #{hand.cutoff_hz}; expected at least #{least} where a hand moves the needle")
     end
 
     # The fields of force_config_t before its seal.

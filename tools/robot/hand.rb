@@ -18,6 +18,7 @@ module Robot
     DEAD_ZONE_N = ((Limit.of('hand_dead_zone_least_mn') / MN_PER_N.to_f)..2)
     STOP_MM_PER_S2 = (Limit.of('hand_stop_least_mm_per_s2')..1000)
     SLOWEST_MM_PER_S = 0.1
+    FASTEST_MM_PER_S = Limit.of('hand_speed_most_mm_per_s')
 
     # Of hand_law_t, as C writes them.
     attr_reader :values
@@ -25,7 +26,7 @@ module Robot
     # Its answer to a puncture.
     attr_reader :vibration
 
-    # `node`: nil without. `needle`: its Axis; `force`: the robot has a sensor for it.
+    # `node`: nil without. `needle`: its Axis; `force`: the Force of its sensor, nil without.
     def initialize(node, needle, force)
       @values = NONE
       @vibration = Vibration.new(nil, needle)
@@ -36,10 +37,11 @@ module Robot
 
     def read(node, needle, force)
       node.refuse('is of a robot without a force sensor; expected one') unless force
+      force.follow_hand
       nodes = node.mapping(%w[dead_zone_n gain_mm_per_s_n speed_mm_per_s stop_mm_per_s2], %w[vibration])
       @vibration = Vibration.new(nodes['vibration'], needle)
       ticks = needle['ticks_per_unit']
-      fastest = (needle['speed_ticks_per_s'] / ticks).floor(3).to_f
+      fastest = [(needle['speed_ticks_per_s'] / ticks).floor(3).to_f, FASTEST_MM_PER_S].min
       gain = nodes['gain_mm_per_s_n'].decimal(GAIN_MM_PER_S_N)
       @values = { 'dead_zone_mn' => (nodes['dead_zone_n'].decimal(DEAD_ZONE_N) * MN_PER_N).round,
                   'gain_q8' => (gain * ticks * 256 / MN_PER_N).round,

@@ -16,6 +16,11 @@ class TestCheck < Minitest::Test
     assert_includes change('core/robot/neuro/neuro.c').c_tests, 'core/robot/neuro/test/test_neuro.c'
   end
 
+  def test_SWR_TOOL_041_tests_that_share_a_changed_part_or_include_a_module_by_it_are_run
+    assert_equal %w[test_mode.c test_mode_table.c], change('verification/unit/mode/armed_mode_world.inc').c_tests.map { |test| File.basename(test) }
+    assert_includes change('core/card/aim32_frame.h').c_tests, 'verification/unit/nifpga/test_bsp_nifpga.c'
+  end
+
   def test_SWR_TOOL_041_of_many_tests_those_of_the_module_are_run_first
     tests = change('core/controller/controller.h').c_tests
     assert_equal 24, tests.size

@@ -4,92 +4,14 @@
 # The rule under test: whatever is missing between hazard and passed test is found, and said in one line.
 # Each test breaks one thing in a small project that is complete.
 
-require 'csv'
 require 'erb'
-require 'fileutils'
-require 'json'
-require 'minitest/autorun'
 require 'open3'
-require 'tmpdir'
-require_relative '../origin'
-require_relative '../trace'
+require_relative 'trace_project'
 
 class TestTrace < Minitest::Test
+  include TraceProject
+
   TOOLS = File.expand_path('..', __dir__)
-
-  RUN = { 'commit' => '1234567890abcdef', 'time' => '2026-01-02T03:04:05Z',
-          'tools' => { 'gcc' => '1.2', 'ruby' => '3.4' },
-          'machine' => { 'processor' => 'Abacus', 'cores' => 3, 'kernel' => 'Kernel 1', 'system' => 'System 2' } }.freeze
-
-  # Tests of the results; their origin is added.
-  COMPLETE = {
-    '.gitignore' => "/build/\n",
-    'requirements/risk.yml' => <<~YAML,
-      - id: HAZ-001
-        title: Motion goes on
-        severity: 5
-        situation: The probe advances.
-        harm: Death
-      - id: RC-001
-        title: Zero drive
-        kind: design
-        text: Without permit zero drive words leave.
-        parents: [HAZ-001]
-    YAML
-    'requirements/core/pedal.yml' => <<~YAML,
-      - id: SWR-PEDAL-001
-        title: Shut gate
-        text: While the gate is shut, the controller shall wait {wait_us}.
-        parents: [RC-001]
-        source: thesis
-        limits:
-          - {name: wait_us, value: 7, unit: us, status: thesis}
-        verification: {method: test, level: unit}
-      - id: SWR-PEDAL-002
-        title: Open gate
-        text: The gate shall open.
-        parents: ['derived: someone must get through']
-        source: thesis
-        verification: {method: test, level: unit}
-    YAML
-    'core/gate/gate.h' => <<~C,
-      /**
-       * Opens the gate.
-       *
-       * @satisfies SWR-PEDAL-002
-       */
-      void gate_open(gate_t *self);
-    C
-    'statecharts/gate.scxml' => <<~XML,
-      <scxml xmlns:bs="x">
-        <state id="shut" bs:req="SWR-PEDAL-001">
-          <transition bs:id="GATE-T01" event="a" cond="x > 1" bs:req="SWR-PEDAL-001 SWR-PEDAL-002"
-                      bs:hazard="HAZ-001"/>
-        </state>
-      </scxml>
-    XML
-    'verification/unit/test_gate.c' => <<~C,
-      static void check(int value)
-      {
-          TEST_ASSERT_EQUAL_INT(1, value);
-      }
-
-      TEST_CASE(1)
-      void test_SWR_PEDAL_001_waits(int value)
-      {
-          check(value);
-      }
-
-      void test_SWR_PEDAL_002_opens(void)
-      {
-          EXPECT_CONTRACT("gate", 1U, gate_open(NULL));
-      }
-    C
-    'build/results/unit.json' => JSON.generate(
-      [{ test: 'test_SWR_PEDAL_001_waits(1)', file: 'verification/unit/test_gate.c', result: 'pass' },
-       { test: 'test_SWR_PEDAL_002_opens', file: 'verification/unit/test_gate.c', result: 'pass' }]
-    )
-  }.freeze
 
   def test_SWR_TRACE_001_a_complete_project_has_no_findings
     in_project do |root|
@@ -334,52 +256,6 @@ class TestTrace < Minitest::Test
     end
   end
 
-  def test_SWR_TRACE_001_matrix_gives_the_worst_result_as_verdict
-    results = JSON.generate(
-      [{ test: 'test_SWR_PEDAL_001_waits(1)', file: 'verification/unit/test_gate.c', result: 'pass' },
-       { test: 'SWR-PEDAL-001 is <shown>', file: 'app/console/a.test.ts', result: 'fail' }]
-    )
-    in_project('build/results/unit.json' => results) do |root|
-      output, status = trace('matrix', root)
-      assert status.success?, output
-      assert_includes output, "SWR-PEDAL-001  FAIL  Shut gate\n    from   RC-001\n" \
-                              "    by     gate shut (statecharts/gate.scxml:2)\n"
-      assert_includes output, '    tested fail   SWR-PEDAL-001 is <shown> (app/console/a.test.ts)'
-      assert_includes output, "SWR-PEDAL-002  NOT VERIFIED  Open gate\n    from   derived: someone must get through\n"
-      assert_includes output, '2 requirements: 0 pass, 1 fail, 1 not verified'
-    end
-  end
-
-  def test_SWR_TRACE_001_matrix_is_written_for_machine_sheet_and_auditor
-    in_project do |root|
-      trace('matrix', root)
-      rows = JSON.parse(File.read(File.join(root, 'build/trace.json'))).fetch('requirements')
-      assert_equal [%w[SWR-PEDAL-001 pass], %w[SWR-PEDAL-002 pass]], rows.map { |row| row.values_at('id', 'verdict') }
-      assert_equal 'While the gate is shut, the controller shall wait 7 us.', rows.first['text']
-      assert_equal 'HAZ-001', rows.first.dig('parents', 0, 'hazards', 0, 'id')
-      sheet = CSV.read(File.join(root, 'build/trace.csv'))
-      assert_equal 'gate_open (core/gate/gate.h:4)', sheet[5][4].lines.first.chomp
-      html = File.read(File.join(root, 'build/trace.html'))
-      assert_match(/<details id="SWR-PEDAL-001" data-verdict="pass">.*test_SWR_PEDAL_001_waits\(1\)/m, html)
-      refute_match(/(?:src|href)\s*=/, html, 'the page needs no other file')
-    end
-  end
-
-  def test_SWR_TOOL_283_the_matrix_shows_the_proofs_of_each_function
-    files = { 'verification/proof/proved.yml' => "core/gate/gate.c:\n  gate_open: cbmc eva\n  gate_shut: open\n",
-              'verification/proof/proofs.yml' => "- {file: gate/prove_gate.c, sources: [core/gate/gate.c, verification/proof/contract/crc.c], " \
-                                                 "proves: [gate_open], mutants: []}\n",
-              'verification/proof/gate/prove_gate.c' => "void prove_SWR_PEDAL_002_opens(void)\n{\n    PROVE(true, \"SWR-PEDAL-002: it opens\");\n}\n" }
-    in_project(files) do |root|
-      trace('matrix', root)
-      rows = CSV.read(File.join(root, 'build/proved.csv')).drop(1)
-      assert_equal ['core/gate/gate.c', 'gate_open', 'cbmc eva', 'verification/proof/gate/prove_gate.c',
-                    'verification/proof/contract/crc.c', 'SWR-PEDAL-002', ''], rows.first
-      assert_equal ['core/gate/gate.c', 'gate_shut', 'open', '', '', '', ''], rows.last
-      assert_includes File.read(File.join(root, 'build/trace.html')), '<td>gate_open</td><td>cbmc eva</td>'
-    end
-  end
-
   def test_SWR_TRACE_001_elements_are_named_after_what_follows_the_comment
     sources = { 'a.h' => "/**\n * @satisfies SWR-PEDAL-001\n */\ntypedef struct {\n    int a;\n} gate_t;\n",
                 'b.h' => "/**\n * @file\n * @satisfies SWR-PEDAL-001\n */\n#ifndef B_H\n",
@@ -395,61 +271,6 @@ class TestTrace < Minitest::Test
     end
   end
 
-  def test_SWR_TRACE_003_results_of_another_tree_do_not_count
-    in_project do |root|
-      File.write(File.join(root, 'core/gate/new.c'), "int x;\n")
-      assert_doubt(root, 'for they were made of commit 1234567890ab, tree \h{12} at 2026-01-02T03:04:05Z, which is not ' \
-                         'what stands here')
-    end
-  end
-
-  def test_SWR_TRACE_003_results_of_another_checkout_or_machine_do_not_count
-    in_project({}, 'checkout' => 'elsewhere') do |root|
-      assert_doubt(root, 'for they come from another checkout or machine: Abacus, 3 cores, Kernel 1, System 2')
-    end
-  end
-
-  def test_SWR_TRACE_003_results_without_an_origin_do_not_count
-    [{ 'tree' => nil }, { 'checkout' => nil }].each do |run|
-      in_project({}, run) { |root| assert_doubt(root, 'for they do not say where they come from') }
-    end
-    in_project do |root|
-      File.write(File.join(root, 'build/results/unit.json'), COMPLETE.fetch('build/results/unit.json'))
-      assert_doubt(root, 'for they do not say where they come from')
-    end
-  end
-
-  def test_SWR_TRACE_003_a_requirement_with_one_doubtful_result_is_not_verified
-    in_project do |root|
-      more = [{ test: 'test_SWR_PEDAL_001_waits(1)', file: 'verification/unit/test_gate.c', result: 'pass' }]
-      File.write(File.join(root, 'build/results/arm.json'), JSON.generate(more))
-      output, = trace('matrix', root)
-      assert_includes output, "SWR-PEDAL-001  NOT VERIFIED  Shut gate\n    but    arm.json does not count, for they do not"
-      assert_includes output, '2 requirements: 1 pass, 0 fail, 1 not verified'
-    end
-  end
-
-  def test_SWR_TRACE_003_a_failure_elsewhere_is_no_failure_here
-    failed = COMPLETE.fetch('build/results/unit.json').sub('"pass"', '"fail"')
-    in_project({ 'build/results/unit.json' => failed }, 'checkout' => 'elsewhere') do |root|
-      assert_includes trace('matrix', root).first, '2 requirements: 0 pass, 0 fail, 2 not verified'
-    end
-  end
-
-  def test_SWR_TRACE_002_the_matrix_says_once_at_its_head_where_the_results_come_from
-    in_project do |root|
-      text, = trace('matrix', root)
-      head = text.lines(chomp: true).first(3)
-      assert_match(/\AResults of commit 1234567890ab, tree \h{12}, from 2026-01-02T03:04:05Z to 2026-01-02T03:04:05Z\z/,
-                   head.first)
-      assert_equal ['on Abacus, 3 cores, Kernel 1, System 2', 'with gcc 1.2, ruby 3.4'], head.drop(1)
-      assert_equal head, CSV.read(File.join(root, 'build/trace.csv')).first(3).map(&:first)
-      assert_includes File.read(File.join(root, 'build/trace.html')), head.join("<br>\n")
-      origin = JSON.parse(File.read(File.join(root, 'build/trace.json'))).fetch('origin')
-      assert_equal [Origin.tree(root), '3.4'], [origin['tree'], origin.dig('tools', 'ruby')]
-    end
-  end
-
   private
 
   # Replaces `old` by `new` in one file of the complete project and expects a finding.
@@ -462,46 +283,5 @@ class TestTrace < Minitest::Test
       assert_includes output, "TRACE-#{text}"
       return output
     end
-  end
-
-  # run: the origin stated by the results, other than the truth.
-  def in_project(changes = {}, run = {})
-    Dir.mktmpdir do |root|
-      results, files = COMPLETE.merge(changes).partition { |name, _text| name.start_with?('build/') }
-      files.each { |name, text| write(root, name, text) }
-      run = RUN.merge('tree' => Origin.tree(root), 'checkout' => Origin.checkout(root)).merge(run)
-      results.each { |name, tests| write(root, name, "{\"run\": #{JSON.generate(run)}, \"tests\": #{tests}}") }
-      yield root
-    end
-  end
-
-  def write(root, name, text)
-    path = File.join(root, name)
-    FileUtils.mkdir_p(File.dirname(path))
-    File.write(path, text)
-  end
-
-  Ended = Struct.new(:exitstatus) do
-    def success?
-      exitstatus.zero?
-    end
-  end
-
-  # Its output and exit code, without a process of its own.
-  def trace(command, root, *options)
-    status = nil
-    text = capture_io { status = Trace::Command.run([command, '--root', root, *options]) }
-    [text.join, Ended.new(status)]
-  end
-
-  # Every requirement is not verified, and why.
-  def assert_doubt(root, words)
-    output, status = trace('check', root)
-    assert_equal 1, status.exitstatus, output
-    assert_match(%r{\ATRACE-E18 build/results/unit.json:1: its results do not count, #{words}\ntrace: }, output)
-    output, = trace('matrix', root)
-    assert_match(%r{^not counted: build/results/unit.json, #{words}$}, output)
-    assert_match(/^SWR-PEDAL-001  NOT VERIFIED  Shut gate\n    but    unit.json does not count, #{words}$/, output)
-    assert_includes output, '2 requirements: 0 pass, 0 fail, 2 not verified'
   end
 end

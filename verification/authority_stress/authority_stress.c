@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * authority-stress-oracle: replays the recordings of a fight for authority and has the oracle look
- * at them.
+ * authority-stress-oracle: replays the recordings of clients that compete for authority and has
+ * the oracle look at them.
  *
  *     authority-stress-oracle FILE ...        in their order
  *

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# A fight for authority among pages and connections of a running system; included by the Makefile.
+# Pages and connections of a running system that compete for authority; included by the Makefile.
 
 .PHONY: authority-stress
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Two pages of the console and two connections of OpenIGTLink fight for authority over the bench, while a hand presses
+# Two pages of the console and two connections of OpenIGTLink compete for authority over the bench, while a hand presses
 # pedal and button and the processes between them are killed. An oracle (message_oracle.h) then replays the recording.
 #
 #   ruby verification/authority_stress/authority_stress.rb MINUTES [SEED]      exits 1 if a rule was broken; its recording is kept
@@ -14,13 +14,13 @@ require 'open3'
 require_relative 'players'
 require_relative '../bench/crowd'
 
-# One fight.
+# One run of clients that compete.
 class AuthorityStress
   ORACLE = File.expand_path('../../build/gcc/bin/authority-stress-oracle', __dir__)
   LOSSES = 3
   Verdict = Struct.new(:counts, :broken, :is_good)
 
-  # Returns what the oracle says of a fight of at least so many seconds. The recording of a broken rule is kept.
+  # Returns the oracle's verdict on clients that compete for at least so many seconds. The recording of a broken rule is kept.
   def self.judge(seconds, seed, accounts)
     kept = File.expand_path("../../build/authority_stress/#{seed}", __dir__)
     FileUtils.rm_rf(kept)
@@ -57,7 +57,7 @@ class AuthorityStress
   def run(seconds)
     ends = Boresight.now + seconds
     threads = @players.map { |player| Thread.new { player.play } }
-    @robot.wait_until('there was a fight') { Boresight.now >= ends && fought? }
+    @robot.wait_until('authority was lost often enough') { Boresight.now >= ends && competed? }
   ensure
     @players.each(&:leave)
     threads&.each(&:join)
@@ -66,7 +66,7 @@ class AuthorityStress
   private
 
   # It was taken again and again, refused, and lost in more than one way.
-  def fought?
+  def competed?
     lines = @robot.event_lines
     lost = lines.filter_map { |line| line[/ AUTHORITY_LOST .*: (\w+)\./, 1] }
     lost.size >= LOSSES && lost.uniq.size >= 2 && lines.any? { |line| line.include?(' AUTHORITY_REFUSED ') }

@@ -4,7 +4,7 @@
 .PHONY: bench rt-report bench-clients bench-codec bench-crowds bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve bound bound-approve
 
 # The scene is played on the rig of the integration tests, which asserts with Unity.
-BENCH_SCENE := $(call object,verification/bench/samples.c verification/integration/support/rig.c $(BOX_SOURCES) \
+BENCH_SCENE := $(call object,verification/bench/samples.c verification/bench/sample.c verification/integration/support/rig.c $(BOX_SOURCES) \
     $(NAMES) $(ANSWER_LIST) $(FIND_ROBOT))
 build/gcc/bin/bench-samples: $(BENCH_SCENE) build/gcc/libcore.a
 	@mkdir -p $(@D)
@@ -25,7 +25,7 @@ build/gcc/bin/bench-codec: verification/bench/codec.cpp $(CODEC)
 	@g++ -std=c++14 -Wall -O2 -g -Iapp -isystem /usr/include/openigtlink $^ -lOpenIGTLink -lpthread -o $@
 	@echo "built $@"
 
-SOURCES_bench-step := verification/bench/step.c $(FIND_ROBOT)
+SOURCES_bench-step := verification/bench/step.c verification/bench/sample.c $(FIND_ROBOT)
 $(eval $(call program,bench-step))
 
 build/gcc/bin/bench-clients: $(call object,verification/bench/clients.c app/igtl/wire/igtl_inbox.c) $(CODEC)

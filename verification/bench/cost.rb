@@ -33,6 +33,15 @@ class Cost
     [*STAGES, :all].to_h { |stage| [stage.to_s, row(scene.figures(counts, stage))] }
   end
 
+  # Median of the whole cycle, of cycles at equal distances, by the mode that the robot moved in; NONE at rest.
+  def self.medians_by_mode(*play)
+    scene = Scene.new(*play)
+    evens = scene.numbers.select { |i| scene.samples[i].is_even }
+    counts = ArmCounter.new.count(scene.file, evens)
+    evens.group_by { |i| scene.samples[i].mode }
+         .transform_values { |numbers| median(numbers.map { |i| counts[i][:all] }) }
+  end
+
   def self.row(figures)
     { 'median' => figures[:median], 'worst' => figures[:worst],
       'worst_in' => "cycle #{figures[:worst_cycle]} #{figures[:worst_with]}".strip }

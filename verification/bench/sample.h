@@ -10,6 +10,7 @@
 
 #include "controller/controller.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #define SAMPLES_MAGIC 0x504D5342U /**< "BSMP" */
@@ -23,6 +24,7 @@ typedef struct {
     uint32_t inputs_size;     /**< sizeof(controller_inputs_t). */
     uint32_t outputs_size;    /**< sizeof(controller_outputs_t). */
     uint32_t robot_crc;
+    uint32_t is_handless; /**< Played by sample_robot() without its force sensor: 0 or 1. */
     char robot[SAMPLES_ROBOT_SIZE]; /**< Its name. */
 } samples_header_t;
 
@@ -32,5 +34,8 @@ typedef struct {
     controller_inputs_t inputs;
     controller_outputs_t outputs; /**< As recorded. */
 } sample_t;
+
+/** @return `robot` as it is, or a copy whose file names no force sensor; the cards are the same */
+const robot_t *sample_robot(const robot_t *robot, bool is_handless);
 
 #endif

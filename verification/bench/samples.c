@@ -4,13 +4,16 @@
  * bench-samples: plays one scene with the real controller on the simulated control box, in
  * simulated time, and keeps single cycles of it. The same bytes on every run.
  *
- *     bench-samples SAMPLES ROBOT
+ *     bench-samples SAMPLES ROBOT [hand|handless]
  *
  * The NeuroRobot is seen from its start on. Any other robot has been homed before: it goes to a
- * target, retracts, and, where an axis has waves, is swept.
+ * target, retracts, and, where an axis has waves, is swept. With `hand` it rests, and a hand and
+ * then the robot alone insert its needle; with `handless` it rests in the same way, and its file
+ * names no force sensor.
  *
  * Kept is every SAMPLES_DISTANCE-th cycle and every one with a command, an answer or an event.
- * Standard output has one line for each, tabulated: "even" or "extra", cycle, what happened in it.
+ * Standard output has one line for each, tabulated: "even" or "extra", cycle, the mode that the
+ * robot moves in, what happened.
  */
 #include "base/contract.h"
 #include "bench/sample.h"
@@ -29,8 +32,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SAMPLES_DISTANCE 100U
-#define LONGEST_WAIT_CYCLES 40000U
+#define SAMPLES_DISTANCE 101U /* No multiple of the slots, which have their turns. */
+#define LONGEST_WAIT_CYCLES 150000U
+#define ENTRY_Z_NM 90000000
+#define HAND_WAY_NM 20000000
+#define HAND_OFF_CYCLES 200U
+#define HAND_PUSH_CYCLES 4000U
+#define REST_CYCLES 4000U
 
 static FILE *file;
 static const robot_t *robot;
@@ -82,6 +90,13 @@ static void print_label(void)
     (void)putchar('\n');
 }
 
+static const char *moving_mode(void)
+{
+    const snapshot_t *const shown = &sample.outputs.snapshot;
+    return (shown->order == (uint32_t)ARMING_STATE_MOVING) ? mode_kind_name((int32_t)shown->mode)
+                                                           : "NONE";
+}
+
 static void keep(void)
 {
     const bool is_even = (sample.cycle % SAMPLES_DISTANCE) == 0U;
@@ -91,7 +106,7 @@ static void keep(void)
         return;
     }
     samples.count++;
-    (void)printf("%s\t%" PRIu32 "\t", is_even ? "even" : "extra", sample.cycle);
+    (void)printf("%s\t%" PRIu32 "\t%s\t", is_even ? "even" : "extra", sample.cycle, moving_mode());
     print_label();
     if (fwrite(&sample, sizeof(sample), 1U, file) != 1U) {
         fail("the sample cannot be written");
@@ -336,22 +351,78 @@ static void play_homed(void)
     lose();
 }
 
+/* The base stands at the target, the needle out. */
+static void align_by_hand(void)
+{
+    rigid_t pose;
+    rigid_set_identity(&pose);
+    pose.translation = (point_t){5000000, -10000000, ENTRY_Z_NM};
+    rigid_t target_pose = pose;
+    target_pose.translation.z_nm = ENTRY_Z_NM + HAND_WAY_NM;
+    rig_start_robot_targeted(&rig, robot, &target_pose);
+    say_pose(COMMAND_ENTRY, &pose);
+    say_pose(COMMAND_TARGET, &target_pose);
+    say((command_t){.kind = (uint32_t)COMMAND_ALIGN});
+    cycles(1U);
+    order("pedal press");
+    finish();
+    order("pedal release");
+}
+
+/* Pushed for a part of its way by a hand, the needle goes the rest by the robot alone. */
+static void insert(void)
+{
+    say_phase(WORKPHASE_MOVE_TO_TARGET);
+    cycles(HAND_OFF_CYCLES);
+    say((command_t){.kind = (uint32_t)COMMAND_COOPERATE});
+    cycles(1U);
+    order("pedal press");
+    order("grip 1000");
+    order("hand press");
+    cycles(HAND_PUSH_CYCLES);
+    order("hand release");
+    cycles(HAND_OFF_CYCLES);
+    order("pedal release");
+    say_phase(WORKPHASE_MOVE_TO_TARGET);
+    order("pedal press");
+    finish();
+    order("pedal release");
+}
+
+static void play_by_hand(bool is_with_hand)
+{
+    align_by_hand();
+    cycles(REST_CYCLES);
+    if (is_with_hand) {
+        say((command_t){.kind = (uint32_t)COMMAND_ZERO_FORCE,
+                        .source = (uint32_t)COMMAND_SOURCE_HTTP,
+                        .peer = RIG_PAGE});
+        cycles(LIMIT_FORCE_ZERO_CYCLES + 1U);
+        insert();
+    }
+}
+
 int main(int count, char **arguments)
 {
-    robot = (count == 3) ? robots_find(arguments[2]) : NULL;
+    const char *const play = (count == 4) ? arguments[3] : "";
+    robot = ((count == 3) || (count == 4)) ? robots_find(arguments[2]) : NULL;
     file = (robot != NULL) ? fopen(arguments[1], "wb") : NULL;
     if (file == NULL) {
-        (void)fprintf(stderr, "usage: bench-samples SAMPLES ROBOT\nrobots: %s\n",
+        (void)fprintf(stderr, "usage: bench-samples SAMPLES ROBOT [hand|handless]\nrobots: %s\n",
                       robot_names_list());
         return EXIT_FAILURE;
     }
     UnityBegin("samples.c");
     samples.robot_crc = robot->crc;
+    samples.is_handless = (strcmp(play, "handless") == 0) ? 1U : 0U;
+    robot = sample_robot(robot, samples.is_handless != 0U);
     (void)snprintf(samples.robot, sizeof samples.robot, "%s", robot->name);
     if (fwrite(&samples, sizeof(samples), 1U, file) != 1U) {
         fail("the header cannot be written");
     }
-    if (strcmp(robot->name, "neuro") == 0) {
+    if (*play != '\0') {
+        play_by_hand(strcmp(play, "hand") == 0);
+    } else if (strcmp(robot->name, "neuro") == 0) {
         play_neuro();
     } else {
         play_homed();

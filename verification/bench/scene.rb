@@ -8,18 +8,19 @@ require_relative 'support'
 class Scene
   PROGRAM = File.join(ROOT, 'build/gcc/bin/bench-samples')
 
-  Sample = Struct.new(:is_even, :cycle, :label)
+  Sample = Struct.new(:is_even, :cycle, :mode, :label)
 
   attr_reader :samples, :file
 
-  def initialize(robot = 'neuro')
-    @file = File.join(BENCH_OUT, "samples-#{robot}.bin")
-    said, errors, status = Open3.capture3(PROGRAM, @file, robot)
+  # Without a play, its workflow.
+  def initialize(robot = 'neuro', *play)
+    @file = File.join(BENCH_OUT, "#{['samples', robot, *play].join('-')}.bin")
+    said, errors, status = Open3.capture3(PROGRAM, @file, robot, *play)
     raise BenchFailed, errors unless status.success?
 
     @samples = said.lines(chomp: true).map do |line|
-      kind, cycle, label = line.split("\t", 3)
-      Sample.new(kind == 'even', cycle.to_i, label)
+      kind, cycle, mode, label = line.split("\t", 4)
+      Sample.new(kind == 'even', cycle.to_i, mode, label)
     end
   end
 

@@ -43,12 +43,16 @@ static bool read_header(FILE *file)
     const bool is_read = fread(&samples, sizeof(samples), 1U, file) == 1U;
     samples.robot[SAMPLES_ROBOT_SIZE - 1U] = '\0';
     robot = robots_find(samples.robot);
-    return is_read && (robot != NULL) && (samples.magic == SAMPLES_MAGIC) &&
-           (samples.sample_size == sizeof(sample_t)) &&
-           (samples.controller_size == CONTROLLER_CHECKPOINT_BYTES) &&
-           (samples.inputs_size == sizeof(controller_inputs_t)) &&
-           (samples.outputs_size == sizeof(controller_outputs_t)) &&
-           (samples.robot_crc == robot->crc);
+    const bool is_sound = is_read && (robot != NULL) && (samples.magic == SAMPLES_MAGIC) &&
+                          (samples.sample_size == sizeof(sample_t)) &&
+                          (samples.controller_size == CONTROLLER_CHECKPOINT_BYTES) &&
+                          (samples.inputs_size == sizeof(controller_inputs_t)) &&
+                          (samples.outputs_size == sizeof(controller_outputs_t)) &&
+                          (samples.robot_crc == robot->crc);
+    if (is_sound) {
+        robot = sample_robot(robot, samples.is_handless != 0U);
+    }
+    return is_sound;
 }
 
 static bool step(FILE *file, uint32_t number)

@@ -2,7 +2,8 @@
 # frozen_string_literal: true
 
 # Rule under test: a control cycle of either clinical robot needs no more instructions than its requirement allows, and no
-# more than verification/bench/cost.yml approves. The measured figures are in build/bench/cost.yml.
+# more than verification/bench/cost.yml approves; a force sensor and a hand add no more than their requirement allows. The
+# measured figures are in build/bench/cost.yml.
 
 require 'minitest/autorun'
 require_relative 'cost'
@@ -26,6 +27,14 @@ class TestCost < Minitest::Test
 
   def test_SWR_CTRL_020_no_figure_is_above_the_approved_one
     assert_empty self.class.measured.complaints(Cost.approved)
+  end
+
+  def test_SWR_FORCE_760_a_force_sensor_costs_little_at_rest_and_an_insertion_by_hand_little_more_than_one_without
+    with = Cost.medians_by_mode('prostate', 'hand')
+    without = Cost.medians_by_mode('prostate', 'handless')
+    assert_operator with.fetch('NONE'), :>, without.fetch('NONE'), 'the robot without a sensor has one'
+    assert_operator with.fetch('NONE') - without.fetch('NONE'), :<=, LIMITS.fetch('force_rest_instructions')
+    assert_operator with.fetch('COOPERATE') - with.fetch('MOVE'), :<=, LIMITS.fetch('hand_instructions')
   end
 
   def test_SWR_CTRL_020_a_figure_that_grew_is_named_with_its_cycle_and_the_command

@@ -4,11 +4,11 @@
 
 # The workflow of a robot for its targets (core/robot/NAME/targets.yml), on the simulated control box, driven by a real
 # OpenIGTLink client under the foot pedal, as figures 33 and 35 of the thesis have it: home, carry into the scanner, drape,
-# register; target, move and read back, or align alone, insert by hand or by the robot; treat the last one, under the scanner if
-# targets.yml says so; retract; turn away, so that the patient can leave. At the end a push that moves the needle's axis.
+# register; target, move and read back, or align alone, insert by hand, by the robot or by both together; treat the last one, under
+# the scanner if targets.yml says so; retract; turn away, so that the patient can leave. At the end a push that moves the needle's axis.
 #
 #   ruby verification/demo/demo.rb NAME     exits 1 if a limit of SWR-DEMO-001 or 002 is missed, or if SWR-DEMO-003,
-#                                           SWR-THESIS-002 or SWR-FLOW-004 is
+#                                           SWR-THESIS-002, SWR-FLOW-004 or SWR-FLOW-007 is
 #
 # Leaves in build/demo/NAME: the black box (*.bsr), all of the run, motion.csv, motion.png, the picture of one axis (figures 29 to 31
 # of the thesis), targets.json, and points.csv with what the robot believes that it reached.
@@ -17,6 +17,7 @@ require 'English'
 require 'fileutils'
 require 'json'
 require 'open3'
+require_relative 'cooperation'
 require_relative 'report'
 require_relative 'targets'
 require_relative 'workflow'
@@ -70,6 +71,11 @@ class Demo
     @targets.each_target.any? { |target| target.by == 'hand' }
   end
 
+  # Figure 35: a hand at the handle.
+  def by_cooperation?
+    @targets.each_target.any? { |target| target.by == 'cooperation' }
+  end
+
   def hit?
     @rows.all? { |row| row[:error_mm] <= LIMITS.fetch('demo_error_nm') / 1e6 }
   end
@@ -83,9 +89,14 @@ class Demo
     @pushed == %i[in out fault]
   end
 
+  # Figure 35: both membranes were found and answered, no other, and the needle was drawn out before the next target.
+  def felt?
+    !by_cooperation? || (@cooperation.found_all? && @drawn.size == 2)
+  end
+
   # No rest has cost an axis its place, and the needle alone was drawn out.
   def whole?
-    @kept.all? && @drawn.size == 1
+    @kept.all? && @drawn.all? { |axes| axes.size == 1 }
   end
 
   private
@@ -107,9 +118,10 @@ class Demo
   end
 
   def draw_out
-    @drawn = moved { @workflow.retract }
+    drawn = moved { @workflow.retract }
+    (@drawn ||= []) << drawn.keys
     keep(true)
-    puts "Drawn out: #{@drawn.keys.join(', ')}"
+    puts "Drawn out: #{drawn.keys.join(', ')}"
   end
 
   # A pose by its name, without which this robot does.
@@ -188,19 +200,42 @@ class Demo
 
   def reach(target, number)
     propose(target.entry) if target.entry
-    move_s = target.by ? go_by_halves(target) : @robot.despite_pauses { timed { go(:move, target) } }
+    move_s = travel(target)
     reached = @workflow.measured
     row = { number: number, target: target.point, reached: reached.map { |value| value.round(3) },
             error_mm: Geometry.distance(reached, target.point).round(4), thesis_mm: target.thesis, move_s: move_s }
     puts "Target #{number}: #{row[:error_mm]} mm after #{move_s} s"
+    sample if target.by == 'cooperation'
     row
+  end
+
+  # Returns how long the robot has moved.
+  def travel(target)
+    case target.by
+    when 'cooperation' then cooperate(target)
+    when nil then @robot.despite_pauses { timed { go(:move, target) } }
+    else go_by_halves(target)
+    end
+  end
+
+  # The hand decides how long it takes.
+  def cooperate(target)
+    @cooperation = Cooperation.new(@robot, @workflow)
+    align_s = timed { go(:align, target) }
+    timed { @cooperation.insert(target) }
+    puts @cooperation.told
+    align_s
+  end
+
+  def sample
+    scanned(true) { rest('The sample taken', DWELL_S, from: :true_places) }
+    draw_out
   end
 
   def go(motion, target)
     @workflow.public_send(motion, Geometry.rows(target.rotation, target.point), accepts_entry: !target.entry.nil?)
   end
 
-  # Returns how long the robot has moved.
   def go_by_halves(target)
     align_s = timed { go(:align, target) }
     insert_by_hand if target.by == 'hand'
@@ -243,6 +278,7 @@ def leave_results(demo, is_replayed)
              result('test_SWR_DEMO_002_homing_and_moves_end_in_time', demo.punctual?, count + 1),
              result('test_SWR_DEMO_003_the_whole_run_is_replayed_and_every_output_is_equal', is_replayed, 2),
              result('test_SWR_THESIS_002_rests_cost_no_axis_its_place_and_the_needle_ends_out', demo.whole?, 3)]
+  results << result('test_SWR_FLOW_007_a_hand_inserts_a_steered_needle_through_its_membranes', demo.felt?, 3) if demo.by_cooperation?
   results << result('test_SWR_FLOW_004_inserted_by_hand_or_by_the_robot', demo.pushed?, 3) if demo.by_hand?
   Results.leave(results)
 end
@@ -283,6 +319,7 @@ def demonstrate(name)
   abort 'demo: a target was missed' unless demo.hit?
   abort 'demo: homing or a move took too long' unless demo.punctual?
   abort 'demo: an axis lost its place, or the needle did not end out' unless demo.whole?
+  abort 'demo: a membrane was missed, invented or not answered' unless demo.felt?
   abort 'demo: a push was reported otherwise than it was' unless demo.pushed? || !demo.by_hand?
 end
 

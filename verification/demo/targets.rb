@@ -7,8 +7,8 @@ require_relative 'geometry'
 # The targets of a robot, core/robot/NAME/targets.yml, which says what the fields mean. Scanner coordinates, mm.
 class Targets
   # Where the treatment frame shall be: rotation as rows, and point; the entry point or nil; the thesis' error or nil;
-  # how it is reached: nil, 'halves' or 'hand'.
-  Target = Struct.new(:rotation, :point, :entry, :thesis, :by)
+  # how it is reached: nil, 'halves', 'hand' or 'cooperation', and with what helpers.
+  Target = Struct.new(:rotation, :point, :entry, :thesis, :by, :membranes, :steer)
 
   attr_reader :note, :close_up, :images, :poses
 
@@ -37,7 +37,7 @@ class Targets
 
   def placed(target)
     rotation = Geometry.turned(Geometry.multiply(base, @file[:frame]), target[:turns])
-    Target.new(rotation, target[:point], before(target, rotation), target[:thesis], target[:by])
+    Target.new(rotation, target[:point], before(target, rotation), *target.values_at(:thesis, :by, :membranes, :steer))
   end
 
   # On the needle's line, which is the frame's z axis.

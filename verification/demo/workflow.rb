@@ -48,6 +48,27 @@ class Workflow
     order('INSERT')
   end
 
+  # With the needle out and nothing at the sensor.
+  def zero_force
+    answered('ZERO_FORCE')
+  end
+
+  # Depths below the entry point, mm.
+  def expect_membranes(depths)
+    answered('MEMBRANES', depths.join(' '))
+  end
+
+  # Curvature per m, and the direction of the rotation's axis in degrees.
+  def steer(steering)
+    answered('STEER', format('BIDIRECTIONAL %<per_m>s /m %<toward>s deg', steering))
+  end
+
+  # The block is the hand, under the pedal.
+  def cooperate(&hand)
+    phase('MOVE_TO_TARGET')
+    order('COOPERATE', &hand)
+  end
+
   # All axes but the needle.
   def pose(name)
     phase('MANUAL')
@@ -82,15 +103,20 @@ class Workflow
   private
 
   def accept_entry
-    say('string', 'ACCEPT_ENTRY', 'ACCEPT_ENTRY')
-    await('ACCEPT_ENTRY')
+    answered('ACCEPT_ENTRY')
   end
 
-  # A motion with a word of its own, which it is answered by.
-  def order(word, text = word)
+  # A word that moves nothing.
+  def answered(word, text = word)
+    say('string', word, text)
+    await(word)
+  end
+
+  # A motion with a word of its own, which it is answered by. The block is done under the pedal, while the client reads.
+  def order(word, text = word, &)
     say('string', word, text)
     await("ACK_#{word}")
-    hold_pedal(word)
+    hold_pedal(word, &)
   end
 
   # Commands with the pedal up, then holds the pedal until the result is there.
@@ -99,9 +125,11 @@ class Workflow
     hold_pedal(phase)
   end
 
-  def hold_pedal(result)
+  def hold_pedal(result, &)
     @robot.simctl('pedal', 'press')
+    beside = Thread.new(&) if block_given?
     await(result)
+    beside&.join
     @robot.simctl('pedal', 'release')
     @robot.wait_until('the pedal is seen released') { @robot.status['pedal'] == 'released' }
   end

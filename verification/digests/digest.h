@@ -14,8 +14,8 @@ typedef struct {
 
 void digest_begin(digest_t *self);
 
-/** Adds frames, answers and events of one cycle. Of an answer that counts which its command, kind
- * and status give a meaning to. */
+/** Adds frames, answers and events of one cycle. Only those fields of an
+ * answer count to which its command, kind and status give a meaning. */
 void digest_add(digest_t *self, const controller_outputs_t *outputs);
 
 #endif

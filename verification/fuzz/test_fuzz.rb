@@ -11,6 +11,8 @@ require 'tmpdir'
 class TestFuzz < Minitest::Test
   FOLDER = File.expand_path('../../build/fuzz', __dir__)
   LAST_LINES = 60
+  STREAMS = 400_000
+  SCENES = 14_000
 
   def play(target, runs, longest)
     Dir.mktmpdir do |found|
@@ -22,7 +24,7 @@ class TestFuzz < Minitest::Test
   end
 
   def test_SWR_IGTL_046_any_bytes_are_read_inside_their_bounds_and_however_they_are_cut_the_same
-    play('codec', 400_000, 6000)
+    play('codec', STREAMS, 6000)
   end
 
   def test_SWR_IGTL_023_any_file_of_ports_is_understood_or_refused_with_a_reason
@@ -34,6 +36,6 @@ class TestFuzz < Minitest::Test
   end
 
   def test_SWR_IGTL_047_what_must_hold_of_peers_and_commands_holds_whatever_they_say
-    play('dialect', 14_000, 512)
+    play('dialect', SCENES, 512)
   end
 end

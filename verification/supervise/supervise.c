@@ -101,8 +101,8 @@ static void report_endings(ending_t ending, const char *words)
 
 static void report_losses(void)
 {
-    uint32_t losses[REIGN_LOSSES];
-    for (uint32_t i = 0U; i < REIGN_LOSSES; i++) {
+    uint32_t losses[AUTHORITY_LOSSES];
+    for (uint32_t i = 0U; i < AUTHORITY_LOSSES; i++) {
         losses[i] = scene.oracle.losses[i] + scene.oracle.authority_oracle.losses[i];
     }
     printf(
@@ -129,13 +129,16 @@ static void report_orders(void)
 }
 
 /* Effects of time and faults, beside the sentences. */
-static void report_found(void)
+static const event_id_t late_events[] = {
+    EVENT_LOOP_STOPPED,   EVENT_CARD_LOST,      EVENT_CARD_UNWELL,      EVENT_AXIS_REFERENCE_LOST,
+    EVENT_AXIS_NO_COUNTS, EVENT_AXIS_WRONG_WAY, EVENT_AXIS_WRONG_SPEED, EVENT_AXIS_UNEVEN_COUNTS};
+
+static const event_id_t hand_events[] = {EVENT_MEMBRANE_UNEXPECTED, EVENT_VIBRATION_BEGUN,
+                                         EVENT_FORCE_DOUBTED, EVENT_MEMBRANES_UNSEEN};
+
+static void report_found(const event_id_t ids[], uint32_t count)
 {
-    static const event_id_t ids[] = {EVENT_LOOP_STOPPED,     EVENT_CARD_LOST,
-                                     EVENT_CARD_UNWELL,      EVENT_AXIS_REFERENCE_LOST,
-                                     EVENT_AXIS_NO_COUNTS,   EVENT_AXIS_WRONG_WAY,
-                                     EVENT_AXIS_WRONG_SPEED, EVENT_AXIS_UNEVEN_COUNTS};
-    for (uint32_t i = 0U; i < (sizeof ids / sizeof ids[0]); i++) {
+    for (uint32_t i = 0U; i < count; i++) {
         printf("%s %u %s", (i == 0U) ? "events:" : ",", (unsigned)scene.oracle.found[ids[i]],
                event_id_name((int32_t)ids[i]));
     }
@@ -169,7 +172,11 @@ static bool report(play_t play, uint32_t count)
     report_losses();
     report_orders();
     if (play == PLAY_LATE) {
-        report_found();
+        report_found(late_events, (uint32_t)(sizeof late_events / sizeof late_events[0]));
+    } else if (play == PLAY_HANDS) {
+        report_found(hand_events, (uint32_t)(sizeof hand_events / sizeof hand_events[0]));
+    } else {
+        /* Its sentences say all of it. */
     }
     report_endings(ENDING_MOVE, "moves");
     if (has_run_and_stop()) {

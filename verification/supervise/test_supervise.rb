@@ -21,7 +21,7 @@ class TestSupervise < Minitest::Test
   ROBOTS = { 'neuro' => 1.0, 'bench2' => 0.25, 'prostate' => 0.05 }.freeze
   # How many scenes, or moves; and flips of bits for each.
   PLAYS = { random: 74, corners: 24, interrupted: 24, spread: 30, magnitude: 30, jogs: 30, taps: 47,
-            rivals: 50, modes: 14, programs: 6, sweeps: 60, operator: 40, late: 40, hands: 80 }.freeze
+            rivals: 50, modes: 14, programs: 6, sweeps: 60, operator: 40, late: 40, hands: 480 }.freeze
   # Those of scenes, whether or not a move comes about.
   SCENES = %i[random jogs taps rivals modes programs sweeps operator late hands].freeze
   # Card that an axis of the robot must have for a play, or the hand of its file; and the reason why not otherwise.
@@ -65,6 +65,7 @@ class TestSupervise < Minitest::Test
     SWR_COOP_003_no_hand_takes_the_true_needle_past_its_target: /No hand takes the true needle past/,
     SWR_COOP_013_without_a_hand_that_pushes_no_insertion_by_hand_goes_on: /Without a hand that truly pushes/,
     SWR_STEER_006_a_needle_that_is_steered_gains_no_depth_without_its_rotation: /needle that is steered gains no/,
+    SWR_VIB_707_a_needle_that_vibrates_goes_no_deeper_than_its_stop: /needle that vibrates goes no deeper/,
     SWR_AXIS_019_no_fault_is_found_where_there_is_none: /nothing is broken, no fault/,
     SWR_CTRL_014_no_axis_is_called_faulty_for_time_or_wires: /of which nothing is broken is not called faulty/,
     SWR_MOTION_007_no_axis_goes_beyond_its_end: /beyond its end/,
@@ -145,6 +146,14 @@ class TestSupervise < Minitest::Test
         orders = lines(robot, play).grep(/orders that were done/).first
         order = { sweeps: 'SWEEP', programs: 'RUN_PROGRAM', hands: 'COOPERATE' }.fetch(play)
         assert_match(/[1-9]\d* of \d+ #{order}/, orders)
+      end
+    end
+
+    if plays_of_sentences(robot).include?(:hands)
+      # Each of them would hold of scenes in which nothing is felt.
+      define_method("test_SWR_VIB_707_hands_meet_membranes_vibrations_and_doubts_#{robot}") do
+        events = lines(robot, :hands).grep(/\Aevents:/).first.scan(/(\d+) ([A-Z_]+)/).to_h { |count, name| [name, count.to_i] }
+        %w[MEMBRANE_UNEXPECTED VIBRATION_BEGUN FORCE_DOUBTED].each { |name| assert_operator events.fetch(name), :>, 0, name }
       end
     end
 

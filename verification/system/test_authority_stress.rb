@@ -2,7 +2,7 @@
 # frozen_string_literal: true
 
 # Rule under test: with any clients that compete for authority and any process killed meanwhile, one commands at a time and no other
-# moves anything. The recording of one fight is replayed under an oracle, and kept in build/authority_stress/ if a rule was broken;
+# moves anything. The recording of one run is replayed under an oracle, and kept in build/authority_stress/ if a rule was broken;
 # `make authority-stress MINUTES=5` is a longer one.
 
 require_relative 'support/system_test'

@@ -181,7 +181,7 @@ static bool read_value(http_call_t *self, const robot_t *robot)
     }
 }
 
-/* The body, before it is read: how it is sent, how long it is, and what it is. */
+/* The body, before it is read: its transfer, its length and its type. */
 static int judge_body(const http_call_t *self)
 {
     const struct mg_request_info *request = mg_get_request_info(self->connection);

@@ -11,7 +11,7 @@
 
 #define SILENCE_S 1
 
-/* Waits, not for ever, for a frame new to the client. Returns its size; 0: there is none. */
+/* Waits, with a bound, for a frame new to the client. Returns its size; 0: none exists. */
 static size_t wait_for_frame(http_stream_t *self, http_stream_client_t *client)
 {
     struct timespec until;
@@ -27,7 +27,7 @@ static size_t wait_for_frame(http_stream_t *self, http_stream_client_t *client)
     return size;
 }
 
-static void converse(http_stream_t *self, http_stream_client_t *client, const char *hello)
+static void send_and_wait(http_stream_t *self, http_stream_client_t *client, const char *hello)
 {
     http_server_t *server = mg_get_user_data(mg_get_context(client->connection));
     bool is_there = http_stream_greet(client, server, hello);
@@ -68,7 +68,7 @@ int http_stream_serve(http_stream_t *self, struct mg_connection *connection, con
         !http_reply_is_head_asked(connection)) {
         client->connection = connection;
         client->next_event = next_event;
-        converse(self, client, hello);
+        send_and_wait(self, client, hello);
     }
     free(client);
     leave(self);

@@ -204,7 +204,7 @@ static void write_cookie(const http_server_t *server, const struct mg_connection
                    name, id, age_s, is_tls ? "; Secure" : "");
 }
 
-/* It is sent where one logs in alone. NULL: there is none. */
+/* It is sent where one logs in alone. NULL: none exists. */
 static const char *write_device_cookie(http_server_t *server,
                                        const struct mg_connection *connection, const login_t *login,
                                        char cookie[COOKIE_SIZE])

@@ -164,7 +164,7 @@ void http_transaction_keep_request(const struct mg_connection *connection, const
     } else if ((self != NULL) && (size > 0U)) {
         (void)snprintf(self->request, sizeof self->request, "(%zu bytes)", size);
     } else {
-        /* It is not kept, or there is none. */
+        /* It is not kept, or none exists. */
     }
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file How long clients wait for control. */
+/** @file Time that clients wait for control. */
 #ifndef BORESIGHT_ANSWER_TIMEOUT_H
 #define BORESIGHT_ANSWER_TIMEOUT_H
 
@@ -9,7 +9,7 @@
 
 #define ANSWER_POLL_MS 2U /**< From one look for the answer to the next. */
 
-/** How many looks without an answer before control counts as silent: 500 ms of the board's time.
+/** Looks without an answer before control counts as silent: 500 ms of the board's time.
  * Looks are counted and no time, as a pause of the machine is one look; a slow board answers
  * slowly.
  */

@@ -102,7 +102,7 @@ static bool search(http_server_t *server, const log_filter_t *filter, uint32_t e
     return is_done;
 }
 
-/* Finds what is asked; 0, or the status of the refusal that was sent. */
+/* Finds the requested file; 0, or the status of the refusal that was sent. */
 static int find_events(http_server_t *server, struct mg_connection *connection,
                        const asked_t *asked, log_filter_t *filter, log_search_t *found)
 {

@@ -18,7 +18,7 @@ typedef struct {
     command_kind_t end;
     /** Answers with what is held. @return the status that was sent */
     int (*show)(const http_call_t *call, const snapshot_t *snapshot);
-    /** How many items are held. */
+    /** Number of items that are held. */
     uint32_t (*held)(const snapshot_t *snapshot);
     /** The command that hands in item `index` of `items`, and `*crc` with it. False: no command can
      * hold it. */

@@ -11,7 +11,7 @@
 #include "http/call/http_context.h"
 
 /**
- * Takes the key of the box from the file `path` (NULL: there is none), making it if need be.
+ * Takes the key of the box from the file `path` (NULL: none exists), making it if need be.
  * Without it nothing is saved, and no sealed file is taken; why is said on standard error.
  */
 void http_positions_begin(http_server_t *server, const char *path);

@@ -35,7 +35,7 @@ bool account_is_name(const char *text);
 /** The role that is called `text`, in lower case. False: none is. */
 bool account_read_role(const char *text, role_t *role);
 
-/** A role's name in lower case. Lives for ever. */
+/** A role's name in lower case. Lives as long as the process. */
 const char *account_role_word(role_t role);
 
 /**
@@ -64,13 +64,13 @@ bool accounts_read(accounts_t *self, const char *file, char *error, size_t error
  */
 bool accounts_write(const accounts_t *self, const char *file, char *error, size_t error_size);
 
-/** The account of this name; NULL: there is none. */
+/** The account of this name; NULL: none exists. */
 account_t *accounts_find(accounts_t *self, const char *name);
 
 /** Adds an account or replaces the one of its name. False when there are too many. */
 bool accounts_put(accounts_t *self, const account_t *account);
 
-/** False when there is none of this name. */
+/** False when no account has this name. */
 bool accounts_remove(accounts_t *self, const char *name);
 
 #endif

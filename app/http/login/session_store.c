@@ -248,7 +248,7 @@ static void report_opened(const session_store_t *self, const login_t *login,
            (login->name == NULL) ? "by the code of the first login" : "by password");
 }
 
-/* LOGIN_OPENED: it is right. `account` NULL: there is none of that name. */
+/* LOGIN_OPENED: it is right. `account` NULL: none has that name. */
 static login_verdict_t judge_password(session_store_t *self, const login_t *login,
                                       const account_t *account, uint64_t now_ms, uint32_t *wait_s)
 {

@@ -123,11 +123,11 @@ login_verdict_t session_store_log_in(session_store_t *self, const login_t *login
 void session_store_note_refusal(session_store_t *self, const login_t *login, const char *why,
                                 uint64_t now_ms);
 
-/** Writes the mark for a browser in which `name` has logged in. False: there is none. */
+/** Writes the mark for a browser in which `name` has logged in. False: none exists. */
 bool session_store_write_mark(const session_store_t *self, const char *name,
                               char mark[DEVICE_MARK_SIZE]);
 
-/** Copies the open session with this id to `session`. False: there is none. `id` may be NULL. */
+/** Copies the open session with this id to `session`. False: none exists. `id` may be NULL. */
 bool session_store_find(session_store_t *self, const char *id, uint64_t now_ms, session_t *session);
 
 /**

@@ -47,12 +47,12 @@ typedef struct {
 const session_t *session_table_open(session_table_t *self, const account_t *account,
                                     uint64_t now_ms);
 
-/** The open session with this id; NULL: there is none. */
+/** The open session with this id; NULL: none exists. */
 session_t *session_table_find(session_table_t *self, const char *id, uint64_t now_ms);
 
 /**
  * The session of this account from which nothing has been heard for the longest, and for
- * LIMIT_SESSION_LEFT_S; NULL: there is none.
+ * LIMIT_SESSION_LEFT_S; NULL: none exists.
  *
  * @satisfies SWR-SESS-029
  */

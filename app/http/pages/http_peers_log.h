@@ -18,7 +18,7 @@ typedef enum { HTTP_PEERS_LOG_STATUS = 0, HTTP_PEERS_LOG_REFUSAL = 1 } http_peer
 
 #define HTTP_PEERS_LOG_KINDS 2U
 
-/** How many of its changes are in the log. */
+/** Number of its changes that are in the log. */
 typedef struct {
     uint64_t since_us; /**< Begin of the connection: numbers begin anew with each run of igtl. */
     uint32_t number;

@@ -11,7 +11,7 @@
 #define LEFT_OUT_SIZE 48U
 #define PATH_MOST 64
 
-/* How many requests are written at once, and one more each so many ms. */
+/* Requests that are written at once, and the ms after which one more is. */
 typedef struct {
     uint64_t most_ms;
     uint64_t each_ms;

@@ -49,7 +49,7 @@ void http_record_init(http_record_t *self, http_notes_t *notes, uint64_t now_ms)
  */
 void http_record_write(http_record_t *self, const http_record_entry_t *entry, uint64_t now_ms);
 
-/** Notes how many requests were left out, once there is room again; called at 20 Hz. */
+/** Notes the number of requests that were left out, once there is room again; called at 20 Hz. */
 void http_record_tick(http_record_t *self, uint64_t now_ms);
 
 #endif

@@ -42,13 +42,13 @@ typedef struct {
     uint32_t turn;
 } page_table_t;
 
-/** NULL: there is none of this number. */
+/** NULL: no page has this number. */
 page_t *page_table_find(page_table_t *self, uint32_t number);
 
 /**
  * Where a new page of `session` goes: a free place, or that of a page that is forgotten for it.
  *
- * @return NULL when there is none
+ * @return NULL when none exists
  */
 page_t *page_table_place(page_table_t *self, const session_t *session, uint32_t kept);
 

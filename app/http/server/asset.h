@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** One file. Everything it points to lives for ever. */
+/** One file. Everything it points to lives as long as the process. */
 typedef struct {
     const char *path;  /**< As requested, with its slash in front. */
     const char *type;  /**< Content type. */
@@ -29,7 +29,7 @@ extern const size_t asset_count;
  * clear or by TLS. To be called once, before anything is served. */
 void asset_report_stop_ports(uint32_t port, uint32_t tls_port);
 
-/** The asset requested by `path`, "/" being the page itself; NULL when there is none. */
+/** The asset requested by `path`, "/" being the page itself; NULL when none exists. */
 const asset_t *asset_find(const char *path);
 
 /** Writes the ETag of an asset, or of its packed bytes, with its quotes. */

@@ -93,7 +93,7 @@ static void take_request(stop_client_t *self, exchange_t *exchange)
     }
 }
 
-/* Returns how many bytes have come, 0: none. */
+/* Returns the number of bytes that have come, 0: none. */
 static size_t receive(stop_client_t *self, char *place, size_t room, int flags)
 {
     const ssize_t count = recv(self->socket, place, room, MSG_DONTWAIT | flags);

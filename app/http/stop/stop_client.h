@@ -24,7 +24,7 @@ typedef enum {
 } stop_client_state_t;
 
 typedef struct {
-    int socket; /**< -1: there is none. */
+    int socket; /**< -1: none exists. */
     const gate_t *gate;
     stop_client_state_t state;
     uint64_t number; /**< In the order of coming. */

@@ -35,7 +35,7 @@ gate_t *stop_port_gate(stop_port_gate_t gate);
  * Opens the port for stops on `address`: the one noted in the exchange, so that pages go on after a
  * restart, or else a free one; it is noted then and in each turn, as a neighbour may damage it.
  *
- * @return the port; 0 when there is none, and stops pass by the console's port alone
+ * @return the port; 0 when none exists, and stops pass by the console's port alone
  *
  * @satisfies SWR-HTTP-007
  */

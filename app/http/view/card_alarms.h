@@ -29,7 +29,7 @@ bool card_alarms_is_back(const telemetry_view_t *view, uint32_t slot);
 bool card_alarms_has_trouble(const telemetry_view_t *view, uint32_t slot, uint32_t trouble);
 
 /**
- * The loss of all cards of axes at once; COMMON_ALARM_COUNT: there is none.
+ * The loss of all cards of axes at once; COMMON_ALARM_COUNT: none exists.
  *
  * @satisfies SWR-HTTP-151
  */

@@ -21,7 +21,7 @@ typedef struct {
     uint32_t tightest; /**< With STATUS_OK the axis with the least room, beside its range. */
 } preview_t;
 
-/** How far `ticks` is from the nearer soft limit of `axis`, in ticks. */
+/** Distance of `ticks` from the nearer soft limit of `axis`, in ticks. */
 int32_t preview_room_ticks(const axis_config_t *axis, int32_t ticks);
 
 /**

@@ -39,7 +39,7 @@ typedef enum {
 typedef struct {
     uint32_t number; /**< Number of the connection, never used again. */
     igtl_language_t language;
-    const char *entry_prefix; /**< Names of entry points begin so. Lives for ever. */
+    const char *entry_prefix; /**< Names of entry points begin so. Lives as long as the process. */
     igtl_outbox_t *outbox;
 } igtl_introduction_t;
 

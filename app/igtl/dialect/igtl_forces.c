@@ -14,7 +14,7 @@ static const struct {
 } names[ROBOT_FORCE_CHANNELS] = {[FORCE_CHANNEL_HAND] = {"FORCE_HAND", "ForceHand"},
                                  [FORCE_CHANNEL_NEEDLE] = {"FORCE_NEEDLE", "ForceNeedle"}};
 
-/* Of a force that has one. */
+/* First doubt of a force that has one. */
 static int32_t first_doubt(const snapshot_force_t *force)
 {
     int32_t doubt = 0;

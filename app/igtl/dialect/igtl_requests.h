@@ -71,7 +71,7 @@ igtl_request_t *igtl_requests_overdue(igtl_requests_t *self, uint64_t now_us);
 /** Takes back a command that could not be passed on; it is the last again. */
 void igtl_requests_keep(igtl_requests_t *self, const command_t *command);
 
-/** The next command to pass on; false when there is none. */
+/** The next command to pass on; false when none exists. */
 bool igtl_requests_take(igtl_requests_t *self, command_t *command);
 
 #endif

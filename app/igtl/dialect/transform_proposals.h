@@ -38,7 +38,7 @@ typedef struct {
 /** The command that proposes the subject of a message `name`, COMMAND_NONE for another name. */
 command_kind_t transform_proposals_kind(const char *name);
 
-/** The name of the subject of the command, "" for another command. Lives for ever. */
+/** The name of the subject of the command, "" for another command. Lives as long as the process. */
 const char *transform_proposals_name(const command_t *command);
 
 /**

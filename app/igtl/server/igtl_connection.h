@@ -81,9 +81,9 @@ igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us
 bool igtl_connection_flush(igtl_connection_t *self);
 
 /**
- * How long what was sent has stayed without any acknowledgement by the peer's machine, us; 0 at the
- * first call, and while nothing waits. A program that has stopped is seen once its machine takes no
- * more for it.
+ * Time for which sent bytes have stayed without any acknowledgement by the peer's machine, us; 0 at
+ * the first call, and while nothing waits. A program that has stopped is seen once its machine
+ * takes no more for it.
  *
  * @satisfies SWR-IGTL-027
  */

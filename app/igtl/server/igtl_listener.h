@@ -10,7 +10,7 @@
  * the cause in errno. */
 int igtl_listener_open(uint32_t address, uint16_t number, char *error, size_t error_size);
 
-/** The next connection and from where it comes; -1 when there is none. */
+/** The next connection and from where it comes; -1 when none exists. */
 int igtl_listener_accept(int listener, uint32_t *address, uint16_t *number);
 
 #endif

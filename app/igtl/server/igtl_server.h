@@ -53,7 +53,7 @@ void igtl_server_receive(igtl_server_t *self, const igtl_moment_t *moment);
 void igtl_server_send(igtl_server_t *self, const igtl_moment_t *moment);
 
 /**
- * Carries out what was asked of a connection. One that has authority is not disconnected.
+ * Carries out the request about a connection. One that has authority is not disconnected.
  *
  * @return STATUS_OK, STATUS_HOLDS_AUTHORITY, STATUS_UNKNOWN_COMMAND when this port has none of that
  * number

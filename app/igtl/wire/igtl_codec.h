@@ -126,7 +126,8 @@ typedef struct {
     uint32_t number_bytes;  /**< NDARRAY: 4 or 8 of each number. */
 } igtl_message_t;
 
-/** Name and sentence, "BAD_CRC: The checksum of the body is wrong.". Lives for ever. */
+/** Name and sentence, "BAD_CRC: The checksum of the body is wrong.". Lives as long as the process.
+ */
 const char *igtl_result_text(igtl_result_t result);
 
 /** STATUS code that reports `result` to a peer. */

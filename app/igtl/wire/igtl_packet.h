@@ -50,7 +50,7 @@ typedef struct {
 void igtl_encode_status(igtl_packet_t *packet, const char *name, const igtl_status_t *status,
                         uint64_t timestamp);
 
-/** Nothing of a `type` (of up to 12 characters): the answer to a query when there is none. */
+/** Nothing of a `type` (of up to 12 characters): the answer to a query when none exists. */
 void igtl_encode_empty(igtl_packet_t *packet, const char *type, const char *name,
                        uint64_t timestamp);
 

@@ -30,7 +30,7 @@ typedef status_t (*workphase_reader_t)(const robot_t *robot, char *text, command
 
 /** A word, which names as well what it is answered by. */
 typedef struct {
-    const char *word; /**< Lives for ever. */
+    const char *word; /**< Lives as long as the process. */
     command_kind_t kind;
     command_payload_t as;      /**< Its payload, but for the values that its reader adds. */
     workphase_reader_t reader; /**< NULL: nothing follows it. */

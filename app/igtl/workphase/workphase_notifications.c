@@ -122,7 +122,7 @@ void workphase_notifications_fault_text(const workphase_dialect_t *self, uint32_
     write_failures(self->robot, &facts, axis, moment->snapshot, text);
 }
 
-/* How far the pose of the needle is from being known. */
+/* Distance of the pose of the needle from being known, 0: it is. */
 static uint32_t doubt_of(uint32_t pose_status)
 {
     switch (pose_status) {

@@ -65,7 +65,7 @@ void workphase_peer_send_unit(workphase_peer_t *self, const char *word, const ch
                               const igtl_moment_t *moment);
 
 /** The name under which a needle's tip is reported to the peer: in 2013 STATUS(MOVE_TO_TARGET, 1)
- * states that the needle has arrived. Lives for ever. */
+ * states that the needle has arrived. Lives as long as the process. */
 const char *workphase_peer_tip_subject(const workphase_peer_t *self);
 
 /** Sends STRING(`name`, "1" or "0"). */

@@ -17,7 +17,7 @@
 
 /** A file to be sent. */
 typedef struct {
-    int file; /**< -1: there is none. */
+    int file; /**< -1: none exists. */
     char name[FILE_SERIES_NAME_SIZE];
     uint64_t bytes;       /**< Its whole bytes, from its beginning. */
     uint64_t modified_ns; /**< UTC since 1970. */
@@ -46,7 +46,7 @@ typedef struct {
  *
  * @param present  number of the one that is being written, 0: none; of that recording only whole
  *                 blocks are there
- * @return false: there is none, `self->file` is -1
+ * @return false: none exists, `self->file` is -1
  *
  * @satisfies SWR-HTTP-047
  * @satisfies SWR-REC-015
@@ -65,7 +65,7 @@ void archive_close(archive_file_t *self);
  * Lists the newest recordings first, at most `most`.
  *
  * @param present  number of the one that is being written; 0: none
- * @return how many
+ * @return their number
  *
  * @satisfies SWR-REC-017
  */

@@ -254,7 +254,7 @@ static void release_written(black_box_t *self)
     }
 }
 
-/* False when there is none, or it cannot be written. The one that ends a block may be in it or
+/* False when none exists, or it cannot be written. The one that ends a block may be in it or
  * behind it. */
 static bool take_one(black_box_t *self, uint64_t now_us)
 {

@@ -63,8 +63,8 @@ void black_box_drain(black_box_t *self, uint64_t now_us);
  * Closes the present file with its trailer, which says that the run ends with it if control has
  * ended and the file has its last cycle.
  *
- * @return how many cycles at the end of the run are in no recording, which was said; 0 as well
- * while control runs and the recorder can write: the next one goes on
+ * @return the number of cycles at the end of the run that are in no recording, which was reported;
+ * 0 as well while control runs and the recorder can write: the next one goes on
  *
  * @satisfies SWR-REC-031
  * @satisfies SWR-REC-040

@@ -19,7 +19,7 @@ typedef struct {
     int file;              /**< -1: not open; tried again at the next sync. */
     uint64_t size;         /**< Size of the file, in bytes. */
     uint32_t severity;     /**< Those and above are written; the file says so. */
-    uint32_t number;       /**< Number of its file, and of the one before; 0: there is none. */
+    uint32_t number;       /**< Number of its file, and of the one before; 0: none exists. */
     uint32_t number_before;
     uint32_t next; /**< Number of the next event. */
     bool is_dirty;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * How long the disk of the recordings lasts at the rate at which they grow. The black box owns one.
+ * Time for which the disk of the recordings lasts at the rate at which they grow. The black box
+ * owns one.
  */
 #ifndef BORESIGHT_RECORDING_ROOM_H
 #define BORESIGHT_RECORDING_ROOM_H

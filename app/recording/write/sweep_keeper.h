@@ -25,7 +25,7 @@ typedef struct {
 } sweep_keeper_t;
 
 /**
- * Hears one event, the next after those before; `lost`: there were others between.
+ * Takes one event, the next after those before; `lost`: there were others between.
  *
  * @return false when the curve of a sweep that was done could not be kept, with errno set
  *
@@ -33,7 +33,8 @@ typedef struct {
  */
 bool sweep_keeper_hear(sweep_keeper_t *self, const exchange_event_t *event, uint32_t lost);
 
-/** Hears all that the exchange has gained. A curve that cannot be kept is reported on stderr. */
+/** Takes all events that the exchange has gained. A curve that cannot be kept is reported on
+ * stderr. */
 void sweep_keeper_drain(sweep_keeper_t *self, const exchange_t *exchange);
 
 #endif

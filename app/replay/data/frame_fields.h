@@ -9,7 +9,7 @@
 /** Fields of card_command_t. */
 extern const field_t fields_card_command[];
 
-/** Name of a card_drive_mode_t. Lives for ever. */
+/** Name of a card_drive_mode_t. Lives as long as the process. */
 const char *frame_drive_word(int32_t value);
 
 #endif

@@ -19,7 +19,7 @@ typedef struct {
     char prefix[SOURCE_NAME_SIZE]; /**< "yaw_". */
 } source_t;
 
-/** Writes those of `robot`, which must outlive them. How many there are. */
+/** Writes those of `robot`, which must outlive them. Returns their number. */
 uint32_t source_find(const robot_t *robot, source_t sources[SOURCES]);
 
 /** Gives `sink` its series in `snapshot`, for an axis also its output in percent. */

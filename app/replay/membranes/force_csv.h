@@ -51,7 +51,7 @@ typedef struct {
 /**
  * The sample of the next millisecond: on the straight line between two rows.
  *
- * @return false: there is none
+ * @return false: none exists
  */
 bool force_samples_next(force_samples_t *self, force_row_t *sample);
 

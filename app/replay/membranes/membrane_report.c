@@ -58,7 +58,7 @@ bool membrane_report_take_noise(membrane_report_t *self, const char *text)
     return self->has_noise;
 }
 
-/* Of a regular file that is not too large; -1 after a sentence. */
+/* Size of a regular file that is not too large; -1 after a sentence. */
 static int64_t size_of(FILE *file, const char *path)
 {
     struct stat found;
@@ -78,14 +78,34 @@ static int64_t size_of(FILE *file, const char *path)
     return (int64_t)found.st_size;
 }
 
+/* Nothing of it would be read behind a byte of 0. */
+static bool is_text(const char *text, size_t count, const char *path)
+{
+    uint32_t line = 1U;
+
+    if (strlen(text) == count) {
+        return true;
+    }
+    for (const char *at = strchr(text, '\n'); at != NULL; at = strchr(&at[1], '\n')) {
+        line++;
+    }
+    (void)fprintf(stderr, "%s, line %" PRIu32 ": it has a byte of 0, which is no text.\n", path,
+                  line);
+    return false;
+}
+
 static char *read_open(FILE *file, const char *path)
 {
     const int64_t size = size_of(file, path);
-    char *const text = (size >= 0) ? malloc((size_t)size + 1U) : NULL;
+    char *text = (size >= 0) ? malloc((size_t)size + 1U) : NULL;
 
     if (text != NULL) {
         const size_t count = fread(text, 1U, (size_t)size, file);
         text[count] = '\0';
+        if (!is_text(text, count, path)) {
+            free(text);
+            text = NULL;
+        }
     } else if (size >= 0) {
         (void)fprintf(stderr, "%s: there is no memory for it.\n", path);
     }
@@ -116,7 +136,7 @@ static int32_t depth_um(const force_row_t *sample)
     return (int32_t)lrint(sample->depth_mm * UM_PER_MM);
 }
 
-/* Of the beginning, while the needle rests. */
+/* Noise of the beginning, while the needle rests. */
 static bool measure_noise(const force_csv_t *csv, const char *path, uint32_t *noise_un)
 {
     force_samples_t samples = {.csv = csv};
@@ -185,10 +205,35 @@ static void write_event(const membrane_report_t *self, const membrane_event_t *e
     (void)printf("\n");
 }
 
+/* Those that the needle has passed by less than their window, too, and none that it did not reach.
+ */
+static void end_insertion(membrane_report_t *self, membrane_list_t *list, int32_t deepest_um,
+                          double time_ms)
+{
+    const int32_t behind_um = deepest_um + (int32_t)LIMIT_MEMBRANE_WINDOW_UM;
+
+    for (uint32_t i = 0U; i < LIMIT_MEMBRANES_MOST; i++) {
+        const uint32_t place = membrane_list_pass(list, behind_um);
+        if (place != MEMBRANE_NONE) {
+            const membrane_event_t event = {.kind = (uint32_t)MEMBRANE_EVENT_MISSED,
+                                            .place = place,
+                                            .depth_um = self->depths_um[place]};
+            write_event(self, &event, time_ms);
+        }
+    }
+    const uint32_t left = membrane_list_left(list);
+    if (left > 0U) {
+        (void)printf("the recording ends before %" PRIu32 " of the expected membranes\n", left);
+    }
+    self->passed += self->expected - left;
+    self->insertions++;
+}
+
 static void write_insertion(membrane_report_t *self, const force_csv_t *csv, uint32_t noise_un)
 {
+    int32_t deepest_um = 0;
     force_samples_t samples = {.csv = csv};
-    force_row_t sample;
+    force_row_t sample = {.time_ms = 0.0};
     membrane_detector_t detector;
     membrane_list_t list = {.count = 0U};
 
@@ -198,6 +243,7 @@ static void write_insertion(membrane_report_t *self, const force_csv_t *csv, uin
                  noise_un / UN_PER_MN / MN_PER_N,
                  membrane_detector_floor_un(&detector) / UN_PER_MN / MN_PER_N);
     while (force_samples_next(&samples, &sample)) {
+        deepest_um = (depth_um(&sample) > deepest_um) ? depth_um(&sample) : deepest_um;
         const membrane_view_t view = {.force_mn = force_mn(&sample),
                                       .depth_um = depth_um(&sample),
                                       .is_inserting = true,
@@ -208,12 +254,7 @@ static void write_insertion(membrane_report_t *self, const force_csv_t *csv, uin
             count(self, &event);
         }
     }
-    const uint32_t left = membrane_list_left(&list);
-    if (left > 0U) {
-        (void)printf("the recording ends before %" PRIu32 " of the expected membranes\n", left);
-    }
-    self->passed += self->expected - left;
-    self->insertions++;
+    end_insertion(self, &list, deepest_um, sample.time_ms);
 }
 
 bool membrane_report_file(membrane_report_t *self, const char *path)

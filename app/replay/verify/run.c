@@ -38,7 +38,7 @@ static void leave_out(const char *name, const char *why, FILE *notes)
     (void)fprintf(notes, "%s is left out: %s.\n", escaped, why);
 }
 
-/* How many bytes of its beginning there are; -1: it cannot be read. */
+/* Number of bytes of its beginning that exist; -1: it cannot be read. */
 static ssize_t read_head(const char *path, head_t *head)
 {
     const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -167,7 +167,7 @@ static bool has_name(const run_file_t *file, const char *name)
     return (name == NULL) || (strncmp(own, name, strlen(name)) == 0);
 }
 
-/* The newest file of those; NULL: there is none. */
+/* The newest file of those; NULL: none exists. */
 static const run_file_t *find_newest(const run_t *self, const char *name)
 {
     const run_file_t *newest = NULL;

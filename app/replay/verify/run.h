@@ -31,7 +31,7 @@ typedef struct {
  * Finds the newest run in `folder` whose name begins with `name`; NULL: the newest of all. Names in
  * `notes` the other runs, and what is in the folder and of none.
  *
- * @return false, after a sentence on the standard error: there is none, or without `name` a file
+ * @return false, after a sentence on the standard error: none exists, or without `name` a file
  * that is left out may be of a newer one
  *
  * @satisfies SWR-REPLAY-030

@@ -63,7 +63,8 @@ static bool differs(const series_t *was, const series_t *now)
     return (was->number != now->number) || (strcmp(was->word, now->word) != 0);
 }
 
-/* Series of a source that are numbers, or those that are not. Returns how many are reported. */
+/* Series of a source that are numbers, or those that are not. Returns the number that is reported.
+ */
 static uint32_t say_source(difference_t *self, uint32_t place, const snapshot_t *const both[2],
                            bool are_numbers)
 {

@@ -39,6 +39,7 @@ typedef struct {
  *
  * @return status STATUS_OK, STATUS_NO_HAND, STATUS_NOT_ALIGNED, STATUS_TOO_DEEP
  *
+ * @satisfies SWR-FLOW-007
  * @satisfies SWR-COOP-009
  */
 solution_t cooperate_mode_judge(const move_mode_t *move, const robot_t *robot,

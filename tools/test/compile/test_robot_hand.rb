@@ -84,7 +84,7 @@ class TestRobotHand < Minitest::Test
   REFUSALS = {
     'a hand that a tremor moves' => ['dead_zone_n: 0.3', 'dead_zone_n: 0.09', 'hand.dead_zone_n: is 0.09; expected 0.1 to 2'],
     'a gain that swings' => ['gain_mm_per_s_n: 5', 'gain_mm_per_s_n: 8.1', 'hand.gain_mm_per_s_n: is 8.1; expected 0.1 to 8'],
-    'a speed above that of the axis' => ['speed_mm_per_s: 5', 'speed_mm_per_s: 6.1', 'hand.speed_mm_per_s: is 6.1; expected 0.1 to 5.999'],
+    'a speed above that of any hand' => ['speed_mm_per_s: 5', 'speed_mm_per_s: 5.1', 'hand.speed_mm_per_s: is 5.1; expected 0.1 to 5'],
     'a slope that stops late' => ['stop_mm_per_s2: 200', 'stop_mm_per_s2: 199', 'hand.stop_mm_per_s2: is 199; expected 200 to 1000'],
     'a hand without a dead zone' => ['dead_zone_n: 0.3, ', '', 'dead_zone_n']
   }.freeze
@@ -93,6 +93,19 @@ class TestRobotHand < Minitest::Test
     define_method("test_SWR_COOP_010_refuses_#{what.tr(' ', '_')}") do
       assert_refused(old, new, reason)
     end
+  end
+
+  def test_SWR_COOP_010_refuses_a_speed_above_that_of_the_axis
+    needle = WHOLE[/^  - name: insertion\n(?:    .*\n)+/]
+    slow = { ' speed_ticks_per_s' => 5000, 'home_speed_ticks_per_s' => 1250, 'home_time_ms' => 300_000 }
+           .reduce(needle) { |text, (key, value)| text.sub(/#{key}: \d+/, "#{key}: #{value}") }
+    assert_refused_at('hand', WHOLE.sub(needle, slow).sub(VIBRATION, ''), 'hand.speed_mm_per_s: is 5; expected 0.1 to 2.999')
+  end
+
+  def test_SWR_COOP_010_refuses_a_filter_that_delays_the_force
+    status, errors, = compile(WHOLE.sub('cutoff_hz: 40', 'cutoff_hz: 39'))
+    assert_equal 1, status
+    assert_match(/force\.hand\.cutoff_hz: is 39; expected at least 40 where a hand moves the needle/, errors)
   end
 
   def test_SWR_COOP_010_refuses_a_hand_of_a_robot_without_a_force_sensor

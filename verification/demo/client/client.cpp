@@ -601,7 +601,7 @@ class Client
         return "[" + list + "]";
     }
 
-    // Of the units of a SENSOR, newton has a name here.
+    // Newton is the only unit of a SENSOR that has a name here.
     static std::string Unit(igtl::SensorMessage *message)
     {
         igtl::Unit::Pointer newton = igtl::Unit::New();

@@ -9,7 +9,6 @@
 
 #include "unity.h"
 
-#include "controller/controller.h"
 #include "robot/robot_bench2.h"
 #include "robot/robot_neuro.h"
 #include "robot/robot_prostate.h"

@@ -8,8 +8,6 @@
 
 #include "unity.h"
 
-#include "axis/axis.h"
-#include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "robot/app/robot_names.h"
 #include "robot/coupled_limit.h"

@@ -5,7 +5,6 @@
  */
 #include "integration/support/rig.h"
 
-#include "controller/controller.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_bench2.h"
 #include "robot/robot_prostate.h"

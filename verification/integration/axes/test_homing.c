@@ -13,8 +13,6 @@
 #include "controller/controller_facts.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
-#include "safety/needle.h"
-#include "safety/permit.h"
 #include "unit/support/scenes.h"
 
 #include <stdio.h>

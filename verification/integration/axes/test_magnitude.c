@@ -6,7 +6,6 @@
  */
 #include "integration/support/rig.h"
 
-#include "controller/controller.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
 #include "unit/support/scenes.h"

@@ -9,7 +9,6 @@
 
 #include "unity.h"
 
-#include "controller/controller.h"
 #include "robot/robot_neuro.h"
 
 static rig_t rig;

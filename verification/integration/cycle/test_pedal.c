@@ -11,7 +11,6 @@
 #include "controller/controller.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
-#include "safety/permit.h"
 #include "unit/support/scenes.h"
 
 static rig_t rig;

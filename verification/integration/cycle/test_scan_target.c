@@ -9,8 +9,6 @@
 #include "unit/support/scenes.h"
 #include "unity.h"
 
-#include <stdlib.h>
-
 #define SCAN_CYCLES SCENES(SCENES(600000U)) /* Ten minutes. */
 
 static rig_t rig;

@@ -9,10 +9,8 @@
 
 #include "unity.h"
 
-#include "controller/controller.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
-#include "safety/permit.h"
 
 static rig_t rig;
 

@@ -8,11 +8,6 @@
 
 #include "unity.h"
 
-#include "controller/controller.h"
-#include "limits/requirement_limits.h"
-#include "robot/robot_neuro.h"
-#include "safety/permit.h"
-
 static rig_t rig;
 
 void setUp(void)

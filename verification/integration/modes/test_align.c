@@ -11,7 +11,6 @@
 #include "unity.h"
 
 #include "charts/arming_chart.h"
-#include "controller/controller.h"
 #include "robot/robot_neuro.h"
 #include "safety/needle.h"
 

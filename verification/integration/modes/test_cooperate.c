@@ -11,34 +11,26 @@
 #include "base/fixed.h"
 #include "controller/controller.h"
 #include "limits/requirement_limits.h"
-#include "robot/robot_prostate.h"
-#include "safety/permit.h"
 #include "unit/support/scenes.h"
 
 #include <math.h>
 #include <stdio.h>
 
-#define NEEDLE PROSTATE_AXIS_INSERTION
+#include "integration/support/cooperate_world.inc"
+
 #define OVERSHOOT_TICKS 166.0 /* 0.1 mm. */
 #define DEADBAND_TICKS 10.0   /* Of the axis, a count, and what homing is inexact by. */
-#define LONG_CYCLES 60000U
-#define FILTERED_CYCLES 30U /* From a hand that lets go to a force below the dead zone. */
-#define STILL_TICKS 2       /* Way that a motor runs on after it was switched off. */
+#define FILTERED_CYCLES 30U   /* From a hand that lets go to a force below the dead zone. */
 #define TICKS_PER_MM 1666.67
 #define SWING_TRIALS (ARE_SCENES_WHOLE ? 500U : 60U)
 #define SWING_CYCLES 500U
-#define OFF_CYCLES 200U /* The hand is seen off. */
 #define JERK_SCENES 40U
 #define JERK_MN 4000 /* A larger step is doubted. */
 #define PUSH_CYCLES 5000U
 #define STOP_CYCLES 100U
 #define PULL_MN 5000
 #define QUIET_N 0.004 /* Noise of less than half a count. */
-#define HARD_MN 7500  /* The sensor says no more than 8.2 N. */
 
-static const command_t cooperate = {.kind = (uint32_t)COMMAND_COOPERATE};
-
-static rig_t rig;
 static uint64_t random_state;
 
 void setUp(void)
@@ -56,98 +48,9 @@ static uint32_t random_below(uint32_t count)
     return (uint32_t)(random_state >> 33U) % count;
 }
 
-static void push(int32_t force_mn)
-{
-    char order[32];
-    (void)snprintf(order, sizeof order, "grip %d", (int)force_mn);
-    rig_box(&rig, order);
-    rig_box(&rig, "hand press");
-}
-
-static void let_go(void)
-{
-    rig_box(&rig, "hand release");
-}
-
 static int32_t target_ticks(void)
 {
     return rig.controller.plan.target_ticks[NEEDLE];
-}
-
-/* Where the needle truly is. */
-static double depth_ticks(void)
-{
-    return rig.box.axes[NEEDLE].motor.position_ticks;
-}
-
-static uint32_t status_of(command_t command)
-{
-    return rig_command(&rig, command).status;
-}
-
-static bool has_reason(permit_reason_t reason)
-{
-    return (rig.outputs.snapshot.axes[NEEDLE].permit_reasons & permit_reason(true, reason)) != 0U;
-}
-
-static bool is_driven(void)
-{
-    return rig.outputs.snapshot.axes[NEEDLE].drive_mode != (uint32_t)CARD_DRIVE_OFF;
-}
-
-static void zero_force(void)
-{
-    const command_t zero = {.kind = (uint32_t)COMMAND_ZERO_FORCE,
-                            .source = (uint32_t)COMMAND_SOURCE_HTTP,
-                            .peer = RIG_PAGE};
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, zero).status);
-    rig_cycles(&rig, LIMIT_FORCE_ZERO_CYCLES + 1U);
-}
-
-static void align(void)
-{
-    rigid_t pose;
-    rigid_set_identity(&pose);
-    pose.translation = (point_t){5000000, -10000000, 52000000};
-    command_t entry = {.kind = (uint32_t)COMMAND_ENTRY, .as.pose = {.pose = pose}};
-    entry.as.pose.pose.translation.z_nm -= 30000000;
-    rig_start_robot_targeted(&rig, rig_short_prostate(), &pose);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, entry).status);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
-    TEST_ASSERT_EQUAL_UINT32(
-        STATUS_OK, rig_command(&rig, (command_t){.kind = (uint32_t)COMMAND_ALIGN}).status);
-    rig_press(&rig);
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 120000U).kind);
-    rig_release(&rig);
-    rig_cycles(&rig, 500U);
-}
-
-/* Aligned once and copied; zeroed, in MOVE_TO_TARGET. */
-static void start_ready(void)
-{
-    static rig_t ready;
-    static bool is_ready = false;
-    if (!is_ready) {
-        align();
-        zero_force();
-        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
-        rig_cycles(&rig, OFF_CYCLES);
-        ready = rig;
-        is_ready = true;
-    }
-    rig = ready;
-}
-
-static void start_armed(void)
-{
-    start_ready();
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(cooperate));
-    rig_press(&rig);
-}
-
-static bool is_over(void)
-{
-    return rig.outputs.snapshot.order == (uint32_t)ARMING_STATE_NONE;
 }
 
 /* It lets go between pushes that are not too long, until the order has ended. */
@@ -211,7 +114,7 @@ void test_SWR_COOP_003_no_hand_takes_the_true_needle_past_its_depth(void)
     }
 }
 
-/* Of its positions from the line that fits them best. */
+/* Range of the distances of its positions from the line that fits them best. */
 static double swing_mm(const double *places, uint32_t count)
 {
     double sums[4] = {0.0, 0.0, 0.0, 0.0};
@@ -369,169 +272,4 @@ void test_SWR_COOP_750_a_quiet_sensor_that_is_stuck_moves_the_needle_a_short_way
     rig_cycles(&rig, OFF_CYCLES);
     TEST_ASSERT_TRUE(depth_ticks() > (stopped + STILL_TICKS));
     TEST_ASSERT_FALSE(is_over());
-}
-
-/* It stands where a move that was armed by entering the workphase would be run by the pedal. */
-void test_SWR_COOP_014_a_refused_insertion_by_hand_leaves_no_move_armed(void)
-{
-    align();
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
-    TEST_ASSERT_FALSE(is_over());
-    rig_forget(&rig);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_FORCE_DOUBTFUL, status_of(cooperate));
-    TEST_ASSERT_TRUE(is_over());
-    const double there = depth_ticks();
-    rig_press(&rig);
-    rig_cycles(&rig, 2000U);
-    TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, there, depth_ticks());
-}
-
-void test_SWR_COOP_014_other_refused_commands_leave_it_armed(void)
-{
-    align();
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
-    TEST_ASSERT_NOT_EQUAL_UINT32(
-        STATUS_OK, status_of((command_t){.kind = (uint32_t)COMMAND_JOG, .as.jog = {.axis = 0U}}));
-    TEST_ASSERT_FALSE(is_over());
-}
-
-/* Each of the steps that it names is accepted, and the last one ends the reason. */
-void test_SWR_COOP_015_after_a_doubt_the_reason_stays_and_the_next_steps_work(void)
-{
-    start_armed();
-    push(1000);
-    rig_cycles(&rig, 1000U);
-    rig_box(&rig, "force hand broken");
-    rig_cycles(&rig, 10U);
-    TEST_ASSERT_TRUE(has_reason(PERMIT_REASON_FORCE_DOUBTFUL));
-    rig_box(&rig, "force hand normal");
-    let_go();
-    rig_release(&rig);
-    rig_cycles(&rig, 200U);
-    TEST_ASSERT_TRUE(has_reason(PERMIT_REASON_FORCE_DOUBTFUL));
-    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_ZERO_FORCE, rig.outputs.snapshot.next_step);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of((command_t){.kind = (uint32_t)COMMAND_RETRACT}));
-    TEST_ASSERT_FALSE(has_reason(PERMIT_REASON_FORCE_DOUBTFUL));
-    rig_press(&rig);
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
-    rig_release(&rig);
-    rig_cycles(&rig, 200U);
-    zero_force();
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(cooperate));
-}
-
-void test_SWR_COOP_006_a_doubtful_force_drives_nothing_and_ends_the_order(void)
-{
-    start_armed();
-    push(1000);
-    rig_cycles(&rig, 1000U);
-    TEST_ASSERT_TRUE(is_driven());
-    rig_forget(&rig);
-    rig_box(&rig, "force hand broken");
-    while (rig.outputs.snapshot.forces[FORCE_CHANNEL_HAND].doubts == 0U) {
-        rig_cycle(&rig);
-    }
-    TEST_ASSERT_FALSE(is_driven());
-    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_FORCE_DOUBTFUL, rig.answers[rig.answer_count - 1U].status);
-    rig_release(&rig);
-    rig_cycles(&rig, 200U);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_FORCE_DOUBTFUL, status_of(cooperate));
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of((command_t){.kind = (uint32_t)COMMAND_RETRACT}));
-    rig_press(&rig);
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
-}
-
-void test_SWR_COOP_006_also_while_the_order_waits_for_the_pedal(void)
-{
-    start_ready();
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(cooperate));
-    rig_box(&rig, "force hand broken");
-    rig_cycles(&rig, 10U);
-    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
-}
-
-/* A person pulls while the sensor is zeroed, and lets go. */
-void test_SWR_COOP_012_a_zero_that_was_taken_under_a_pull_moves_nothing(void)
-{
-    align();
-    push(-800);
-    rig_cycles(&rig, 100U);
-    zero_force();
-    let_go();
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(cooperate));
-    rig_press(&rig);
-    const double there = depth_ticks();
-    rig_cycles(&rig, 5000U);
-    TEST_ASSERT_GREATER_THAN_INT32(500, rig.outputs.snapshot.forces[FORCE_CHANNEL_HAND].force_mn);
-    TEST_ASSERT_DOUBLE_WITHIN(STILL_TICKS, there, depth_ticks());
-    TEST_ASSERT_TRUE(has_reason(PERMIT_REASON_HAND_UNPROVEN));
-    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_LET_GO, rig.outputs.snapshot.next_step);
-}
-
-void test_SWR_COOP_006_a_damaged_table_of_the_sensor_ends_it(void)
-{
-    start_armed();
-    push(1000);
-    rig_cycles(&rig, 1000U);
-    TEST_ASSERT_TRUE(is_driven());
-    rig.robot.force.slot ^= 4U;
-    rig_cycle(&rig);
-    TEST_ASSERT_FALSE(is_driven());
-    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
-}
-
-/* The sensor itself is believed until its table has its turn. */
-void test_SWR_COOP_006_a_damaged_slope_of_the_sensor_ends_it_in_its_cycle(void)
-{
-    start_armed();
-    push(1000);
-    rig_cycles(&rig, 1000U);
-    while ((rig.controller.sealed.cycle % CARD_SLOT_COUNT) != (CARD_SLOT_COUNT / 2U)) {
-        rig_cycle(&rig);
-    }
-    TEST_ASSERT_TRUE(is_driven());
-    rig.robot.force.channels[FORCE_CHANNEL_HAND].mn_per_count_q16 ^= 4;
-    rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_HEX32(0U, rig.outputs.snapshot.forces[FORCE_CHANNEL_HAND].doubts);
-    TEST_ASSERT_FALSE(is_driven());
-    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
-    rig_cycles(&rig, 2U * CARD_SLOT_COUNT);
-    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_RELEASE_PEDAL, rig.outputs.snapshot.next_step);
-    rig_release(&rig);
-    rig_cycles(&rig, 2U * CARD_SLOT_COUNT);
-    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_MEMORY, rig.outputs.snapshot.next_step);
-}
-
-/* Of the report before, as there is none in this cycle. */
-void test_SWR_FORCE_576_a_force_that_changes_by_itself_moves_nothing(void)
-{
-    start_armed();
-    rig_cycles(&rig, OFF_CYCLES);
-    rig_box(&rig, "card 3 silent");
-    rig.controller.force.sealed.force_mn[FORCE_CHANNEL_HAND] = HARD_MN;
-    rig_cycle(&rig);
-    TEST_ASSERT_FALSE(is_driven());
-    TEST_ASSERT_TRUE(is_over());
-    TEST_ASSERT_EQUAL_UINT32(STATUS_FORCE_DOUBTFUL, rig.answers[rig.answer_count - 1U].status);
-}
-
-void test_SWR_COOP_008_the_permit_says_that_no_hand_pushes(void)
-{
-    start_armed();
-    rig_cycles(&rig, 100U);
-    TEST_ASSERT_TRUE(has_reason(PERMIT_REASON_HAND_OFF));
-    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_PUSH, rig.outputs.snapshot.next_step);
-    push(1000);
-    rig_cycles(&rig, 100U);
-    TEST_ASSERT_EQUAL_HEX32(0U, rig.outputs.snapshot.axes[NEEDLE].permit_reasons);
-    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_HOLD_PEDAL, rig.outputs.snapshot.next_step);
-}
-
-void test_SWR_COOP_009_it_is_not_armed_before_the_sensor_was_zeroed(void)
-{
-    align();
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_FORCE_DOUBTFUL, status_of(cooperate));
 }

@@ -14,27 +14,15 @@
 #include "limits/requirement_limits.h"
 
 #include <stddef.h>
-#include <stdio.h>
 #include <string.h>
 
-#define ENTRY_Z_NM 32000000
-#define TARGET_Z_NM 92000000
-#define LONG_CYCLES 60000U
-#define GRIP_MN 800
-#define FIRST_UM 20000  /* Where a push of GRIP_MN punctures the membranes of the usual tissue, */
-#define SECOND_UM 54500 /* about. */
+#include "integration/support/membranes_world.inc"
+
 #define NOWHERE_UM 40000
 #define NEAR_UM 1000
-#define LATE_UM 400 /* From a puncture to its report. */
-#define PUSH_CYCLES                                                                                \
-    5000U /* From one push to the next, with the hand off in the last ones of them. */
+#define QUIET_N 0.004 /* Noise of less than a count. */
+#define LATE_UM 400        /* From a puncture to its report. */
 #define AFTER_CYCLES 2000U /* Behind the end of an insertion nothing is driven. */
-#define PUSHED 3000U       /* Cycles of a push that end in front of the tissue, at 2.5 mm/s. */
-
-static const command_t cooperate = {.kind = (uint32_t)COMMAND_COOPERATE};
-
-static rig_t rig;
-static uint32_t pushed; /* Cycles since the hand has begun to push. */
 
 void setUp(void)
 {
@@ -44,63 +32,6 @@ void setUp(void)
 void tearDown(void)
 {
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
-}
-
-static const snapshot_membranes_t *shown(void)
-{
-    return &rig.outputs.snapshot.membranes;
-}
-
-static uint32_t expect(uint32_t count, const int32_t *depths_um)
-{
-    command_t command = {.kind = (uint32_t)COMMAND_MEMBRANES, .as.membranes = {.count = count}};
-    for (uint32_t i = 0U; (i < count) && (i < LIMIT_MEMBRANES_MOST); i++) {
-        command.as.membranes.depths_um[i] = depths_um[i];
-    }
-    return rig_command(&rig, command).status;
-}
-
-static void expect_one(int32_t depth_um)
-{
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(1U, &depth_um));
-}
-
-static void begin(void)
-{
-    by_hand_enter(&rig);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, cooperate).status);
-    rig_press(&rig);
-    by_hand_push(&rig, GRIP_MN);
-    pushed = 1U;
-}
-
-/* No push lasts so long that it moves nothing any more. */
-static void move_hand(rig_t *at)
-{
-    if ((pushed % PUSH_CYCLES) == 0U) {
-        by_hand_push(at, GRIP_MN);
-    } else if ((pushed % PUSH_CYCLES) == (PUSH_CYCLES - BY_HAND_OFF_CYCLES)) {
-        rig_box(at, "hand release");
-    } else {
-        /* As it is. */
-    }
-}
-
-static void cycle(void)
-{
-    move_hand(&rig);
-    rig_cycle(&rig);
-    pushed++;
-}
-
-static uint32_t finish(void)
-{
-    const uint32_t before = rig.answer_count;
-    for (uint32_t i = 0U; (i < LONG_CYCLES) && (rig.answer_count == before); i++) {
-        cycle();
-    }
-    TEST_ASSERT_NOT_EQUAL_UINT32(before, rig.answer_count);
-    return rig.answers[rig.answer_count - 1U].kind;
 }
 
 static void insert_to(int32_t depth_um)
@@ -116,19 +47,6 @@ static void insert(void)
     begin();
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, finish());
     rig_cycle(&rig);
-}
-
-/* The event of this kind that came as number `nth`, from 0. */
-static const event_t *event_of(event_id_t id, uint32_t nth)
-{
-    uint32_t count = 0U;
-    for (uint32_t i = 0U; i < rig.event_count; i++) {
-        if ((rig.events[i].id == (uint32_t)id) && (count++ == nth)) {
-            return &rig.events[i];
-        }
-    }
-    TEST_FAIL_MESSAGE("no such event");
-    return NULL;
 }
 
 /* Where the box has ruptured membrane `number`, below the entry point. */
@@ -310,6 +228,25 @@ void test_SWR_PUNCT_752_a_membrane_that_another_mode_has_passed_is_not_missed(vo
     TEST_ASSERT_EQUAL_UINT32(MEMBRANE_MISSED, shown()->membranes[2].state);
 }
 
+/* Its window ends behind the place of the pause. */
+void test_SWR_PUNCT_752_a_pause_of_the_hand_hides_nothing(void)
+{
+    const int32_t depths_um[] = {NOWHERE_UM};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(1U, depths_um));
+    begin();
+    insert_to(NOWHERE_UM + ((int32_t)LIMIT_MEMBRANE_WINDOW_UM / 2));
+    rig_release(&rig);
+    rig_box(&rig, "hand release");
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_TARGETING).status);
+    rig_cycles(&rig, 500U);
+    begin();
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, finish());
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANE_PASSED));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANE_MISSED));
+}
+
 void test_SWR_PUNCT_752_nor_is_one_that_was_passed_with_a_doubtful_force(void)
 {
     const int32_t depths_um[] = {NOWHERE_UM, 59900};
@@ -358,6 +295,22 @@ void test_SWR_PUNCT_613_relaxation_of_the_tissue_is_no_membrane(void)
     TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
 }
 
+/* It has hardly any noise, so that nothing calls it stuck. */
+void test_SWR_PUNCT_613_a_reading_that_stands_still_blinds_it(void)
+{
+    sim_phantom_file_t phantom = rig.box.force.phantom;
+    phantom.cells[SIM_CELL_NEEDLE].noise_n = QUIET_N;
+    box_force_lay(&rig.box.force, &phantom);
+    by_hand_zero(&rig);
+    begin();
+    insert_to(FIRST_UM - (4 * NEAR_UM));
+    rig_box(&rig, "force needle 1790");
+    rig_cycles(&rig, LIMIT_FORCE_STILL_CYCLES + 2U);
+    TEST_ASSERT_EQUAL_HEX32(0U, rig.outputs.snapshot.forces[FORCE_CHANNEL_NEEDLE].doubts);
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_DOUBTFUL, shown()->sight);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANES_UNSEEN));
+}
+
 void test_SWR_PUNCT_613_a_doubtful_force_blinds_it_and_is_named_once(void)
 {
     begin();
@@ -368,167 +321,6 @@ void test_SWR_PUNCT_613_a_doubtful_force_blinds_it_and_is_named_once(void)
     (void)finish();
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANES_UNSEEN));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
-}
-
-void test_SWR_PUNCT_614_expected_membranes_stand_until_the_target_is_another_one(void)
-{
-    const int32_t depths_um[] = {FIRST_UM, SECOND_UM};
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(2U, depths_um));
-    TEST_ASSERT_EQUAL_INT32(2, event_of(EVENT_MEMBRANES_TAKEN, 0U)->value);
-    TEST_ASSERT_EQUAL_UINT32(2U, event_of(EVENT_MEMBRANE_EXPECTED, 1U)->subject);
-    TEST_ASSERT_EQUAL_INT32(SECOND_UM * 1000, event_of(EVENT_MEMBRANE_EXPECTED, 1U)->value);
-    rig_cycles(&rig, 1000U);
-    TEST_ASSERT_EQUAL_UINT32(2U, shown()->count);
-    TEST_ASSERT_EQUAL_UINT32(2U, shown()->left);
-    TEST_ASSERT_EQUAL_INT32(SECOND_UM, shown()->membranes[1].depth_um);
-    by_hand_enter(&rig);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_TARGETING).status);
-    TEST_ASSERT_EQUAL_UINT32(2U, shown()->count);
-    rigid_t pose = rig.controller.plan.scanner_target;
-    pose.translation.z_nm -= 1000000;
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
-    rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
-    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANES_FORGOTTEN));
-}
-
-void test_SWR_PUNCT_614_and_until_the_entry_point_is(void)
-{
-    expect_one(FIRST_UM);
-    command_t entry = {.kind = (uint32_t)COMMAND_ENTRY};
-    entry.as.pose.pose = rig.controller.plan.scanner_target;
-    entry.as.pose.pose.translation.z_nm = ENTRY_Z_NM - 1000000;
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, entry).status);
-    rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_ENTRY_POINT, expect(1U, &(int32_t){FIRST_UM}));
-}
-
-void test_SWR_PUNCT_614_the_same_entry_point_again_forgets_nothing(void)
-{
-    expect_one(FIRST_UM);
-    command_t entry = {.kind = (uint32_t)COMMAND_ENTRY};
-    entry.as.pose.pose = rig.controller.plan.scanner_target;
-    entry.as.pose.pose.translation = rig.controller.plan.entry;
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, entry).status);
-    const rigid_t target = rig.controller.plan.scanner_target;
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &target).status);
-    rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(1U, shown()->count);
-    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANES_FORGOTTEN));
-}
-
-/* Both commands come in one cycle, so that no cycle sees the target without an entry point. */
-void test_SWR_PUNCT_614_nor_with_another_entry_point_of_the_same_target(void)
-{
-    expect_one(FIRST_UM);
-    rig_forget(&rig);
-    const rigid_t target = rig.controller.plan.scanner_target;
-    command_t entry = {.kind = (uint32_t)COMMAND_ENTRY, .id = rig.next_id + 1U};
-    entry.as.pose.pose = target;
-    entry.as.pose.pose.translation = rig.controller.plan.entry;
-    entry.as.pose.pose.translation.z_nm -= 1000000;
-    command_t again = {.kind = (uint32_t)COMMAND_TARGET, .id = rig.next_id + 2U};
-    again.as.pose.pose = target;
-    rig.commands[0] = entry;
-    rig.commands[1] = again;
-    rig.command_count = 2U;
-    rig.next_id += 2U;
-    rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(2U, rig.outputs.answer_count);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig.outputs.answers[0].status);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig.outputs.answers[1].status);
-    TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
-    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMBRANES_FORGOTTEN));
-}
-
-void test_SWR_PUNCT_614_an_empty_list_expects_none(void)
-{
-    expect_one(FIRST_UM);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(0U, NULL));
-    TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
-    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMBRANES_FORGOTTEN));
-}
-
-void test_SWR_PUNCT_615_a_list_that_does_not_fit_is_refused_and_changes_nothing(void)
-{
-    const int32_t many_um[LIMIT_MEMBRANES_MOST + 1U] = {1000, 2000, 3000, 4000, 5000,
-                                                        6000, 7000, 8000, 9000};
-    expect_one(FIRST_UM);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_MEMBRANE_DEPTH, expect(1U, &(int32_t){60100}));
-    TEST_ASSERT_EQUAL_UINT32(STATUS_MEMBRANE_DEPTH, expect(1U, &(int32_t){0}));
-    TEST_ASSERT_EQUAL_UINT32(STATUS_MEMBRANE_ORDER, expect(2U, (int32_t[]){5000, 5000}));
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OUT_OF_RANGE, expect(LIMIT_MEMBRANES_MOST + 1U, many_um));
-    TEST_ASSERT_EQUAL_UINT32(1U, shown()->count);
-    TEST_ASSERT_EQUAL_INT32(FIRST_UM, shown()->membranes[0].depth_um);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(LIMIT_MEMBRANES_MOST, many_um));
-}
-
-/* Its entry point is farther away than any list may be deep. */
-void test_SWR_PUNCT_615_a_membrane_too_deep_for_a_list_is_refused(void)
-{
-    by_hand_align(&rig, TARGET_Z_NM - 310000000, TARGET_Z_NM);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OUT_OF_RANGE,
-                             expect(1U, &(int32_t){(int32_t)LIMIT_MEMBRANE_DEEPEST_UM + 1}));
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, expect(1U, &(int32_t){(int32_t)LIMIT_MEMBRANE_DEEPEST_UM}));
-}
-
-void test_SWR_PUNCT_615_no_list_while_a_motion_is_armed_or_elsewhere(void)
-{
-    by_hand_enter(&rig);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_MOTION_ARMED, expect(1U, &(int32_t){FIRST_UM}));
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, expect(1U, &(int32_t){FIRST_UM}));
-}
-
-void test_SWR_PUNCT_615_no_list_without_a_target_or_a_sensor(void)
-{
-    static rig_t other;
-    const int32_t depth_um = FIRST_UM;
-    other = rig;
-    rig_start_targeted(&rig);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_FORCE_SENSOR, expect(1U, &depth_um));
-    rig = other;
-    plan_forget_target(&rig.controller.plan);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET, expect(1U, &depth_um));
-}
-
-void test_SWR_PUNCT_616_a_damaged_list_is_forgotten_and_named(void)
-{
-    expect_one(FIRST_UM);
-    rig_forget(&rig);
-    rig.controller.membranes.plan.list.membranes[0].depth_um ^= 256;
-    rig_cycles(&rig, CARD_SLOT_COUNT);
-    TEST_ASSERT_EQUAL_UINT32(EVENT_MEMORY_MEMBRANES, event_of(EVENT_MEMORY_DAMAGED, 0U)->subject);
-    TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
-}
-
-void test_SWR_PUNCT_616_a_damaged_insertion_begins_anew_in_its_cycle(void)
-{
-    expect_one(FIRST_UM);
-    begin();
-    rig_cycles(&rig, PUSHED);
-    rig_forget(&rig);
-    rig.controller.membranes.run.detector.looked ^= 0x40000000U;
-    rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
-    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_SIGHT_PAUSED, shown()->sight);
-    TEST_ASSERT_EQUAL_UINT32(0U, shown()->count);
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, finish());
-    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_MEMBRANE_UNEXPECTED));
-}
-
-/* Its flag of running, too, which would begin it anew without a word. */
-void test_SWR_PUNCT_616_a_damaged_flag_is_named_in_its_cycle(void)
-{
-    expect_one(FIRST_UM);
-    begin();
-    rig_cycles(&rig, PUSHED);
-    rig_forget(&rig);
-    rig.controller.membranes.run.is_running = 0U;
-    rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, finish());
 }
 
 /* Its cell trembles five times as much. */

@@ -10,7 +10,6 @@
 #include "unity.h"
 
 #include "charts/arming_chart.h"
-#include "controller/controller.h"
 #include "robot/robot_neuro.h"
 
 static rig_t rig;

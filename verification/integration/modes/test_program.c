@@ -15,8 +15,6 @@
 #include "controller/controller.h"
 #include "robot/robot_neuro.h"
 
-#include <string.h>
-
 #define LONG_CYCLES 30000U
 #define DWELL_MS 500
 

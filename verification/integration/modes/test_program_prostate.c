@@ -8,7 +8,6 @@
 
 #include "unity.h"
 
-#include "controller/controller.h"
 #include "robot/robot_prostate.h"
 
 static rig_t rig;

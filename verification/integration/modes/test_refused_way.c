@@ -10,7 +10,6 @@
 #include "base/seal.h"
 #include "interface/app/names.h"
 #include "interface/next_step.h"
-#include "limits/requirement_limits.h"
 #include "robot/robot_prostate.h"
 #include "unit/support/refused_pair.h"
 #include "unit/support/scenes.h"

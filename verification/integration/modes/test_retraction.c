@@ -10,13 +10,10 @@
 #include "unity.h"
 
 #include "charts/arming_chart.h"
-#include "controller/controller.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
 #include "safety/needle.h"
 #include "unit/support/scenes.h"
-
-#include <string.h>
 
 static rig_t rig;
 static const command_t retract = {.kind = (uint32_t)COMMAND_RETRACT};

@@ -9,9 +9,7 @@
 
 #include "base/seal.h"
 #include "controller/controller.h"
-#include "http/view/axis_availability.h"
 #include "http/view/mode_availability.h"
-#include "http/view/shown.h"
 #include "robot/robot_neuro.h"
 #include "robot/robot_prostate.h"
 #include "unit/support/scenes.h"

@@ -8,8 +8,6 @@
 
 #include "unity.h"
 
-#include "robot/robot_neuro.h"
-
 static rig_t rig;
 
 void setUp(void)

@@ -8,25 +8,13 @@
 
 #include "unity.h"
 
-#include "card/card_frame.h"
-#include "interface/app/fields.h"
 #include "limits/requirement_limits.h"
 #include "recording/format/cycle_code.h"
-#include "recording/format/cycle_words.h"
-#include "recording/format/proof.h"
-#include "recording/format/recording.h"
-#include "recording/read/recording_block.h"
 #include "recording/read/recording_reader.h"
-#include "recording/read/recording_verify.h"
-#include "recording/write/recording_writer.h"
-#include "replay/verify/field_name.h"
 #include "replay/verify/replay.h"
-#include "robot/app/robot_names.h"
-#include "robot/app/robots.h"
 #include "robot/robot_neuro.h"
 
 #include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 static char path[64];

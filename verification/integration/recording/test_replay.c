@@ -11,10 +11,8 @@
 #include "base/seal.h"
 #include "card/card_frame.h"
 #include "controller/controller.h"
-#include "interface/app/fields.h"
 #include "recording/format/cycle_words.h"
 #include "recording/format/proof.h"
-#include "replay/verify/field_name.h"
 #include "replay/verify/replay.h"
 #include "robot/robot_neuro.h"
 

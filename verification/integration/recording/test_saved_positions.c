@@ -9,10 +9,6 @@
 #include "unity.h"
 
 #include "controller/controller.h"
-#include "interface/app/fields.h"
-#include "recording/format/cycle_words.h"
-#include "recording/format/proof.h"
-#include "replay/verify/field_name.h"
 #include "replay/verify/replay.h"
 #include "robot/robot_neuro.h"
 

@@ -1,37 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Rule under test: each fault is listed with its part, its cause and its beginning, in the
- * words of the log, and where the needle was known to stand last outlives what is wrong. */
+/**
+ * @file
+ * Rule under test: each fault is listed with its part, its cause and its beginning, in the words
+ * of the log.
+ */
 #include "unity.h"
 
 #include "card/card_health.h"
 #include "common/event_text.h"
 #include "common/utc_text.h"
 #include "http/view/alarm_json.h"
-#include "http/view/telemetry_json.h"
-#include "http/view/telemetry_units.h"
 #include "integration/support/rig.h"
 #include "robot/robot_neuro.h"
-#include "safety/needle.h"
 
 #include <cjson/cJSON.h>
 #include <stdio.h>
 #include <string.h>
 
-#define US_PER_CYCLE 1000U
-#define LOOK_CYCLES 100U /* Between two looks of the server. */
-
-static rig_t rig;
-static telemetry_view_t view;
-static cJSON *alarms;
-static cJSON *needle;
-
-static void forget(void)
-{
-    cJSON_Delete(alarms);
-    cJSON_Delete(needle);
-    alarms = NULL;
-    needle = NULL;
-}
+#include "integration/support/alarms_world.inc"
 
 void setUp(void)
 {
@@ -41,66 +27,6 @@ void setUp(void)
 void tearDown(void)
 {
     forget();
-}
-
-/* The server looks. */
-static void look(void)
-{
-    for (uint32_t i = 0U; i < rig.event_count; i++) {
-        const exchange_event_t event = {.event = rig.events[i],
-                                        .utc_us = (uint64_t)rig.events[i].cycle * US_PER_CYCLE};
-        alarms_take(&view.alarms, &event);
-    }
-    rig_forget(&rig);
-    view.robot = &rig.robot;
-    view.snapshot = rig.outputs.snapshot;
-    alarms_see(&view.alarms, &view.snapshot);
-    forget();
-    alarms = alarm_json_list(&view);
-    needle = alarm_json_needle(&view);
-}
-
-static void run(uint32_t cycles)
-{
-    for (uint32_t i = 0U; i < cycles; i += LOOK_CYCLES) {
-        rig_cycles(&rig, LOOK_CYCLES);
-        look();
-    }
-}
-
-/* The needle goes deeper. */
-static void insert(void)
-{
-    rig_start_moving(&rig);
-    while (rig_position(&rig, NEURO_AXIS_INSERTION) <= needle_out_ticks(&rig.robot)) {
-        rig_cycle(&rig);
-    }
-    look();
-}
-
-static const char *text_of(int index, const char *key)
-{
-    return cJSON_GetStringValue(cJSON_GetObjectItem(cJSON_GetArrayItem(alarms, index), key));
-}
-
-static double number_of(const cJSON *object, const char *key)
-{
-    return cJSON_GetNumberValue(cJSON_GetObjectItem(object, key));
-}
-
-static bool is_true(const char *key)
-{
-    return cJSON_IsTrue(cJSON_GetObjectItem(needle, key)) != 0;
-}
-
-static int find(const char *event)
-{
-    for (int i = 0; i < cJSON_GetArraySize(alarms); i++) {
-        if (strcmp(text_of(i, "event"), event) == 0) {
-            return i;
-        }
-    }
-    return -1;
 }
 
 void test_SWR_HTTP_064_nothing_is_listed_of_a_robot_that_is_well(void)
@@ -405,106 +331,4 @@ void test_SWR_HTTP_152_what_a_silent_card_said_before_is_not_listed(void)
     run(200U);
     TEST_ASSERT_EQUAL_INT(0, count_of("CARD_UNWELL"));
     TEST_ASSERT_EQUAL_INT(0, find("CARD_LOST"));
-}
-
-void test_SWR_HTTP_065_the_needle_stands_where_its_axis_stands(void)
-{
-    insert();
-    TEST_ASSERT_EQUAL_STRING("insertion",
-                             cJSON_GetStringValue(cJSON_GetObjectItem(needle, "axis")));
-    TEST_ASSERT_TRUE(is_true("is_known"));
-    TEST_ASSERT_TRUE(is_true("may_be_in"));
-    TEST_ASSERT_EQUAL_DOUBLE(0.0, number_of(needle, "age_s"));
-    TEST_ASSERT_EQUAL_DOUBLE(telemetry_units_position(&rig.robot.axes[NEURO_AXIS_INSERTION],
-                                                      rig_position(&rig, NEURO_AXIS_INSERTION)),
-                             number_of(needle, "position"));
-    rig_box(&rig, "estop pull");
-    run(200U);
-    TEST_ASSERT_TRUE(is_true("is_known"));
-    TEST_ASSERT_TRUE(is_true("may_be_in"));
-    rig_start_homed(&rig);
-    look();
-    TEST_ASSERT_FALSE(is_true("may_be_in"));
-}
-
-void test_SWR_HTTP_065_after_a_fault_the_last_known_position_stays_and_ages(void)
-{
-    insert();
-    const double before = number_of(needle, "position");
-    rig_box(&rig, "card insertion silent");
-    run(LIMIT_SILENT_KEPT_CYCLES + 2000U);
-    TEST_ASSERT_FALSE(is_true("is_known"));
-    TEST_ASSERT_TRUE(is_true("may_be_in"));
-    TEST_ASSERT_DOUBLE_WITHIN(0.5, before, number_of(needle, "position"));
-    TEST_ASSERT_DOUBLE_WITHIN(0.1, 2.0, number_of(needle, "age_s"));
-    rig_box(&rig, "estop pull");
-    run(1000U);
-    TEST_ASSERT_DOUBLE_WITHIN(0.1, 3.0, number_of(needle, "age_s"));
-    TEST_ASSERT_TRUE(is_true("may_be_in"));
-}
-
-void test_SWR_HTTP_065_counts_of_an_axis_that_was_never_homed_are_no_position(void)
-{
-    rig_start(&rig);
-    rig_cycles(&rig, 100U);
-    (void)rig_workphase(&rig, WORKPHASE_START_UP);
-    rig_press(&rig);
-    run(500U);
-    rig_box(&rig, "card insertion silent");
-    run(500U);
-    TEST_ASSERT_TRUE(cJSON_IsNull(cJSON_GetObjectItem(needle, "position")) != 0);
-    TEST_ASSERT_TRUE(cJSON_IsNull(cJSON_GetObjectItem(needle, "age_s")) != 0);
-    TEST_ASSERT_FALSE(is_true("is_known"));
-    TEST_ASSERT_TRUE(is_true("may_be_in"));
-}
-
-void test_SWR_HTTP_065_a_fault_that_says_no_position_keeps_the_one_seen_before(void)
-{
-    insert();
-    const double before = number_of(needle, "position");
-    rig_box(&rig, "encoder insertion stuck");
-    run(2000U);
-    TEST_ASSERT_EQUAL_INT(0, find("AXIS_NO_COUNTS"));
-    TEST_ASSERT_FALSE(is_true("is_known"));
-    TEST_ASSERT_DOUBLE_WITHIN(1.0, before, number_of(needle, "position"));
-}
-
-void test_SWR_HTTP_066_a_reason_against_an_axis_names_the_part_that_is_in_trouble(void)
-{
-    static const char *const expected =
-        "Card 3 (insertion) is lost. No frame of it came for several cycles: check its cable and "
-        "its supply.";
-    insert();
-    rig_box(&rig, "card insertion silent");
-    run(200U);
-    cJSON *const motors = telemetry_json_motors(&view);
-    const cJSON *axis = NULL;
-    cJSON_ArrayForEach(axis, cJSON_GetObjectItem(motors, "axes"))
-    {
-        const cJSON *const reason = cJSON_GetArrayItem(
-            cJSON_GetObjectItem(cJSON_GetObjectItem(axis, "permit"), "reasons"), 0);
-        TEST_ASSERT_EQUAL_STRING("LINK_LOST",
-                                 cJSON_GetStringValue(cJSON_GetObjectItem(reason, "name")));
-        TEST_ASSERT_EQUAL_STRING(expected,
-                                 cJSON_GetStringValue(cJSON_GetObjectItem(reason, "text")));
-    }
-    cJSON_Delete(motors);
-}
-
-void test_SWR_HTTP_066_the_fault_of_an_axis_is_reported_at_that_axis_alone(void)
-{
-    insert();
-    rig_box(&rig, "encoder insertion stuck");
-    run(1000U);
-    cJSON *const motors = telemetry_json_motors(&view);
-    const cJSON *axis = NULL;
-    cJSON_ArrayForEach(axis, cJSON_GetObjectItem(motors, "axes"))
-    {
-        char *const permit = cJSON_PrintUnformatted(cJSON_GetObjectItem(axis, "permit"));
-        const bool is_insertion =
-            strcmp("insertion", cJSON_GetStringValue(cJSON_GetObjectItem(axis, "name"))) == 0;
-        TEST_ASSERT_EQUAL(is_insertion, strstr(permit, "Axis insertion should have") != NULL);
-        cJSON_free(permit);
-    }
-    cJSON_Delete(motors);
 }

@@ -11,7 +11,6 @@
 
 #include "http/view/axis_availability.h"
 #include "http/view/mode_availability.h"
-#include "http/view/shown.h"
 #include "interface/app/names.h"
 #include "robot/app/robots.h"
 #include "supervise/scenario/prng.h"

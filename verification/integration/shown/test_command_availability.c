@@ -4,12 +4,10 @@
 #include "unity.h"
 
 #include "http/view/command_availability.h"
-#include "http/view/shown.h"
 #include "interface/app/names.h"
 #include "unit/support/commands.h"
 #include "integration/support/rig.h"
 #include "robot/robot_neuro.h"
-#include "robot/robot_prostate.h"
 #include "supervise/scenario/prng.h"
 #include "unit/support/scenes.h"
 

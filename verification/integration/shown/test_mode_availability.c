@@ -3,9 +3,7 @@
  * says. */
 #include "unity.h"
 
-#include "http/view/axis_availability.h"
 #include "http/view/mode_availability.h"
-#include "http/view/shown.h"
 #include "interface/app/names.h"
 #include "unit/support/commands.h"
 #include "integration/support/rig.h"

@@ -12,8 +12,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static rig_t rig;
-static int32_t probe_nm[ROBOT_PROBE_LENGTHS]; /* As the robot has it. */
+#include "integration/support/next_step_world.inc"
 
 void setUp(void)
 {
@@ -24,48 +23,6 @@ void tearDown(void)
 }
 
 typedef enum { UNREGISTERED, REGISTERED, TARGETED, WITHOUT_PROBE } knowledge_t;
-
-static status_t aim(void)
-{
-    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
-    return (status_t)rig_target(&rig, &pose).status;
-}
-
-static status_t report_registration(void)
-{
-    command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION};
-    rigid_set_identity(&command.as.registration.pose);
-    return (status_t)rig_command(&rig, command).status;
-}
-
-static status_t report_probe(void)
-{
-    command_t command = {.kind = (uint32_t)COMMAND_PROBE,
-                         .as.probe = {.count = robot_neuro.probe_length_count}};
-    (void)memcpy(command.as.probe.lengths_nm, probe_nm, sizeof probe_nm);
-    return (status_t)rig_command(&rig, command).status;
-}
-
-/* The next step, and its outcome. */
-static status_t follow(next_step_t step)
-{
-    static const workphase_t ways[] = {[NEXT_STEP_START_UP] = WORKPHASE_START_UP,
-                                       [NEXT_STEP_PLANNING] = WORKPHASE_PLANNING,
-                                       [NEXT_STEP_CALIBRATION] = WORKPHASE_CALIBRATION,
-                                       [NEXT_STEP_TARGETING] = WORKPHASE_TARGETING,
-                                       [NEXT_STEP_MOVE] = WORKPHASE_MOVE_TO_TARGET};
-    status_t status = STATUS_UNKNOWN_COMMAND;
-    if (step == NEXT_STEP_REGISTER) {
-        status = report_registration();
-    } else if (step == NEXT_STEP_TARGET) {
-        status = aim();
-    } else if (step == NEXT_STEP_PROBE) {
-        status = report_probe();
-    } else {
-        status = (status_t)rig_workphase(&rig, ways[step]).status;
-    }
-    return status;
-}
 
 /* Homed, and so much of the plan is known. */
 static void plan(knowledge_t knowledge)
@@ -158,40 +115,12 @@ void test_SWR_NEXT_001_before_start_up_nothing_else_is_asked_for(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_START_UP));
 }
 
-static void expect(next_step_t step)
-{
-    TEST_ASSERT_EQUAL_STRING(next_step_name((int32_t)step),
-                             next_step_name((int32_t)rig.outputs.snapshot.next_step));
-}
-
-static void expect_named(next_step_t step, uint32_t axis, uint32_t card, event_id_t event)
-{
-    expect(step);
-    TEST_ASSERT_EQUAL_UINT32(axis, rig.outputs.snapshot.step_axis);
-    TEST_ASSERT_EQUAL_UINT32(card, rig.outputs.snapshot.step_card);
-    TEST_ASSERT_EQUAL_STRING(event_id_name((int32_t)event),
-                             event_id_name((int32_t)rig.outputs.snapshot.step_event));
-}
-
-static uint32_t slot_of(uint32_t axis)
-{
-    return rig.box.robot->axes[axis].slot;
-}
-
 static void hold_button(void)
 {
     rig_box(&rig, "button press");
     rig_cycles(&rig, (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 1U);
     rig_box(&rig, "button release");
     rig_cycles(&rig, 2U);
-}
-
-/* Its counts are lost, and it is faulty. */
-static void fail_axis(uint32_t axis)
-{
-    const axis_inputs_t inputs = {.is_fault_present = false};
-    (void)axis_chart_dispatch(&rig.controller.axes[axis].chart, &inputs, AXIS_EVENT_FAILED);
-    rig_cycle(&rig);
 }
 
 static void jog(uint32_t axis)
@@ -398,129 +327,4 @@ void test_SWR_NEXT_003_an_axis_that_must_not_be_homed_asks_for_room_and_gets_it_
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
     rig_release(&rig);
     expect(NEXT_STEP_MAKE_ROOM);
-}
-
-/* START_UP, and the pedal until it has failed. */
-static void start_up_in_vain(void)
-{
-    rig_release(&rig);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_START_UP));
-    rig_press(&rig);
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 60000U).kind);
-    rig_release(&rig);
-    rig_cycles(&rig, 500U);
-}
-
-void test_SWR_NEXT_004_an_encoder_that_stays_reversed_is_for_service_and_named(void)
-{
-    rig_start(&rig);
-    rig_box(&rig, "encoder insertion reversed");
-    for (uint32_t i = 0U; i < LIMIT_SERVICE_START_UPS; i++) {
-        expect(NEXT_STEP_START_UP);
-        start_up_in_vain();
-    }
-    expect_named(NEXT_STEP_SERVICE, NEURO_AXIS_INSERTION, CARD_SLOT_COUNT, EVENT_AXIS_WRONG_WAY);
-    rig_box(&rig, "encoder insertion normal");
-    rig_home(&rig);
-    expect(NEXT_STEP_PLANNING);
-    fail_axis(NEURO_AXIS_HEAD);
-    expect(NEXT_STEP_START_UP);
-}
-
-static void go_targeting(void)
-{
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_PLANNING).status);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_TARGETING).status);
-    rig_cycles(&rig, 4U);
-}
-
-/* All axes are homed: it is done before the pedal. */
-static void start_up_at_once(void)
-{
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
-    rig_cycles(&rig, 10U);
-}
-
-/* The step MOVE is due, and so many moves have failed. */
-static void start_after_vain_moves(uint32_t count)
-{
-    rig_start_targeted(&rig);
-    rig.controller.sealed.vain_moves = count;
-    rig.controller.sealed.vain_axis = NEURO_AXIS_YAW;
-    rig.controller.sealed.vain_card = CARD_SLOT_COUNT;
-    rig.controller.sealed.vain_event = (uint32_t)EVENT_ORDER_OVERDUE;
-    controller_seal(&rig.controller);
-    go_targeting();
-}
-
-/* The motor gets hot under way, and has cooled when the pedal is released. */
-static void move_in_vain(void)
-{
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
-    rig_press(&rig);
-    rig.box.axes[NEURO_AXIS_YAW].card.motor_temperature_c = 200.0;
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 1000U).kind);
-    rig.box.axes[NEURO_AXIS_YAW].card.motor_temperature_c = 20.0;
-    rig_release(&rig);
-    rig_cycles(&rig, 100U);
-}
-
-/* START_UP between two of them does not count them anew. */
-void test_SWR_NEXT_036_an_axis_that_ends_each_move_is_for_service_and_named(void)
-{
-    start_after_vain_moves(0U);
-    for (uint32_t i = 0U; i < LIMIT_SERVICE_MOVES; i++) {
-        expect(NEXT_STEP_MOVE);
-        move_in_vain();
-        if (i < (LIMIT_SERVICE_MOVES - 1U)) {
-            expect(NEXT_STEP_START_UP);
-            start_up_at_once();
-            go_targeting();
-        }
-    }
-    expect_named(NEXT_STEP_SERVICE, NEURO_AXIS_YAW, CARD_SLOT_COUNT, EVENT_AXIS_HOT);
-    start_up_at_once();
-    expect(NEXT_STEP_PLANNING);
-    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.sealed.vain_moves);
-}
-
-void test_SWR_NEXT_036_service_is_shown_in_place_of_the_move(void)
-{
-    start_after_vain_moves(LIMIT_SERVICE_MOVES);
-    expect_named(NEXT_STEP_SERVICE, NEURO_AXIS_YAW, CARD_SLOT_COUNT, EVENT_ORDER_OVERDUE);
-}
-
-void test_SWR_AXIS_080_moves_are_counted_anew_once_it_is_said_that_it_is_mended(void)
-{
-    start_after_vain_moves(LIMIT_SERVICE_MOVES);
-    expect(NEXT_STEP_SERVICE);
-    rig_box(&rig, "button press");
-    rig_cycles(&rig, (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 2U);
-    rig_box(&rig, "button release");
-    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.sealed.vain_moves);
-    expect(NEXT_STEP_MOVE);
-}
-
-void test_SWR_NEXT_036_a_move_that_is_done_begins_the_count_anew(void)
-{
-    start_after_vain_moves(LIMIT_SERVICE_MOVES - 1U);
-    expect(NEXT_STEP_MOVE);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_MOVE));
-    rig_press(&rig);
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
-    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.sealed.vain_moves);
-}
-
-void test_SWR_NEXT_004_a_card_that_is_lost_in_each_START_UP_is_for_service_and_named(void)
-{
-    rig_start(&rig);
-    for (uint32_t i = 0U; i < LIMIT_SERVICE_START_UPS; i++) {
-        expect(NEXT_STEP_START_UP);
-        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, follow(NEXT_STEP_START_UP));
-        rig_box(&rig, "card head silent");
-        rig_cycles(&rig, 100U);
-        rig_box(&rig, "card head normal");
-        rig_cycles(&rig, 100U);
-    }
-    expect_named(NEXT_STEP_SERVICE, ROBOT_AXIS_MAX, slot_of(NEURO_AXIS_HEAD), EVENT_CARD_LOST);
 }

@@ -12,13 +12,11 @@
 #include "http/view/axis_availability.h"
 #include "http/view/command_availability.h"
 #include "http/view/mode_availability.h"
-#include "http/view/shown.h"
 #include "unit/support/commands.h"
 #include "integration/support/rig.h"
 #include "interface/app/names.h"
 #include "robot/app/robots.h"
 #include "robot/kinematics.h"
-#include "robot/robot_damage.h"
 #include "supervise/scenario/prng.h"
 #include "unit/support/scenes.h"
 

@@ -23,6 +23,7 @@
 #define BREAK_PARTS 2500U /* In one of so many cycles of a motion a cell breaks. */
 #define MEND_CYCLES 4000U
 #define JERK_CYCLES 12U
+#define JUMP_MN 4500 /* Less than a step that is doubted. */
 
 static uint32_t below(hands_t *self, uint32_t bound)
 {
@@ -119,10 +120,26 @@ static void swing(hands_t *self, rig_t *rig)
     self->um_per_s = (um_per_s < BOX_WISH_MOST_UM_PER_S) ? um_per_s : BOX_WISH_MOST_UM_PER_S;
 }
 
+/* Two stiff layers in front of the target, the membrane of each where a hand comes. */
+static void lay_tissue(hands_t *self, rig_t *rig)
+{
+    sim_phantom_file_t phantom = sim_phantom_usual;
+    phantom.tissue.surface_mm = (double)between(self, 1000, 5000) / UM_PER_MM;
+    phantom.tissue.layers[0].thickness_mm = (double)between(self, 4000, 7000) / UM_PER_MM;
+    for (uint32_t i = 0U; i < phantom.tissue.layer_count; i++) {
+        phantom.tissue.layers[i].stiffness_n_per_mm = (double)between(self, 500, 2000) / MN_PER_N;
+    }
+    box_force_lay(&rig->box.force, &phantom);
+}
+
 /* Another phantom, or the membranes of this one again. */
 static void change_tissue(hands_t *self, rig_t *rig)
 {
-    rig_box(rig, (below(self, 2U) == 0U) ? "tissue usual" : "tissue whole");
+    if (below(self, 2U) == 0U) {
+        lay_tissue(self, rig);
+    } else {
+        rig_box(rig, "tissue whole");
+    }
 }
 
 static void act(hands_t *self, rig_t *rig)
@@ -177,6 +194,14 @@ static void keep_swinging(hands_t *self, rig_t *rig)
     }
 }
 
+/* Its zero jumps, as that of a cell which was bent. */
+static void jump(hands_t *self, rig_t *rig)
+{
+    sim_load_cell_t *const hand = &rig->box.force.cells[SIM_CELL_HAND];
+    rig_box(rig, "force hand drift");
+    hand->config.offset_n += (double)between(self, -JUMP_MN, JUMP_MN) / MN_PER_N;
+}
+
 static void break_cell(hands_t *self, rig_t *rig)
 {
     static const char *const cells[] = {"hand", "hand", "needle"};
@@ -190,7 +215,11 @@ static void break_cell(hands_t *self, rig_t *rig)
     } else {
         (void)snprintf(line, sizeof line, "force %s %d", cell, (int)between(self, 0, 4095));
     }
-    rig_box(rig, line);
+    if (below(self, 4U) == 0U) {
+        jump(self, rig);
+    } else {
+        rig_box(rig, line);
+    }
     self->mend_cycles = 1U + below(self, MEND_CYCLES);
 }
 
@@ -199,6 +228,8 @@ static void let_cells_break(hands_t *self, rig_t *rig)
     if (self->mend_cycles > 0U) {
         self->mend_cycles--;
         if (self->mend_cycles == 0U) {
+            rig->box.force.cells[SIM_CELL_HAND].config.offset_n =
+                rig->box.force.phantom.cells[SIM_CELL_HAND].offset_n;
             rig_box(rig, "force hand normal");
             rig_box(rig, "force needle normal");
         }
@@ -212,6 +243,10 @@ static void let_cells_break(hands_t *self, rig_t *rig)
 
 void hands_play(hands_t *self, rig_t *rig)
 {
+    if (!self->has_tissue) {
+        lay_tissue(self, rig);
+        self->has_tissue = true;
+    }
     let_cells_break(self, rig);
     if (self->wait_cycles > 0U) {
         self->wait_cycles--;

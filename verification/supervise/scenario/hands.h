@@ -17,6 +17,7 @@ typedef struct {
     uint32_t swung_cycles; /**< Of that half. */
     int32_t um_per_s;      /**< Speed of the swing. */
     uint32_t mend_cycles;  /**< Until the cells work again; 0: they do. */
+    bool has_tissue;       /**< The one of this scene is laid. */
     bool is_brittle;       /**< Cells break in this scene. */
     bool is_careful;       /**< Nobody touches the handle while the sensor is zeroed. */
 } hands_t;

@@ -158,8 +158,8 @@ static bool ends_with(const char *line, const char *word)
     return (length >= strlen(word)) && begins_with(&line[length - strlen(word)], word);
 }
 
-/* Of hand, tissue and load cells: for PLAY_HANDS, as no other play has a motion that follows a
- * force. */
+/* A fault of hand, tissue or load cells: for PLAY_HANDS, as no other play has a motion that follows
+ * a force. */
 static bool is_force(const char *line)
 {
     return begins_with(line, "hand ") || begins_with(line, "grip ") ||

@@ -44,7 +44,7 @@ static void read_event(view_t *view, const event_t *event)
         view->taken = (authority_party_t){(uint32_t)event->value, event->subject};
         break;
     case EVENT_AUTHORITY_LOST:
-        view->losses |= (uint32_t)1U << ((uint32_t)event->value % REIGN_LOSSES);
+        view->losses |= (uint32_t)1U << ((uint32_t)event->value % AUTHORITY_LOSSES);
         break;
     case EVENT_MEMORY_DAMAGED:
     case EVENT_CHART_REPAIRED:
@@ -203,7 +203,7 @@ static void remember(authority_oracle_t *self, const view_t *view)
     self->has_heard = self->has_heard || (self->has_looked && is_new);
     self->holder = view->after;
     self->has_looked = true;
-    for (uint32_t i = 0U; i < REIGN_LOSSES; i++) {
+    for (uint32_t i = 0U; i < AUTHORITY_LOSSES; i++) {
         self->losses[i] += (view->losses >> i) & 1U;
     }
 }
@@ -218,11 +218,11 @@ uint32_t authority_oracle_look(authority_oracle_t *self, const rig_t *rig)
     watch_button(self, rig);
     watch_requests(self, &view);
     if (self->has_looked) {
-        broken = rule(REIGN_ONE, is_usurped(self, &view)) |
-                 rule(REIGN_LOST, is_lost_wrongly(self, &view)) |
-                 rule(REIGN_RENEWED, is_unrenewed(self, &view)) |
-                 rule(REIGN_ARMED, is_armed_wrongly(&view));
+        broken = rule(AUTHORITY_ONE, is_usurped(self, &view)) |
+                 rule(AUTHORITY_LOST, is_lost_wrongly(self, &view)) |
+                 rule(AUTHORITY_RENEWED, is_unrenewed(self, &view)) |
+                 rule(AUTHORITY_ARMED, is_armed_wrongly(&view));
     }
     remember(self, &view);
-    return broken | rule(REIGN_AFTER, self->is_barred && rig_is_driving(rig));
+    return broken | rule(AUTHORITY_AFTER, self->is_barred && rig_is_driving(rig));
 }

@@ -14,15 +14,15 @@
 
 /** Each a bit of authority_oracle_look(). */
 typedef enum {
-    REIGN_ONE = 0,     /**< Only the holder commands; between two it is lost, and the axes rest. */
-    REIGN_LOST = 1,    /**< Lost by its holder, by silence, or by button and released pedal. */
-    REIGN_RENEWED = 2, /**< A page that has it has given a sign of life. */
-    REIGN_AFTER = 3,   /**< After a loss nothing is driven before another order and press. */
-    REIGN_ARMED = 4    /**< Only the holder arms, and nothing stays armed without one. */
+    AUTHORITY_ONE = 0,  /**< Only the holder commands; between two it is lost, and the axes rest. */
+    AUTHORITY_LOST = 1, /**< Lost by its holder, by silence, or by button and released pedal. */
+    AUTHORITY_RENEWED = 2, /**< A page that has it has given a sign of life. */
+    AUTHORITY_AFTER = 3,   /**< After a loss nothing is driven before another order and press. */
+    AUTHORITY_ARMED = 4    /**< Only the holder arms, and nothing stays armed without one. */
 } authority_oracle_rule_t;
 
-#define REIGN_RULES 5U
-#define REIGN_LOSSES 4U /**< Values of authority_loss_t. */
+#define AUTHORITY_RULES 5U
+#define AUTHORITY_LOSSES 4U /**< Values of authority_loss_t. */
 
 /** At first all zero. */
 typedef struct {
@@ -37,9 +37,9 @@ typedef struct {
     uint32_t pressed_us;      /**< The button, with the pedal released. */
     bool is_barred;           /**< Since a loss no party has armed and then pressed. */
     bool is_armed_anew;
-    bool was_moving;               /**< In the cycle before. */
-    uint32_t losses[REIGN_LOSSES]; /**< How many there were, by authority_loss_t. */
-    uint32_t losses_in_motion;     /**< How many of them. */
+    bool was_moving;                   /**< In the cycle before. */
+    uint32_t losses[AUTHORITY_LOSSES]; /**< How many there were, by authority_loss_t. */
+    uint32_t losses_in_motion;         /**< How many of them. */
 } authority_oracle_t;
 
 /** Looks at the cycle that `rig` has just run. @return the rules that it broke */

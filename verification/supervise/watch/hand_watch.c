@@ -11,6 +11,7 @@
 #define TOUCH_N 0.02
 #define TURNED_TICKS 24.0 /* 5 degrees of the ProstateRobot. */
 #define UNTURNED_MM 0.5
+#define LED_ON_MM 0.02   /* A third of a vibration; a motor may be faster than its table says. */
 #define IDLE_CYCLES 120U /* Latency and filter of the sensor, and the time for hands off. */
 #define OFF_CYCLES 100U  /* A slower drive than this is none. */
 #define GHOST_CYCLES ((LIMIT_HAND_PUSH_US / LIMIT_CYCLE_US) + 300U)
@@ -25,17 +26,63 @@ static bool is_sent(const rig_t *rig, uint32_t axis)
     return rig_sent(rig, axis).drive.mode != (uint32_t)CARD_DRIVE_OFF;
 }
 
-/* What the sensor cannot be believed for, whether or not the core has noticed. */
+static bool is_a_cell_broken(const rig_t *rig)
+{
+    bool is_any = false;
+    for (uint32_t i = 0U; i < (uint32_t)SIM_CELLS; i++) {
+        is_any = is_any || (rig->box.force.cells[i].fault != SIM_LOAD_CELL_NORMAL);
+    }
+    return is_any;
+}
+
+/* Faults for which the sensor cannot be believed, whether or not the core has noticed. */
 static void doubt_sensor(hand_watch_t *self, const rig_t *rig)
 {
     const bool is_zeroing = force_sensor_is_zeroing(&rig->controller.force);
-    const double force_n = rig->box.force.hand.force_n;
-    for (uint32_t i = 0U; i < (uint32_t)SIM_CELLS; i++) {
-        self->is_untrue =
-            self->is_untrue || (rig->box.force.cells[i].fault != SIM_LOAD_CELL_NORMAL);
+    const bool is_touch = fabs(rig->box.force.hand.force_n) > TOUCH_N;
+    const bool is_broken = is_a_cell_broken(rig);
+    if (is_zeroing && !self->is_zeroing) {
+        self->is_touched = false;
     }
-    self->is_untrue =
-        self->is_untrue || (is_zeroing && ((force_n > TOUCH_N) || (force_n < -TOUCH_N)));
+    self->is_touched = self->is_touched || is_touch || is_broken;
+    if (!is_zeroing && self->is_zeroing) {
+        self->is_untrue = self->is_touched;
+    }
+    self->is_untrue = self->is_untrue || is_broken || (is_zeroing && is_touch);
+    self->is_zeroing = is_zeroing;
+}
+
+static bool is_reported(const rig_t *rig, event_id_t id)
+{
+    bool is_one = false;
+    for (uint32_t i = 0U; i < rig->outputs.event_count; i++) {
+        is_one = is_one || (rig->outputs.events[i].id == (uint32_t)id);
+    }
+    return is_one;
+}
+
+/* Way of a needle that stops: its lag, and the slope of a stop. */
+static double stop_way(const robot_t *robot, int32_t speed_q8)
+{
+    const double speed = fmax((double)speed_q8 / 256.0, 0.0);
+    const double slope = (double)robot->hand.stop_ticks_per_s2;
+    return (speed / (double)robot->axes[robot->needle_axis].gain_per_s) +
+           (speed * speed / (2.0 * slope));
+}
+
+/* Between its report and the end of the push it goes no deeper than a stop takes it. */
+static bool is_led_on(hand_watch_t *self, const rig_t *rig, double needle_ticks)
+{
+    const uint32_t needle = rig->box.robot->needle_axis;
+    if (is_reported(rig, EVENT_VIBRATION_BEGUN)) {
+        self->is_vibrating = true;
+        self->stop_ticks = needle_ticks + stop_way(rig->box.robot, self->speed_q8);
+    }
+    self->is_vibrating = self->is_vibrating && (rig->outputs.snapshot.membranes.sight ==
+                                                (uint32_t)MEMBRANE_SIGHT_VIBRATING);
+    self->speed_q8 = rig->outputs.snapshot.axes[needle].setpoint_speed_ticks_per_s_q8;
+    return self->is_vibrating && (truth_measure(&rig->box.robot->axes[needle],
+                                                needle_ticks - self->stop_ticks) > LED_ON_MM);
 }
 
 /* Outwards it is driven by a vibration only, which no needle leaves its amplitude in. */
@@ -107,9 +154,11 @@ uint32_t hand_watch_look(hand_watch_t *self, const order_watch_t *order, const r
     const double deeper =
         truth_measure(&rig->box.robot->axes[needle], truth[needle] - (double)self->target_ticks);
     const bool is_driven_on = is_ghost(self, rig, is_armed);
+    const bool is_deeper = is_led_on(self, rig, truth[needle]);
     self->deepest_ticks = fmax(self->deepest_ticks, truth[needle]);
     return rule(HAND_ALONE,
                 is_armed && (is_beside(rig) || is_drawn_out(self, rig, truth[needle]))) |
            rule(HAND_DEPTH, self->is_insertion && (deeper > DEEPER_MM)) |
-           rule(HAND_PUSH, is_driven_on) | rule(HAND_ROTATION, is_unturned(self, rig, truth));
+           rule(HAND_PUSH, is_driven_on) | rule(HAND_ROTATION, is_unturned(self, rig, truth)) |
+           rule(HAND_VIBRATION, is_deeper);
 }

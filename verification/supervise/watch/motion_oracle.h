@@ -52,10 +52,10 @@ typedef enum {
     /** From here on: those of hand_rule_t. */
     SENTENCE_HAND = SENTENCE_PROGRAM + (int)PROGRAM_RULES,
     /** From here on: those of authority_oracle_rule_t. */
-    SENTENCE_REIGN = SENTENCE_HAND + (int)HAND_RULES
+    SENTENCE_AUTHORITY = SENTENCE_HAND + (int)HAND_RULES
 } sentence_t;
 
-#define SENTENCE_COUNT ((uint32_t)SENTENCE_REIGN + REIGN_RULES)
+#define SENTENCE_COUNT ((uint32_t)SENTENCE_AUTHORITY + AUTHORITY_RULES)
 
 /** A sentence's record. */
 typedef struct {
@@ -114,7 +114,7 @@ typedef struct {
     uint32_t armed[COMMAND_KIND_COUNT]; /**< Orders in all episodes before this one. */
     uint32_t done[COMMAND_KIND_COUNT];  /**< How many of them ended as asked. */
     uint32_t losses_in_motion;
-    uint32_t losses[REIGN_LOSSES];        /**< In all episodes, by authority_loss_t. */
+    uint32_t losses[AUTHORITY_LOSSES];    /**< In all episodes, by authority_loss_t. */
     bool is_retracting;                   /**< A retraction was accepted and has not ended. */
     uint32_t idle_cycles[ROBOT_AXIS_MAX]; /**< Driven in homing without a part in it. */
     double coupled_beyond[ROBOT_COUPLED_LIMITS]; /**< How far beyond each may be, mm or degrees. */
@@ -130,6 +130,11 @@ void motion_oracle_forgive(motion_oracle_t *self);
  * `is_disturbed`: something in the scene is or was broken. */
 void motion_oracle_look(motion_oracle_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
                         bool is_disturbed);
+
+/** Notes that a sentence is broken by `axis`, or by a limit, and by how much; for the parts of the
+ * oracle. */
+void motion_oracle_complain(motion_oracle_t *self, const rig_t *rig, sentence_t sentence,
+                            uint32_t axis, double figure);
 
 /** So many cycles after the end of its profile an `ending` came, in `percent` of all. */
 uint32_t motion_oracle_late(const motion_oracle_t *self, ending_t ending, uint32_t percent);

@@ -111,12 +111,19 @@ class TestMembranes < Minitest::Test
   end
 
   def test_SWR_PUNCT_553_a_membrane_that_was_not_reached_is_not_missed
-    lines = found('--expected', '30,79,200', write('a.csv', [30]))
+    lines = found('--expected', '30,81,200', write('a.csv', [30]))
     assert_equal ['the recording ends before 2 of the expected membranes', 'found 1 of 1 membranes, recall 100.0 %; insertions: 1'],
                  lines[2, 2]
     assert_equal ['the recording ends before 1 of the expected membranes', 'no expected membrane was passed; insertions: 1',
                   'false alarms per insertion: 0.00 with the window, 0.00 without'],
                  found('--expected', '200', write('b.csv', [])).drop(1)
+  end
+
+  def test_SWR_PUNCT_553_a_membrane_shortly_before_the_end_is_missed
+    lines = found('--expected', '30,79,81', write('a.csv', [30]))
+    assert_match(/\A21499 ms: missed the membrane at 79\.000 mm\z/, lines[2])
+    assert_equal ['the recording ends before 1 of the expected membranes', 'found 1 of 2 membranes, recall 50.0 %; insertions: 1'],
+                 lines[3, 2]
   end
 
   def test_SWR_PUNCT_553_without_given_depths_nothing_is_judged
@@ -138,8 +145,10 @@ class TestMembranes < Minitest::Test
     file = File.join(@folder, 'bad.csv')
     File.write(file, "time_ms,depth_mm,force_n\n0,1,2\n1,1,2,5\n")
     assert_equal "#{file}, line 3: it has not as many values as the head has columns.\n", refused(file)
-    File.binwrite(file, "time_ms,depth_mm,force_n\n0,1,2\n1,1\0,2\n")
-    assert_equal "#{file}, line 3: it has not as many values as the head has columns.\n", refused(file)
+    ["0,1,2\n1,1\0,2\n", "0,1,2\n1,1,2\n\0" "2,1,2\n"].each_with_index do |rows, more|
+      File.binwrite(file, "time_ms,depth_mm,force_n\n#{rows}")
+      assert_equal "#{file}, line #{3 + more}: it has a byte of 0, which is no text.\n", refused(file)
+    end
     assert_equal "#{@folder}/none: No such file or directory.\n", refused("#{@folder}/none")
     assert_equal "#{@folder} is no regular file.\n", refused(@folder)
     large = File.join(@folder, 'large.csv')

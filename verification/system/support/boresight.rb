@@ -242,7 +242,8 @@ class Boresight
 
   # Rows of "simctl show": slot, axis, ..., drive and the number of watchdog trips.
   def box_axes
-    simctl('show').lines.map(&:split).select { |words| words.first.to_s.match?(/\A\d+\z/) }
+    rows = simctl('show').lines.map(&:split).select { |words| words.first.to_s.match?(/\A\d+\z/) }
+    rows.reject { |words| words[1] == 'sensor' }
   end
 
   def driven_axes

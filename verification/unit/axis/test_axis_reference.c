@@ -6,21 +6,10 @@
 #include "unity.h"
 
 #include "axis/axis.h"
-#include "axis/count_balance.h"
-#include "axis/drift_audit.h"
-#include "axis/edge_spacing.h"
-#include "axis/encoder.h"
-#include "axis/homing.h"
 #include "axis/supervision.h"
-#include "base/crc.h"
-#include "base/fixed.h"
 #include "card/card_frame.h"
 #include "charts/axis_chart.h"
-#include "charts/stall_watchdog_chart.h"
 #include "limits/requirement_limits.h"
-#include "motion/motor_heat.h"
-#include "motion/motor_model.h"
-#include "motion/servo.h"
 #include "robot/robot_neuro.h"
 
 #include <stddef.h>

@@ -10,11 +10,8 @@
 #include "unity.h"
 
 #include "axis/count_balance.h"
-#include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
-
-#include <string.h>
 
 #define CYCLE_US 1000U
 #define FULL 25

@@ -7,11 +7,6 @@
 #include "unity.h"
 
 #include "axis/axis.h"
-#include "axis/count_balance.h"
-#include "axis/drift_audit.h"
-#include "axis/edge_spacing.h"
-#include "axis/follower.h"
-#include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
 #include "robot/joints.h"

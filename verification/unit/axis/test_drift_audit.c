@@ -3,10 +3,8 @@
  * @file
  * Rule under test: what an axis counts at rest is added up, and no more.
  */
-#include "axis/count_balance.h"
 #include "axis/drift_audit.h"
 
-#include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
 #include "unity.h"

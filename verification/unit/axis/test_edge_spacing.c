@@ -7,8 +7,6 @@
 #include "limits/requirement_limits.h"
 #include "unity.h"
 
-#include <string.h>
-
 #define TICK 65536U
 #define LONG 100000U
 

@@ -6,12 +6,8 @@
 #include "unity.h"
 
 #include "axis/axis.h"
-#include "axis/count_balance.h"
-#include "axis/drift_audit.h"
-#include "axis/edge_spacing.h"
 #include "axis/follower.h"
 #include "limits/requirement_limits.h"
-#include "robot/joints.h"
 #include "robot/robot_neuro.h"
 
 static const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U, 0U};

@@ -5,7 +5,6 @@
  */
 #include "unity.h"
 
-#include "base/crc.h"
 #include "card/card_frame.h"
 #include "unit/support/card_vectors.h"
 #include "limits/requirement_limits.h"

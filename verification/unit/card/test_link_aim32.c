@@ -5,8 +5,6 @@
  */
 #include "unity.h"
 
-#include "base/crc.h"
-#include "card/aim32_frame.h"
 #include "card/card_frame.h"
 #include "card/link.h"
 #include "card/link_aim32.h"

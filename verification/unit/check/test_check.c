@@ -10,7 +10,6 @@
 
 #include "card/card_dialect.h"
 #include "check/check_files.h"
-#include "check/check_judges.h"
 #include "check/realtime.h"
 #include "exchange/exchange.h"
 #include "limits/requirement_limits.h"

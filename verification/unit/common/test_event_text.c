@@ -6,9 +6,6 @@
  */
 #include "common/event_text.h"
 
-#include "base/fixed.h"
-#include "base/rigid.h"
-#include "interface/app/event_words.h"
 #include "interface/app/names.h"
 #include "interface/card_frame_result.h"
 #include "interface/card_trouble.h"

@@ -5,14 +5,12 @@
  */
 #include "unity.h"
 
-#include "common/event_text.h"
 #include "common/log_entry.h"
 #include "common/utc_text.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
 #include "exchange/exchange_segment.h"
-#include "interface/app/event_words.h"
 #include "interface/app/names.h"
 #include "interface/event.h"
 #include "interface/mode_list.h"

@@ -4,7 +4,6 @@
 
 #include "bsp.h"
 #include "control/lamps.h"
-#include "interface/permit_reason.h"
 
 #include <string.h>
 

@@ -5,13 +5,8 @@
  */
 #include "unity.h"
 
-#include "exchange/exchange.h"
-#include "exchange/exchange_files.h"
-#include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
-#include "exchange/exchange_rows.h"
 #include "exchange/exchange_segment.h"
-#include "robot/robot_neuro.h"
 
 #include "unit/support/exchange_world.h"
 

@@ -4,22 +4,15 @@
 #include "procedure/command_kinds.h"
 #include "unity.h"
 
-#include "common/clock.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_peers.h"
-#include "exchange/exchange_segment.h"
 #include "http/pages/command_client.h"
 #include "http/pages/page_table.h"
-#include "http/gate/answer_timeout.h"
 #include "http/login/account.h"
-#include "http/login/device_mark.h"
-#include "http/login/login_delay.h"
-#include "http/login/password.h"
 #include "http/login/session_store.h"
 #include "http/login/session_table.h"
 
 #include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 #define COMMANDS 16U

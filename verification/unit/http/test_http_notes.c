@@ -3,21 +3,12 @@
  * refused on the way. */
 #include "unity.h"
 
-#include "common/clock.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_notes.h"
-#include "exchange/exchange_peers.h"
 #include "exchange/exchange_segment.h"
 #include "http/pages/command_client.h"
 #include "http/pages/http_notes.h"
-#include "http/pages/page_table.h"
-#include "http/gate/answer_timeout.h"
-#include "http/login/account.h"
-#include "http/login/device_mark.h"
-#include "http/login/login_delay.h"
-#include "http/login/password.h"
 #include "http/login/session_store.h"
-#include "http/login/session_table.h"
 
 #include <stdio.h>
 #include <unistd.h>

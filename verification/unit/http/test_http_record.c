@@ -3,24 +3,16 @@
  * them leaves their number. */
 #include "unity.h"
 
-#include "common/clock.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
-#include "http/gate/answer_timeout.h"
 #include "http/pages/command_client.h"
 #include "http/pages/http_notes.h"
 #include "http/pages/http_record.h"
 #include "http/pages/http_peers_log.h"
 #include "http/call/http_transaction.h"
-#include "http/pages/page_table.h"
 #include "limits/requirement_limits.h"
-#include "http/login/account.h"
-#include "http/login/device_mark.h"
-#include "http/login/login_delay.h"
-#include "http/login/password.h"
 #include "http/login/session_store.h"
-#include "http/login/session_table.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -4,8 +4,6 @@
  * Rule under test: a connection sends each message in one write, never waits for its peer, and
  * notices its end.
  */
-#include "igtl/wire/igtl_codec.h"
-#include "igtl/wire/igtl_crc64.h"
 #include "igtl/wire/igtl_packet.h"
 #include "igtl/server/igtl_connection.h"
 #include "igtl/wire/igtl_inbox.h"

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file Rule under test: every answer is sent once and in request, of a state only the newest, and
  * memory is bounded. */
-#include "igtl/wire/igtl_codec.h"
-#include "igtl/wire/igtl_crc64.h"
 #include "igtl/wire/igtl_packet.h"
 #include "igtl/wire/igtl_outbox.h"
 #include "unity.h"

@@ -5,7 +5,6 @@
  * 1, and is extended to version 2 without a change of its content.
  */
 #include "igtl/wire/igtl_codec.h"
-#include "igtl/wire/igtl_crc64.h"
 #include "igtl/wire/igtl_packet.h"
 #include "unity.h"
 

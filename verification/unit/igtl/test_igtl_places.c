@@ -8,7 +8,6 @@
 #include "igtl/server/igtl_server.h"
 #include "unity.h"
 #include "igtl/server/igtl_connection.h"
-#include "igtl/wire/igtl_inbox.h"
 #include "limits/requirement_limits.h"
 #include "unit/support/igtl_server_world.inc"
 

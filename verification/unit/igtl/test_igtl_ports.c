@@ -5,7 +5,6 @@
  * line.
  */
 #include "igtl/server/igtl_ports.h"
-#include "igtl/server/igtl_ports_values.h"
 #include "unity.h"
 
 #include <stdio.h>

@@ -4,22 +4,17 @@
  * Rule under test: every question has an answer that says what is true, nothing of it commands,
  * what was not asked for is not sent, and a force is a number only while it is believed.
  */
-#include "base/fixed.h"
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
-#include "igtl/dialect/igtl_units.h"
 #include "igtl/dialect/igtl_dialect.h"
 #include "igtl/dialect/igtl_questions.h"
-#include "interface/app/names.h"
 #include "interface/force_doubt.h"
 #include "interface/snapshot.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
 #include "robot/robot_prostate.h"
 #include "igtl/wire/igtl_codec.h"
-#include "igtl/wire/igtl_crc64.h"
 #include "igtl/wire/igtl_outbox.h"
-#include "igtl/wire/igtl_packet.h"
 #include "unit/support/igtl_peer.h"
 #include "unity.h"
 

@@ -3,15 +3,7 @@
  * @file
  * Rule under test: each reason of a refusal has its code of the protocol, and names its axis.
  */
-#include "base/fixed.h"
-#include "base/rigid.h"
-#include "igtl/dialect/igtl_units.h"
 #include "igtl/dialect/igtl_dialect.h"
-#include "interface/app/names.h"
-#include "igtl/wire/igtl_codec.h"
-#include "igtl/wire/igtl_crc64.h"
-#include "igtl/wire/igtl_packet.h"
-#include "igtl/wire/igtl_outbox.h"
 #include "robot/robot_neuro.h"
 #include "unity.h"
 

@@ -8,9 +8,7 @@
 
 #include "igtl/dialect/igtl_requests.h"
 #include "exchange/exchange.h"
-#include "exchange/exchange_segment.h"
 #include "igtl/server/igtl_relay.h"
-#include "robot/robot_neuro.h"
 
 #include <stdio.h>
 #include <unistd.h>

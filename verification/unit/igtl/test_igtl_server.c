@@ -7,7 +7,6 @@
 #include "igtl/wire/igtl_codec.h"
 #include "igtl/server/igtl_server.h"
 #include "unity.h"
-#include "igtl/dialect/igtl_units.h"
 #include "igtl/server/igtl_caller.h"
 #include "igtl/server/igtl_connection.h"
 #include "igtl/server/igtl_listener.h"

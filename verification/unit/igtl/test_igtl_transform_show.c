@@ -4,23 +4,12 @@
  * Rule under test: every peer is shown the present state once and again what changes, each question
  * has its answer, and nothing is shown that is not known.
  */
-#include "base/fixed.h"
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
-#include "igtl/dialect/igtl_units.h"
 #include "igtl/dialect/igtl_dialect.h"
-#include "igtl/dialect/igtl_questions.h"
 #include "igtl/dialect/igtl_requests.h"
 #include "igtl/dialect/transform_dialect.h"
-#include "igtl/dialect/transform_proposals.h"
-#include "igtl/dialect/transform_show.h"
-#include "igtl/dialect/transform_view.h"
-#include "interface/app/names.h"
-#include "limits/requirement_limits.h"
 #include "igtl/wire/igtl_codec.h"
-#include "igtl/wire/igtl_crc64.h"
-#include "igtl/wire/igtl_outbox.h"
-#include "igtl/wire/igtl_packet.h"
 #include "unit/support/transform_world.h"
 #include "unity.h"
 

@@ -7,8 +7,6 @@
 #include "base/rigid.h"
 #include "igtl/dialect/igtl_units.h"
 #include "igtl/wire/igtl_codec.h"
-#include "igtl/wire/igtl_crc64.h"
-#include "igtl/wire/igtl_packet.h"
 #include "robot/robot.h"
 #include "unity.h"
 

@@ -5,12 +5,10 @@
  */
 #include "unity.h"
 
-#include "axis/axis.h"
 #include "mode/align/align_mode.h"
 #include "mode/leg/leg.h"
 #include "mode/leg/mode_frame.h"
 #include "mode/move/move_mode.h"
-#include "robot/joints.h"
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"
 

@@ -12,7 +12,6 @@
 #include "mode/leg/steer.h"
 #include "mode/move/move_mode.h"
 #include "motion/admittance.h"
-#include "robot/joints.h"
 #include "robot/robot_prostate.h"
 #include "unit/support/mode_world.h"
 

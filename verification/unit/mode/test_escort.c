@@ -8,15 +8,12 @@
 #include "unity.h"
 
 #include "axis/axis.h"
-#include "axis/follower.h"
 #include "axis/homing.h"
-#include "limits/requirement_limits.h"
 #include "mode/leg/escort.h"
 #include "robot/coupled_limit.h"
 #include "robot/joints.h"
 #include "robot/kinematics.h"
 #include "robot/robot_prostate.h"
-#include "safety/coupled_guard.h"
 #include "unit/support/scenes.h"
 
 #define FRONT_LEFT ((uint32_t)PROSTATE_AXIS_FRONT_LEFT)

@@ -7,15 +7,10 @@
 #include "unity.h"
 
 #include "axis/axis.h"
-#include "axis/follower.h"
 #include "mode/leg/escort.h"
 #include "mode/homing/homing_mode.h"
 #include "mode/leg/leg.h"
 #include "mode/leg/mode_frame.h"
-#include "mode/move/move_mode.h"
-#include "robot/coupled_limit.h"
-#include "robot/joints.h"
-#include "safety/coupled_guard.h"
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"
 

@@ -5,14 +5,11 @@
  */
 #include "unity.h"
 
-#include "axis/axis.h"
 #include "mode/insert/insert_mode.h"
 #include "mode/leg/leg.h"
 #include "mode/leg/mode_frame.h"
 #include "mode/leg/steer.h"
 #include "mode/move/move_mode.h"
-#include "robot/joints.h"
-#include "safety/needle.h"
 #include "unit/support/mode_world.h"
 
 #define LONG_CYCLES 100000U

@@ -4,15 +4,11 @@
  */
 #include "unity.h"
 
-#include "axis/axis.h"
 #include "limits/requirement_limits.h"
 #include "mode/jog/jog_mode.h"
 #include "mode/leg/leg.h"
 #include "mode/leg/mode_frame.h"
-#include "robot/coupled_limit.h"
 #include "robot/joints.h"
-#include "safety/coupled_guard.h"
-#include "safety/needle.h"
 #include "unit/support/mode_world.h"
 
 #define LONG_CYCLES 100000U

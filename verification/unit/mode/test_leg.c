@@ -5,7 +5,6 @@
  */
 #include "unity.h"
 
-#include "axis/axis.h"
 #include "limits/requirement_limits.h"
 #include "mode/leg/leg.h"
 #include "mode/leg/mode_frame.h"

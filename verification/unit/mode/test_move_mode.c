@@ -5,12 +5,10 @@
  */
 #include "unity.h"
 
-#include "axis/axis.h"
 #include "mode/leg/leg.h"
 #include "mode/leg/mode_frame.h"
 #include "mode/leg/steer.h"
 #include "mode/move/move_mode.h"
-#include "robot/joints.h"
 #include "robot/robot_prostate.h"
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"

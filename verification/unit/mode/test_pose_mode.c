@@ -5,17 +5,11 @@
  */
 #include "unity.h"
 
-#include "axis/axis.h"
 #include "base/seal.h"
 #include "mode/leg/leg.h"
 #include "mode/leg/mode_frame.h"
 #include "mode/move/move_mode.h"
 #include "mode/pose/pose_mode.h"
-#include "robot/coupled_limit.h"
-#include "robot/coupled_path.h"
-#include "robot/joints.h"
-#include "robot/kinematics.h"
-#include "robot/robot_damage.h"
 #include "robot/robot_neuro.h"
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"

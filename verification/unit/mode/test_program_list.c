@@ -5,18 +5,11 @@
  */
 #include "unity.h"
 
-#include "base/crc.h"
-#include "base/fixed.h"
-#include "base/rigid.h"
 #include "interface/command.h"
 #include "limits/requirement_limits.h"
 #include "mode/lists/program_list.h"
 #include "mode/lists/program_step.h"
-#include "robot/coupled_limit.h"
-#include "robot/coupled_path.h"
 #include "robot/joints.h"
-#include "robot/kinematics.h"
-#include "robot/margin.h"
 #include "robot/robot_bench2.h"
 #include "robot/robot_neuro.h"
 

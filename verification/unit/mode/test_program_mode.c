@@ -6,10 +6,6 @@
  */
 #include "unity.h"
 
-#include "axis/axis.h"
-#include "base/crc.h"
-#include "base/fixed.h"
-#include "base/rigid.h"
 #include "limits/requirement_limits.h"
 #include "mode/leg/leg.h"
 #include "mode/leg/mode_frame.h"
@@ -17,11 +13,6 @@
 #include "mode/lists/program_list.h"
 #include "mode/lists/program_step.h"
 #include "mode/program/program_mode.h"
-#include "robot/coupled_limit.h"
-#include "robot/coupled_path.h"
-#include "robot/joints.h"
-#include "robot/kinematics.h"
-#include "robot/margin.h"
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"
 

@@ -5,14 +5,10 @@
  */
 #include "unity.h"
 
-#include "axis/axis.h"
-#include "base/fixed.h"
 #include "mode/leg/leg.h"
 #include "mode/leg/mode_frame.h"
 #include "mode/retract/retract_mode.h"
-#include "motion/motor_heat.h"
 #include "motion/motor_model.h"
-#include "robot/joints.h"
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"
 

@@ -5,17 +5,13 @@
  */
 #include "unity.h"
 
-#include "axis/axis.h"
 #include "card/link.h"
 #include "limits/requirement_limits.h"
 #include "mode/leg/leg.h"
 #include "mode/leg/mode_frame.h"
 #include "mode/sweep/sweep_mode.h"
-#include "robot/coupled_limit.h"
 #include "robot/joints.h"
-#include "robot/kinematics.h"
 #include "robot/margin.h"
-#include "safety/coupled_guard.h"
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"
 

@@ -5,18 +5,10 @@
  */
 #include "unity.h"
 
-#include "base/crc.h"
-#include "base/fixed.h"
-#include "base/rigid.h"
 #include "limits/requirement_limits.h"
 #include "mode/lists/trajectory_list.h"
 #include "mode/lists/trajectory_row.h"
-#include "motion/cubic.h"
-#include "robot/coupled_limit.h"
-#include "robot/coupled_path.h"
 #include "robot/joints.h"
-#include "robot/kinematics.h"
-#include "robot/margin.h"
 #include "robot/robot_neuro.h"
 #include "safety/needle.h"
 

@@ -5,21 +5,13 @@
  */
 #include "unity.h"
 
-#include "axis/axis.h"
-#include "base/crc.h"
-#include "base/rigid.h"
 #include "limits/requirement_limits.h"
 #include "mode/leg/leg.h"
 #include "mode/leg/mode_frame.h"
 #include "mode/lists/trajectory_list.h"
 #include "mode/lists/trajectory_row.h"
 #include "mode/trajectory/trajectory_mode.h"
-#include "motion/cubic.h"
-#include "robot/coupled_limit.h"
-#include "robot/coupled_path.h"
 #include "robot/joints.h"
-#include "robot/kinematics.h"
-#include "robot/margin.h"
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"
 

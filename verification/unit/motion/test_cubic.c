@@ -5,7 +5,6 @@
  */
 #include "unity.h"
 
-#include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "motion/cubic.h"
 

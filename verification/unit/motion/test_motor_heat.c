@@ -6,7 +6,6 @@
  */
 #include "motion/motor_heat.h"
 
-#include "base/crc.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_prostate.h"
 #include "unity.h"

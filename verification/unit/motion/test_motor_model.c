@@ -2,12 +2,8 @@
 /* Rule under test: the model makes the way that the motor of the simulated box makes. */
 #include "unity.h"
 
-#include "base/crc.h"
-#include "base/fixed.h"
 #include "card/card_frame.h"
-#include "limits/requirement_limits.h"
 #include "motion/motor_model.h"
-#include "motion/servo.h"
 #include "robot/robot_neuro.h"
 #include "sim/model/sim_motor.h"
 

@@ -6,7 +6,6 @@
  */
 #include "unity.h"
 
-#include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "motion/profile.h"
 #include "robot/robot_neuro.h"

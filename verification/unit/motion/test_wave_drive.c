@@ -5,8 +5,6 @@
  */
 #include "unity.h"
 
-#include "base/crc.h"
-#include "base/fixed.h"
 #include "card/card_frame.h"
 #include "limits/requirement_limits.h"
 #include "motion/motor_model.h"

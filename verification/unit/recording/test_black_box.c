@@ -5,157 +5,28 @@
  */
 #include "unity.h"
 
-#include "base/crc.h"
-#include "card/card_frame.h"
-#include "common/clock.h"
-#include "common/directory.h"
-#include "common/file_series.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_cycles.h"
-#include "exchange/exchange_files.h"
 #include "exchange/exchange_rows.h"
 #include "exchange/exchange_segment.h"
 #include "recording/write/black_box.h"
 #include "recording/format/cycle_code.h"
-#include "recording/format/cycle_words.h"
-#include "recording/format/proof.h"
 #include "recording/format/recording.h"
-#include "recording/read/recording_block.h"
 #include "recording/read/recording_reader.h"
-#include "recording/read/recording_verify.h"
 #include "recording/write/recording_writer.h"
 
-#include <glob.h>
-#include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
-#include <sys/statvfs.h>
-#include <unistd.h>
-#include <zstd.h>
 
-#define SECOND_US UINT64_C(1000000)
-#define LANE 2100U
-
-static const recording_header_t header = {.build = "test-build",
-                                          .robot = "neuro",
-                                          .inputs_size = sizeof(controller_inputs_t),
-                                          .outputs_size = sizeof(controller_outputs_t),
-                                          .controller_size = CONTROLLER_CHECKPOINT_BYTES};
-static char folder[48];
-static char name[48];
-static char error[256];
-static exchange_t *exchange;
-static black_box_t black_box;
-static recording_reader_t reader;
-static recording_finding_t finding;
-static struct rlimit unlimited;
-static uint64_t now_us;
-
-/* In the place of the system's: nothing is free. */
-int statvfs(const char *path, struct statvfs *found)
-{
-    TEST_ASSERT_EQUAL_STRING(folder, path);
-    (void)memset(found, 0, sizeof *found);
-    return 0;
-}
+#include "unit/recording/black_box_world.inc"
 
 void setUp(void)
 {
-    (void)strcpy(folder, "/tmp/test-black-box-XXXXXX");
-    TEST_ASSERT_NOT_NULL(mkdtemp(folder));
-    (void)snprintf(name, sizeof name, "test-black-box-%d", (int)getpid());
-    exchange = exchange_create(name, LANE, error, sizeof error);
-    TEST_ASSERT_NOT_NULL_MESSAGE(exchange, error);
-    (void)signal(SIGXFSZ, SIG_IGN);
-    TEST_ASSERT_EQUAL_INT(0, getrlimit(RLIMIT_FSIZE, &unlimited));
-    now_us = 10U * SECOND_US;
-    black_box_open(&black_box, folder, exchange, &header);
+    begin_black_box();
 }
 
 void tearDown(void)
 {
-    char command[80];
-
-    (void)setrlimit(RLIMIT_FSIZE, &unlimited);
-    recording_reader_close(&reader);
-    black_box_close(&black_box);
-    exchange_close(exchange);
-    (void)snprintf(command, sizeof command, "rm -rf %s", folder);
-    TEST_ASSERT_EQUAL_INT(0, system(command));
-}
-
-static controller_t controller;
-
-static void push_checkpoint(uint32_t cycle)
-{
-    controller.sealed.cycle = cycle;
-    TEST_ASSERT_TRUE(exchange_push_checkpoint(exchange, &controller));
-}
-
-static void push(uint32_t cycle)
-{
-    cycle_entry_t *const entry = exchange_reserve_cycle(exchange);
-
-    TEST_ASSERT_NOT_NULL(entry);
-    (void)memset(entry, 0, sizeof *entry);
-    entry->kind = (uint32_t)CYCLE_RECORD_CYCLE;
-    entry->cycle = cycle;
-    exchange_commit_cycle(exchange);
-}
-
-/* Those cycles, a checkpoint before them, and so much time that they are written. */
-static void record_cycles(uint32_t first, uint32_t end)
-{
-    push_checkpoint(first);
-    for (uint32_t cycle = first; cycle < end; cycle++) {
-        push(cycle);
-    }
-    black_box_drain(&black_box, now_us);
-    now_us += SECOND_US;
-    black_box_drain(&black_box, now_us);
-}
-
-/* No file may become larger than that. */
-static void fill_disk(uint32_t bytes)
-{
-    struct rlimit limit = unlimited;
-
-    limit.rlim_cur = bytes;
-    TEST_ASSERT_EQUAL_INT(0, setrlimit(RLIMIT_FSIZE, &limit));
-}
-
-static void free_disk(void)
-{
-    TEST_ASSERT_EQUAL_INT(0, setrlimit(RLIMIT_FSIZE, &unlimited));
-    now_us += BLACK_BOX_RETRY_US;
-}
-
-/* The number of recordings; opens the newest one. */
-static size_t read_newest(void)
-{
-    char pattern[80];
-    glob_t found;
-
-    (void)snprintf(pattern, sizeof pattern, "%s/*.bsr", folder);
-    if (glob(pattern, 0, NULL, &found) != 0) {
-        return 0U;
-    }
-    const size_t count = found.gl_pathc;
-    (void)recording_reader_open(&reader, found.gl_pathv[count - 1U], &finding);
-    globfree(&found);
-    return count;
-}
-
-/* The newest of `files` is whole and has `records`; before it `lost` cycles are in no file. */
-static void expect_newest(size_t files, uint64_t records, uint32_t lost)
-{
-    black_box_close(&black_box);
-    TEST_ASSERT_EQUAL_size_t(files, read_newest());
-    TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
-    TEST_ASSERT_EQUAL_UINT64(records, reader.records);
-    TEST_ASSERT_EQUAL_UINT32(lost, reader.cycles_lost);
+    end_black_box();
 }
 
 void test_SWR_REC_012_what_a_full_disk_has_cost_is_counted_in_the_next_file(void)
@@ -326,160 +197,6 @@ void test_SWR_REC_040_what_the_end_of_the_disk_costs_last_is_counted(void)
     TEST_ASSERT_TRUE(exchange_is_recorder_failing(exchange));
 }
 
-static void remove_folder(void)
-{
-    char command[80];
-
-    (void)snprintf(command, sizeof command, "rm -r %s", folder);
-    TEST_ASSERT_EQUAL_INT(0, system(command));
-}
-
-void test_SWR_REC_014_a_folder_that_is_removed_is_made_again_with_a_new_recording(void)
-{
-    record_cycles(0U, 10U);
-    remove_folder();
-    black_box_drain(&black_box, now_us);
-    record_cycles(10U, 20U);
-    black_box_close(&black_box);
-    TEST_ASSERT_EQUAL_size_t(1U, read_newest());
-    TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
-    TEST_ASSERT_EQUAL_UINT64(11U, reader.records);
-}
-
-void test_SWR_REC_012_what_was_in_a_removed_recording_is_counted_as_lost(void)
-{
-    record_cycles(0U, 10U);
-    remove_folder();
-    black_box_drain(&black_box, now_us);
-    TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));
-    record_cycles(10U, 20U);
-    expect_newest(1U, 11U, 10U);
-    TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));
-}
-
-void test_SWR_REC_014_a_folder_that_is_moved_is_made_again_with_a_new_recording(void)
-{
-    char moved[64];
-    char command[80];
-
-    record_cycles(0U, 10U);
-    (void)snprintf(moved, sizeof moved, "%s-moved", folder);
-    TEST_ASSERT_EQUAL_INT(0, rename(folder, moved));
-    record_cycles(10U, 20U);
-    (void)snprintf(command, sizeof command, "rm -r %s", moved);
-    TEST_ASSERT_EQUAL_INT(0, system(command));
-    expect_newest(1U, 11U, 10U);
-}
-
-void test_SWR_REC_032_a_folder_that_a_file_has_replaced_is_reported_until_it_is_a_folder_again(void)
-{
-    record_cycles(0U, 10U);
-    remove_folder();
-    (void)fclose(fopen(folder, "w"));
-    record_cycles(10U, 20U);
-    TEST_ASSERT_TRUE(exchange_is_recorder_failing(exchange));
-    TEST_ASSERT_EQUAL_INT(0, remove(folder));
-    free_disk();
-    black_box_drain(&black_box, now_us);
-    TEST_ASSERT_FALSE(exchange_is_recorder_failing(exchange));
-    TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));
-    expect_newest(1U, 11U, 10U);
-}
-
-/* In the folder, by the shell. */
-static void in_folder(const char *what)
-{
-    char command[96];
-
-    (void)snprintf(command, sizeof command, "cd %s && %s", folder, what);
-    TEST_ASSERT_EQUAL_INT(0, system(command));
-}
-
-void test_SWR_REC_033_a_recording_that_is_emptied_in_place_is_counted_and_another_begun(void)
-{
-    record_cycles(0U, 10U);
-    (void)exchange_take_checkpoint_request(exchange);
-    in_folder("truncate -s 0 blackbox-000001-*.bsr");
-    push(10U);
-    black_box_drain(&black_box, now_us);
-    TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));
-    TEST_ASSERT_TRUE(exchange_take_checkpoint_request(exchange));
-    in_folder("test ! -s blackbox-000001-*.bsr"); /* It is left as it was found. */
-    record_cycles(11U, 20U);
-    expect_newest(2U, 11U, 10U);
-    TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));
-}
-
-void test_SWR_REC_033_a_recording_that_lost_its_end_is_counted_too(void)
-{
-    record_cycles(0U, 10U);
-    in_folder("truncate -s -1 blackbox-000001-*.bsr");
-    record_cycles(10U, 20U);
-    TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));
-    expect_newest(2U, 11U, 10U);
-}
-
-void test_SWR_REC_033_recordings_that_are_removed_while_none_can_be_written_are_counted(void)
-{
-    record_cycles(0U, 10U);
-    fill_disk(1U);
-    record_cycles(10U, 20U);
-    TEST_ASSERT_TRUE(exchange_is_recorder_failing(exchange));
-    in_folder("rm *.bsr"); /* Act that the next step suggests. */
-    now_us += SECOND_US;
-    black_box_drain(&black_box, now_us);
-    TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));
-    free_disk();
-    black_box_drain(&black_box, now_us);
-    TEST_ASSERT_FALSE(exchange_is_recorder_failing(exchange));
-    expect_newest(1U, 11U, 10U);
-    TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));
-}
-
-void test_SWR_REC_033_all_that_was_removed_is_missing_before_the_next_recording(void)
-{
-    record_cycles(0U, 10U);
-    record_cycles(13U, 20U);
-    in_folder("rm *.bsr");
-    record_cycles(20U, 30U);
-    TEST_ASSERT_EQUAL_UINT32(17U, exchange_cycles_removed(exchange));
-    expect_newest(1U, 11U, 20U);
-}
-
-void test_SWR_REC_033_an_earlier_recording_of_the_run_that_is_removed_is_counted_once(void)
-{
-    record_cycles(0U, 10U);
-    record_cycles(13U, 20U);
-    record_cycles(23U, 30U);
-    in_folder("rm *-000001-*.bsr");
-    now_us += SECOND_US;
-    black_box_drain(&black_box, now_us);
-    TEST_ASSERT_EQUAL_UINT32(10U, exchange_cycles_removed(exchange));
-    in_folder("truncate -s 0 blackbox-000002-*.bsr");
-    for (uint32_t i = 0U; i < 2U; i++) {
-        now_us += SECOND_US;
-        black_box_drain(&black_box, now_us);
-        TEST_ASSERT_EQUAL_UINT32(17U, exchange_cycles_removed(exchange));
-    }
-    expect_newest(2U, 8U, 3U);
-}
-
-/* Names that are newer than all of the run, and more than are kept. */
-void test_SWR_REC_033_what_makes_room_for_a_new_recording_is_not_counted(void)
-{
-    char many[64];
-
-    record_cycles(0U, 10U);
-    (void)snprintf(many, sizeof many, "touch $(seq -f blackbox-%%06.0f-x.bsr 2 %u)",
-                   LIMIT_RECORDINGS + 1U);
-    in_folder(many);
-    record_cycles(13U, 20U);
-    in_folder("test ! -e blackbox-000001-*.bsr");
-    now_us += SECOND_US;
-    black_box_drain(&black_box, now_us);
-    TEST_ASSERT_EQUAL_UINT32(0U, exchange_cycles_removed(exchange));
-}
-
 /* `count` rows of a list that is begun, and a checkpoint of them. */
 static void hold_rows(uint32_t count, uint32_t first)
 {
@@ -537,17 +254,6 @@ void test_SWR_TRAJ_017_a_checkpoint_whose_rows_are_gone_is_asked_for_again(void)
     expect_rows(4U, 50U);
 }
 
-/* The one before was killed. */
-static void start_another(void)
-{
-    (void)close(black_box.files.writer.file); /* As the kernel does, without what waited. */
-    (void)ZSTD_freeCCtx(black_box.files.writer.compressor);
-    free(black_box.files.writer.output);
-    black_box.files.writer = (recording_writer_t){.file = -1};
-    exchange->is_taking = false;
-    black_box_open(&black_box, folder, exchange, &header);
-}
-
 void test_SWR_REC_023_what_a_killed_recorder_had_not_written_is_in_the_file_of_the_next(void)
 {
     record_cycles(0U, 10U);
@@ -564,21 +270,6 @@ void test_SWR_REC_023_what_a_killed_recorder_had_not_written_is_in_the_file_of_t
     TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
     TEST_ASSERT_EQUAL_UINT64(10U, reader.records);
     TEST_ASSERT_EQUAL_UINT32(0U, reader.cycles_lost);
-}
-
-/* LIM-030: removed before it was there, and while it is. */
-void test_SWR_REC_033_a_recording_of_the_recorder_before_is_removed_uncounted(void)
-{
-    record_cycles(0U, 10U);
-    record_cycles(13U, 20U);
-    in_folder("rm *-000001-*.bsr");
-    start_another();
-    record_cycles(20U, 30U);
-    in_folder("rm *-000002-*.bsr");
-    now_us += SECOND_US;
-    black_box_drain(&black_box, now_us);
-    TEST_ASSERT_EQUAL_UINT32(0U, exchange_cycles_removed(exchange));
-    expect_newest(1U, 11U, 0U);
 }
 
 void test_SWR_REC_023_a_block_that_is_full_is_released_while_the_next_one_waits(void)

@@ -5,23 +5,11 @@
  */
 #include "unity.h"
 
-#include "recording/archive/archive_folder.h"
 #include "recording/archive/log_csv.h"
 #include "recording/archive/log_search.h"
-#include "base/crc.h"
-#include "common/event_text.h"
-#include "common/file_series.h"
 #include "common/log_entry.h"
-#include "common/utc_text.h"
-#include "exchange/exchange.h"
-#include "exchange/exchange_files.h"
-#include "exchange/exchange_notes.h"
-#include "exchange/exchange_peers.h"
 #include "exchange/exchange_segment.h"
-#include "interface/app/event_words.h"
-#include "interface/app/names.h"
 #include "interface/event.h"
-#include "recording/format/recording.h"
 #include "robot/robot_neuro.h"
 
 #include <stdio.h>

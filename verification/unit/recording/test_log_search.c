@@ -5,25 +5,12 @@
  */
 #include "unity.h"
 
-#include "recording/archive/archive_folder.h"
 #include "recording/archive/log_search.h"
-#include "base/crc.h"
-#include "common/clock.h"
-#include "common/directory.h"
-#include "common/event_text.h"
 #include "common/file_series.h"
-#include "common/log_entry.h"
-#include "common/utc_text.h"
 #include "exchange/exchange.h"
-#include "exchange/exchange_files.h"
-#include "exchange/exchange_notes.h"
-#include "exchange/exchange_peers.h"
 #include "exchange/exchange_segment.h"
-#include "interface/app/event_words.h"
-#include "interface/app/names.h"
 #include "interface/event.h"
 #include "recording/write/event_log.h"
-#include "recording/format/recording.h"
 
 #include <stdio.h>
 #include <stdlib.h>

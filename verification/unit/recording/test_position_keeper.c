@@ -5,7 +5,6 @@
  */
 #include "unity.h"
 
-#include "base/crc.h"
 #include "card/card_frame.h"
 #include "charts/axis_chart.h"
 #include "limits/requirement_limits.h"

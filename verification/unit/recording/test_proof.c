@@ -4,7 +4,6 @@
  */
 #include "unity.h"
 
-#include "base/crc.h"
 #include "recording/format/proof.h"
 
 #include <string.h>

@@ -7,7 +7,6 @@
 
 #include "unity.h"
 
-#include "common/file_series.h"
 #include "limits/requirement_limits.h"
 
 #include <string.h>

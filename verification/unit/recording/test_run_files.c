@@ -5,18 +5,7 @@
  */
 #include "unity.h"
 
-#include "base/crc.h"
-#include "card/card_frame.h"
-#include "common/clock.h"
-#include "common/directory.h"
-#include "common/file_series.h"
-#include "recording/write/kept_files.h"
 #include "recording/write/run_files.h"
-#include "recording/format/cycle_code.h"
-#include "recording/format/cycle_words.h"
-#include "recording/format/proof.h"
-#include "recording/read/recording_block.h"
-#include "recording/write/recording_writer.h"
 
 #include <signal.h>
 #include <stdio.h>

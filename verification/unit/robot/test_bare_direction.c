@@ -4,7 +4,6 @@
 
 #include "robot/bare_direction.h"
 
-#include "base/fixed.h"
 #include "robot/robot_neuro.h"
 #include "robot/robot_prostate.h"
 

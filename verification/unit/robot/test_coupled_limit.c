@@ -6,11 +6,8 @@
 
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
-#include "base/fixed.h"
-#include "base/rigid.h"
 #include "robot/joints.h"
 #include "robot/kinematics.h"
-#include "robot/margin.h"
 #include "robot/robot_neuro.h"
 
 void setUp(void)

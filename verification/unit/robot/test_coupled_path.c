@@ -6,7 +6,6 @@
  */
 #include "unity.h"
 
-#include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
 #include "robot/coupled_path.h"

@@ -3,7 +3,6 @@
  */
 #include "unity.h"
 
-#include "base/crc.h"
 #include "robot/probe.h"
 #include "robot/robot_neuro.h"
 

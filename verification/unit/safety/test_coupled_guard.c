@@ -7,17 +7,9 @@
 #include "unity.h"
 
 #include "axis/axis.h"
-#include "axis/count_balance.h"
-#include "axis/drift_audit.h"
-#include "axis/edge_spacing.h"
-#include "axis/follower.h"
-#include "base/fixed.h"
-#include "base/rigid.h"
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
 #include "robot/joints.h"
-#include "robot/kinematics.h"
-#include "robot/margin.h"
 #include "robot/robot_neuro.h"
 #include "safety/coupled_guard.h"
 

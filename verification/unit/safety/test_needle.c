@@ -6,9 +6,6 @@
 #include "unity.h"
 
 #include "axis/axis.h"
-#include "axis/count_balance.h"
-#include "axis/drift_audit.h"
-#include "axis/edge_spacing.h"
 #include "robot/robot_neuro.h"
 #include "safety/needle.h"
 

@@ -3,8 +3,6 @@
  * written, and is neither old nor from the future; or it is refused by name. */
 #include "unity.h"
 
-#include "base/crc.h"
-#include "common/axis_terms.h"
 #include "limits/requirement_limits.h"
 #include "positions/position_record.h"
 #include "robot/robot_neuro.h"

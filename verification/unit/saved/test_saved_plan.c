@@ -4,16 +4,8 @@
  * alone. */
 #include "unity.h"
 
-#include "axis/count_balance.h"
-#include "axis/edge_spacing.h"
-#include "axis/encoder.h"
 #include "axis/supervision.h"
-#include "base/fixed.h"
 #include "charts/axis_chart.h"
-#include "charts/stall_watchdog_chart.h"
-#include "motion/motor_heat.h"
-#include "motion/motor_model.h"
-#include "robot/joints.h"
 #include "robot/robot_neuro.h"
 #include "saved/saved_plan.h"
 

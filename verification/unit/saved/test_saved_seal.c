@@ -3,7 +3,6 @@
  * of a record. */
 #include "unity.h"
 
-#include "base/crc.h"
 #include "positions/position_record.h"
 #include "saved/saved_seal.h"
 

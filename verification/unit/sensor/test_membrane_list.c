@@ -109,6 +109,20 @@ void test_SWR_PUNCT_549_one_that_was_found_is_not_missed(void)
     TEST_ASSERT_EQUAL_UINT32(MEMBRANE_NONE, membrane_list_pass(&list, INT32_MIN));
 }
 
+void test_SWR_PUNCT_752_what_was_looked_at_stays_so_until_the_needle_is_deeper(void)
+{
+    static const int32_t depths_um[] = {19000, 24000};
+    TEST_ASSERT_EQUAL_INT(STATUS_OK, membrane_list_set(&list, depths_um, 2U));
+    membrane_list_look(&list, 20000);
+    membrane_list_look(&list, 15000);
+    membrane_list_blind(&list, 20050); /* The needle rests there. */
+    TEST_ASSERT_EQUAL_UINT32(0U, membrane_list_end(&list));
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_MISSED, list.membranes[0].state);
+    membrane_list_blind(&list, 25000);
+    TEST_ASSERT_EQUAL_UINT32(1U, membrane_list_end(&list));
+    TEST_ASSERT_EQUAL_UINT32(MEMBRANE_PASSED, list.membranes[1].state);
+}
+
 void test_SWR_PUNCT_752_a_membrane_behind_a_needle_that_was_not_looked_at_is_passed(void)
 {
     static const int32_t depths_um[] = {10000, 20000, 30000};

@@ -5,7 +5,6 @@
  */
 #include "unity.h"
 
-#include "limits/requirement_limits.h"
 #include "sensor/membrane_detector.h"
 #include "sim/model/sim_random.h"
 #include "unit/support/membrane_truth.h"

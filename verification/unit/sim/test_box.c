@@ -180,7 +180,7 @@ static uint32_t crc_of_a_cycle(bool is_exchanged, uint32_t piece_us)
     return crc32c(&received[0][0], sizeof received);
 }
 
-/* Of all axes, closer than the cards report them. */
+/* The sum over all axes, finer than the cards report it. */
 static uint32_t sum_of_clocks_and_warmth(void)
 {
     uint32_t sum = 0U;

@@ -6,7 +6,6 @@
 #include "bsp_bench.h"
 #include "card/card_frame.h"
 #include "limits/requirement_limits.h"
-#include "robot/robot_neuro.h"
 #include "robot/robot_prostate.h"
 #include "sim/box.h"
 #include "sim/box_grip.h"

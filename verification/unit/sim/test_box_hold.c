@@ -6,14 +6,11 @@
  */
 #include "unity.h"
 
-#include "base/crc.h"
 #include "bsp_bench.h"
-#include "card/card_frame.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
 #include "sim/box.h"
 #include "sim/box_grip.h"
-#include "sim/model/sim_card.h"
 #include "sim/model/sim_encoder.h"
 #include "sim/model/sim_motor.h"
 #include "sim/model/sim_switch.h"

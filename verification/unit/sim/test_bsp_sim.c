@@ -6,7 +6,6 @@
  */
 #include "unity.h"
 #include "bsp.h"
-#include "sim/box.h"
 #include "limits/requirement_limits.h"
 #include "unit/support/wire_world.inc"
 

@@ -6,7 +6,6 @@
  */
 #include "unity.h"
 
-#include "base/crc.h"
 #include "card/card_frame.h"
 #include "limits/requirement_limits.h"
 #include "sim/model/sim_card.h"

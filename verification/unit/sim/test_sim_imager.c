@@ -5,7 +5,6 @@
 #include "sim/model/sim_imager.h"
 
 #include <math.h>
-#include <string.h>
 
 #define STEP_US UINT64_C(100)
 #define MS UINT64_C(1000)

@@ -5,7 +5,6 @@
  */
 #include "unity.h"
 
-#include "base/crc.h"
 #include "card/card_frame.h"
 #include "sim/model/sim_motor.h"
 

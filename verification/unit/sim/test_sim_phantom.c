@@ -8,7 +8,6 @@
 #include "sim/box.h"
 #include "sim/model/sim_phantom.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

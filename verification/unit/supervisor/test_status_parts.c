@@ -6,7 +6,6 @@
 #include "unity.h"
 
 #include "charts/loop_guard_chart.h"
-#include "interface/app/names.h"
 #include "interface/loop_figures.h"
 #include "limits/requirement_limits.h"
 #include "supervisor/status_parts.h"

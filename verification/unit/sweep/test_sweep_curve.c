@@ -6,11 +6,6 @@
 #include "unity.h"
 
 #include "base/crc.h"
-#include "base/fixed.h"
-#include "card/card_frame.h"
-#include "common/utc_text.h"
-#include "interface/app/names.h"
-#include "motion/motor_model.h"
 #include "recording/write/sweep_keeper.h"
 #include "robot/robot_prostate.h"
 #include "sweep/sweep_curve.h"

@@ -5,7 +5,6 @@
  */
 #include "unity.h"
 
-#include "common/axis_terms.h"
 #include "robot/robot_neuro.h"
 #include "trajectory/trajectory_csv.h"
 

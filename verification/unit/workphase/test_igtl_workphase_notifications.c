@@ -5,40 +5,10 @@
  * each, after the answers that it is owed; no other client is, and nothing is said of what its own
  * command did.
  */
-#include "base/crc.h"
-#include "base/fixed.h"
-#include "base/rigid.h"
 #include "charts/arming_chart.h"
-#include "common/axis_terms.h"
-#include "common/list_terms.h"
-#include "igtl/dialect/igtl_units.h"
 #include "igtl/dialect/igtl_dialect.h"
-#include "igtl/dialect/igtl_questions.h"
 #include "igtl/dialect/igtl_requests.h"
-#include "igtl/workphase/workphase_answer.h"
-#include "igtl/lists/workphase_array.h"
 #include "igtl/workphase/workphase_dialect.h"
-#include "igtl/workphase/workphase_draping.h"
-#include "igtl/lists/workphase_lists.h"
-#include "igtl/workphase/workphase_needle.h"
-#include "igtl/workphase/workphase_peer.h"
-#include "igtl/workphase/workphase_queries.h"
-#include "igtl/lists/workphase_program.h"
-#include "igtl/workphase/workphase_receive.h"
-#include "igtl/lists/workphase_text.h"
-#include "igtl/lists/workphase_trajectory.h"
-#include "igtl/workphase/workphase_notifications.h"
-#include "igtl/workphase/workphase_commands.h"
-#include "interface/app/names.h"
-#include "interface/mode_list.h"
-#include "igtl/wire/igtl_codec.h"
-#include "igtl/wire/igtl_crc64.h"
-#include "igtl/wire/igtl_packet.h"
-#include "igtl/wire/igtl_outbox.h"
-#include "mode/lists/program_step.h"
-#include "mode/lists/trajectory_row.h"
-#include "limits/requirement_limits.h"
-#include "robot/robot_cards.h"
 #include "procedure/command_kinds.h"
 #include "unit/support/workphase_world.h"
 #include "unity.h"
@@ -48,8 +18,6 @@
 #include "charts/loop_guard_chart.h"
 #include "charts/pedal_gate_chart.h"
 #include "charts/stall_watchdog_chart.h"
-
-#include <string.h>
 
 /* Peer 0 commands, in PLANNING, and nothing is left to be said. */
 void setUp(void)

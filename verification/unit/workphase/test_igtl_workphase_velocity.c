@@ -3,45 +3,12 @@
  * Rule under test: a client commands speeds by one word, with axes, speeds and seconds; it is
  * informed that they are armed, and how they have ended.
  */
-#include "base/crc.h"
-#include "base/fixed.h"
-#include "base/rigid.h"
-#include "charts/arming_chart.h"
-#include "common/axis_terms.h"
-#include "common/list_terms.h"
-#include "igtl/dialect/igtl_units.h"
 #include "igtl/dialect/igtl_dialect.h"
-#include "igtl/dialect/igtl_questions.h"
-#include "igtl/dialect/igtl_requests.h"
-#include "igtl/workphase/workphase_answer.h"
-#include "igtl/lists/workphase_array.h"
 #include "igtl/workphase/workphase_dialect.h"
-#include "igtl/workphase/workphase_draping.h"
-#include "igtl/lists/workphase_lists.h"
-#include "igtl/workphase/workphase_needle.h"
-#include "igtl/workphase/workphase_peer.h"
-#include "igtl/workphase/workphase_queries.h"
-#include "igtl/lists/workphase_program.h"
-#include "igtl/workphase/workphase_receive.h"
-#include "igtl/lists/workphase_text.h"
-#include "igtl/lists/workphase_trajectory.h"
-#include "igtl/workphase/workphase_notifications.h"
-#include "igtl/workphase/workphase_commands.h"
-#include "interface/app/names.h"
-#include "interface/mode_list.h"
-#include "igtl/wire/igtl_codec.h"
-#include "igtl/wire/igtl_crc64.h"
-#include "igtl/wire/igtl_packet.h"
-#include "igtl/wire/igtl_outbox.h"
-#include "mode/lists/program_step.h"
-#include "mode/lists/trajectory_row.h"
-#include "limits/requirement_limits.h"
-#include "robot/robot_cards.h"
 #include "robot/robot_neuro.h"
 #include "unit/support/workphase_world.h"
 #include "unity.h"
 
-#include <math.h>
 #include <string.h>
 
 #define YAW (1UL << NEURO_AXIS_YAW)

@@ -2,16 +2,15 @@
 // Rule under test: what became of a command stands at its button and in words, and nowhere else.
 import {
   act,
-  cleanup,
   fireEvent,
   render,
   screen,
   waitFor,
 } from "@testing-library/react";
-import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { afterEach, beforeEach, expect, test } from "vitest";
 import type { Act, Authority } from "@interface";
 import { useCommanding, type Operation } from "../state/operation";
-import { makeCommander, type Commander } from "../testing/commander";
+import { makeCommander, type Commander, leave } from "../testing/commander";
 import { Order, OrderNotes } from "./Order";
 
 let commander: Commander;
@@ -62,11 +61,7 @@ beforeEach(async () => {
   render(<PanelOf operation={operation} authority={authority} />);
 });
 
-afterEach(() => {
-  commander.operation.session.stop();
-  cleanup();
-  vi.unstubAllGlobals();
-});
+afterEach(() => leave(commander));
 
 test("SWR-CON-033 the button that commanded says what becomes of it", async () => {
   fireEvent.click(screen.getByRole("button", { name: "EGRESS" }));

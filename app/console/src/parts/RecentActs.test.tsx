@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: the result of a command is shown in whichever view the user is by then.
-import { act, cleanup, render, screen, within } from "@testing-library/react";
-import { afterEach, expect, test, vi } from "vitest";
+import { act, render, screen, within } from "@testing-library/react";
+import { afterEach, expect, test } from "vitest";
 import type { Act, Path } from "@interface";
-import { makeCommander, type Commander } from "../testing/commander";
+import { makeCommander, type Commander, leave } from "../testing/commander";
 import { RecentActs } from "./RecentActs";
 
 const JOG: Path = "/api/v1/motors/yaw/jog";
@@ -32,11 +32,7 @@ function reported(): string[] {
   return [summary, ...items].map((one) => one?.textContent.trim() ?? "");
 }
 
-afterEach(() => {
-  commander.operation.session.stop();
-  cleanup();
-  vi.unstubAllGlobals();
-});
+afterEach(() => leave(commander));
 
 test("SWR-CON-046 its place is there before the first command", async () => {
   await show();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands in its page as text: packed, as base64.
+// Data that stands in its page as text: packed, as base64.
 import { expand } from "./expand";
 
 export function expanded(packed: string): Uint8Array<ArrayBuffer> {

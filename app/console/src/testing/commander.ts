@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A page that commands, before a server that answers everything and writes down what it was asked.
+import { cleanup } from "@testing-library/react";
 import { vi } from "vitest";
 import {
   modeButtons,
@@ -85,6 +86,13 @@ export async function makeCommander(role: Role): Promise<Commander> {
     deletions: pathsBy("DELETE"),
     answers,
   };
+}
+
+/** Ends the page, and the server before it. */
+export function leave({ operation }: Commander): void {
+  operation.session.stop();
+  cleanup();
+  vi.unstubAllGlobals();
 }
 
 const reason = "The present workphase does not allow it.";

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: each mode is listed with what the server says of it, and the chosen one has what commands it.
-import { cleanup, fireEvent, render, screen } from "@testing-library/react";
-import { afterEach, expect, test, vi } from "vitest";
+import { fireEvent, render, screen } from "@testing-library/react";
+import { afterEach, expect, test } from "vitest";
 import { modeButtons, type Modes, type Status } from "@interface";
 import {
   makeCommander,
   makeOutlook,
   refusedHere,
   type Commander,
+  leave,
 } from "../testing/commander";
 import { makeRobot } from "../testing/robot";
 import { ModesView } from "./ModesView";
@@ -32,11 +33,7 @@ function choose(name: string): void {
   fireEvent.click(screen.getByRole("radio", { name: new RegExp(`^${name}`) }));
 }
 
-afterEach(() => {
-  commander.operation.session.stop();
-  cleanup();
-  vi.unstubAllGlobals();
-});
+afterEach(() => leave(commander));
 
 test("SWR-CON-032 every mode is listed with what the server says of it", async () => {
   const outlook = makeOutlook("RETRACT");

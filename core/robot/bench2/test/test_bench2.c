@@ -6,7 +6,6 @@
 #include "robot/bench2/bench2.h"
 #include "robot/bench2/test/golden_bench2.h"
 #include "robot/joints.h"
-#include "robot/margin.h"
 #include "robot/robot_bench2.h"
 #include "unity.h"
 

@@ -65,12 +65,13 @@ function Tissue({ hands, box, isDisabled }: ForceProperties) {
 export function Grip({ hands, box, isDisabled }: ForceProperties) {
   return (
     <NumberChoice
+      hands={hands}
+      order="grip_mn"
       name="Hand"
       value={box.grip_mn}
       numbers={grips}
       text={gripText}
       isDisabled={isDisabled}
-      onChoose={(mn) => void hands.order({ grip_mn: mn })}
     />
   );
 }

@@ -2,7 +2,7 @@
 import type { Box, BoxNeedle as Needle, BoxPoint } from "@interface";
 import type { BoxHands } from "../../state/box";
 import { formatNumber } from "../../words/format";
-import { NumberChoice } from "./Choice";
+import { NumberChoice, type NumberChoiceProperties } from "./Choice";
 import "./BoxNeedle.css";
 
 type Across = "x_mm" | "y_mm";
@@ -16,13 +16,6 @@ const views: { name: string; up: Across }[] = [
 const STEP_MM = 20;
 const AHEAD_MM = 60;
 const MARGIN_MM = 4;
-
-/** Values to choose from, beside the present one. */
-const curvatures = [0, 1000, 2200, 4100, 8000];
-const torsions = [0, 20, 45];
-const periods = [0, 500, 1000, 2000, 5000];
-const delays = [0, 200, 500, 2000];
-const noises = [0, 300, 500, 1000];
 
 function up(mm: number): number {
   return Math.ceil(mm / STEP_MM) * STEP_MM;
@@ -166,50 +159,66 @@ function msText(ms: number): string {
   return `${ms / 1000} s`;
 }
 
+type NumberOfNeedle =
+  | "curvature"
+  | "torsion_deg"
+  | `images_${"period_ms" | "delay_ms" | "noise_um"}`;
+
+/** Numbers that can be chosen, each with the order that changes it. */
+const choices: (Pick<
+  NumberChoiceProperties,
+  "name" | "order" | "numbers" | "text"
+> & { of: NumberOfNeedle })[] = [
+  {
+    name: "Curvature",
+    of: "curvature",
+    order: "needle_curvature",
+    numbers: [0, 1000, 2200, 4100, 8000],
+    text: (value) => `${value / 1_000_000} per mm`,
+  },
+  {
+    name: "Torsion",
+    of: "torsion_deg",
+    order: "needle_torsion",
+    numbers: [0, 20, 45],
+    text: (value) => `${value} degrees per 100 mm`,
+  },
+  {
+    name: "Images",
+    of: "images_period_ms",
+    order: "images_period_ms",
+    numbers: [0, 500, 1000, 2000, 5000],
+    text: (value) => (value === 0 ? "none" : `each ${msText(value)}`),
+  },
+  {
+    name: "Delay of images",
+    of: "images_delay_ms",
+    order: "images_delay_ms",
+    numbers: [0, 200, 500, 2000],
+    text: msText,
+  },
+  {
+    name: "Noise of images",
+    of: "images_noise_um",
+    order: "images_noise_um",
+    numbers: [0, 300, 500, 1000],
+    text: (value) => `${value / 1000} mm`,
+  },
+];
+
 function Choices({ hands, needle, isDisabled }: NeedleProperties) {
   const hasTarget = needle.target !== null;
   return (
     <div className="box-groups">
-      <NumberChoice
-        name="Curvature"
-        value={needle.curvature}
-        numbers={curvatures}
-        text={(value) => `${value / 1_000_000} per mm`}
-        isDisabled={isDisabled}
-        onChoose={(value) => void hands.order({ needle_curvature: value })}
-      />
-      <NumberChoice
-        name="Torsion"
-        value={needle.torsion_deg}
-        numbers={torsions}
-        text={(value) => `${value} degrees per 100 mm`}
-        isDisabled={isDisabled}
-        onChoose={(value) => void hands.order({ needle_torsion: value })}
-      />
-      <NumberChoice
-        name="Images"
-        value={needle.images_period_ms}
-        numbers={periods}
-        text={(value) => (value === 0 ? "none" : `each ${msText(value)}`)}
-        isDisabled={isDisabled}
-        onChoose={(value) => void hands.order({ images_period_ms: value })}
-      />
-      <NumberChoice
-        name="Delay of images"
-        value={needle.images_delay_ms}
-        numbers={delays}
-        text={msText}
-        isDisabled={isDisabled}
-        onChoose={(value) => void hands.order({ images_delay_ms: value })}
-      />
-      <NumberChoice
-        name="Noise of images"
-        value={needle.images_noise_um}
-        numbers={noises}
-        text={(value) => `${value / 1000} mm`}
-        isDisabled={isDisabled}
-        onChoose={(value) => void hands.order({ images_noise_um: value })}
-      />
+      {choices.map(({ of, ...choice }) => (
+        <NumberChoice
+          key={of}
+          {...choice}
+          hands={hands}
+          value={needle[of]}
+          isDisabled={isDisabled}
+        />
+      ))}
       <div className="box-group">
         <button
           type="button"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { BoxOrderRequest } from "@interface";
+import type { BoxHands } from "../../state/box";
 
 interface ChoiceProperties {
   name: string;
@@ -36,23 +38,33 @@ export function Choice({
   );
 }
 
-interface NumberChoiceProperties {
+/** Orders to the box that are a number. */
+type NumberOrder = {
+  [Name in keyof BoxOrderRequest]-?: number extends BoxOrderRequest[Name]
+    ? Name
+    : never;
+}[keyof BoxOrderRequest];
+
+export interface NumberChoiceProperties {
+  hands: BoxHands;
   name: string;
+  order: NumberOrder;
   value: number;
   /** Values to choose from; the present one is added. */
   numbers: readonly number[];
   text: (value: number) => string;
   isDisabled: boolean;
-  onChoose: (value: number) => void;
 }
 
+/** A number of the box, and the order that changes it. */
 export function NumberChoice({
+  hands,
   name,
+  order,
   value,
   numbers,
   text,
   isDisabled,
-  onChoose,
 }: NumberChoiceProperties) {
   const present = numbers.includes(value) ? [] : [value];
   return (
@@ -63,7 +75,7 @@ export function NumberChoice({
         new Map([...present, ...numbers].map((one) => [String(one), text(one)]))
       }
       isDisabled={isDisabled}
-      onChoose={(one) => onChoose(Number(one))}
+      onChoose={(one) => void hands.order({ [order]: Number(one) })}
     />
   );
 }

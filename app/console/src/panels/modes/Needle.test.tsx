@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: motions of the whole robot are commanded by the page that has authority.
-import { cleanup, fireEvent, render, screen } from "@testing-library/react";
-import { afterEach, expect, test, vi } from "vitest";
+import { fireEvent, render, screen } from "@testing-library/react";
+import { afterEach, expect, test } from "vitest";
 import {
   makeCommander,
   makeOutlook,
   type Commander,
+  leave,
 } from "../../testing/commander";
 import { makeRobot } from "../../testing/robot";
 import { Needle } from "./Needle";
@@ -29,11 +30,7 @@ function button(name: string): HTMLButtonElement {
   return screen.getByText<HTMLButtonElement>(name, { selector: "button" });
 }
 
-afterEach(() => {
-  commander.operation.session.stop();
-  cleanup();
-  vi.unstubAllGlobals();
-});
+afterEach(() => leave(commander));
 
 test.each([
   ["Retract needle", "RETRACT", "/api/v1/needle/retract", {}],

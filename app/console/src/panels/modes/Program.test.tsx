@@ -7,6 +7,7 @@ import {
   makeCommander,
   makeOutlook,
   type Commander,
+  leave,
 } from "../../testing/commander";
 import { makeRobot } from "../../testing/robot";
 import { Program } from "./Program";
@@ -65,11 +66,7 @@ beforeEach(async () => {
   await screen.findByText(/Held: 2 steps/);
 });
 
-afterEach(() => {
-  commander.operation.session.stop();
-  cleanup();
-  vi.unstubAllGlobals();
-});
+afterEach(() => leave(commander));
 
 test("SWR-CON-034 steps are written, added, removed and sent", () => {
   press("Add a step");

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: a sweep is commanded once the axis is said to be free, and its curve is shown with its numbers.
-import { cleanup, fireEvent, render, screen } from "@testing-library/react";
-import { afterEach, expect, test, vi } from "vitest";
+import { fireEvent, render, screen } from "@testing-library/react";
+import { afterEach, expect, test } from "vitest";
 import type { LogEntry, Status, Sweep as Kept } from "@interface";
 import { useCommanding } from "../../state/operation";
 import {
   makeCommander,
   makeOutlook,
   type Commander,
+  leave,
 } from "../../testing/commander";
 import {
   makeAxis,
@@ -78,11 +79,7 @@ async function show(body: Kept, change: Partial<Status> = {}): Promise<void> {
   await screen.findByRole("heading", { name: "Last sweep that was done" });
 }
 
-afterEach(() => {
-  commander.operation.session.stop();
-  cleanup();
-  vi.unstubAllGlobals();
-});
+afterEach(() => leave(commander));
 
 test("SWR-CON-035 a sweep is commanded once its axis is said to be free", async () => {
   await show(kept);

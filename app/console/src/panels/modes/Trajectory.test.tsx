@@ -2,12 +2,13 @@
 // Rule under test: a table is seen before it is sent, what is wrong with it is said by name and line, and what is run is what is
 // held.
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
-import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { afterEach, beforeEach, expect, test } from "vitest";
 import { useCommanding } from "../../state/operation";
 import {
   makeCommander,
   makeOutlook,
   type Commander,
+  leave,
 } from "../../testing/commander";
 import { makeRobot } from "../../testing/robot";
 import { Trajectory } from "./Trajectory";
@@ -53,11 +54,7 @@ beforeEach(async () => {
   commander = await makeCommander("OPERATOR");
 });
 
-afterEach(() => {
-  commander.operation.session.stop();
-  cleanup();
-  vi.unstubAllGlobals();
-});
+afterEach(() => leave(commander));
 
 test.each([false, true])(
   "SWR-CON-034 a table is drawn before it is sent (dragged: %s)",

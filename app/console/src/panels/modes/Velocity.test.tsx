@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: speeds are sent as numbers, with a time or the way of one axis, and not before all of it is there.
-import { cleanup, fireEvent, render, screen } from "@testing-library/react";
-import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { fireEvent, render, screen } from "@testing-library/react";
+import { afterEach, beforeEach, expect, test } from "vitest";
 import type { RobotAxis } from "@interface";
 import { useCommanding } from "../../state/operation";
 import {
   makeCommander,
   makeOutlook,
   type Commander,
+  leave,
 } from "../../testing/commander";
 import { makeAxis, makeRobot } from "../../testing/robot";
 import { Velocity } from "./Velocity";
@@ -53,11 +54,7 @@ beforeEach(async () => {
   await screen.findByText("at most 60.0 °/s");
 });
 
-afterEach(() => {
-  commander.operation.session.stop();
-  cleanup();
-  vi.unstubAllGlobals();
-});
+afterEach(() => leave(commander));
 
 test("SWR-CON-035 axes run at their speeds for a time", () => {
   write("head mm per second", "3");

@@ -20,7 +20,7 @@ function placeOf({ hasDepth }: Trace): string {
   return hasDepth ? "depth below the entry point" : "position of the axis";
 }
 
-/** Of each channel. */
+/** The force of each channel. */
 function Forces({ forces }: { forces: Newtons }) {
   return channels.map(({ label, channel }) => (
     <span key={channel}>

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: each axis shows what is known of it, is commanded by the page that has authority, and a position is
 // changed only after a question.
-import {
-  act,
-  cleanup,
-  fireEvent,
-  render,
-  screen,
-  within,
-} from "@testing-library/react";
-import { afterEach, expect, test, vi } from "vitest";
+import { act, fireEvent, render, screen, within } from "@testing-library/react";
+import { afterEach, expect, test } from "vitest";
 import type { Modes, Role } from "@interface";
 import {
   makeCommander,
@@ -17,6 +10,7 @@ import {
   plainActs,
   refusedHere,
   type Commander,
+  leave,
 } from "../../testing/commander";
 import { makeAxis, makeBlockedAxis, makeRobot } from "../../testing/robot";
 import { Motors } from "./Motors";
@@ -70,11 +64,7 @@ function press(axis: string, name: string): void {
   fireEvent.click(button(axis, name));
 }
 
-afterEach(() => {
-  commander.operation.session.stop();
-  cleanup();
-  vi.unstubAllGlobals();
-});
+afterEach(() => leave(commander));
 
 function barJog(outlook: Modes, upwards: string, downwards: string | null) {
   const axis = {

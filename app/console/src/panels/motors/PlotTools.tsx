@@ -6,10 +6,10 @@ import "./Plots.css";
 
 const CURSOR_STEP_S = 0.05;
 
-/** Of a plot over time. */
+/** Range of a plot over time. */
 export const overTime: Range = [-TRACE_S, 0];
 
-/** What is drawn: the present trace or the one of a pause, and a cursor in it. */
+/** The drawn trace, which is the present one or that of a pause, and a cursor in it. */
 export function useShown(trace: Trace) {
   const [paused, setPaused] = useState<Trace | null>(null);
   const [agoS, setAgoS] = useState<number | null>(null);

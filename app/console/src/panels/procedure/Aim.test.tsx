@@ -9,8 +9,10 @@ import {
   makeOutlook,
   refusedHere,
   type Commander,
+  leave,
 } from "../../testing/commander";
 import { makeRobot } from "../../testing/robot";
+import { orderButton, write } from "../../testing/targeting";
 import { Aim } from "./Aim";
 
 let commander: Commander;
@@ -40,27 +42,15 @@ async function show(
   );
 }
 
-function button(name: string): HTMLButtonElement {
-  return screen.getByRole<HTMLButtonElement>("button", { name });
-}
-
-function write(label: string, value: string): void {
-  fireEvent.change(screen.getByLabelText(label), { target: { value } });
-}
-
-afterEach(() => {
-  commander.operation.session.stop();
-  cleanup();
-  vi.unstubAllGlobals();
-});
+afterEach(() => leave(commander));
 
 test("SWR-CON-018 a registration is sent whole, in CALIBRATION", async () => {
   await show("CALIBRATION");
   write("Scanner from z-frame", "1 0 0 5\n0 1 0 −6\n0 0 1 7");
-  expect(button("Register").disabled).toBe(true);
+  expect(orderButton("Register").disabled).toBe(true);
   write("Scanner from z-frame", "1 0 0 5\n0 1 0 −6\n0 0 1 7\n0 0 0 1");
   fireEvent.click(screen.getByLabelText("Only its translation"));
-  fireEvent.click(button("Register"));
+  fireEvent.click(orderButton("Register"));
   const matrix = [1, 0, 0, 5, 0, 1, 0, -6, 0, 0, 1, 7, 0, 0, 0, 1];
   expect(commander.acts()).toEqual([
     {
@@ -72,7 +62,7 @@ test("SWR-CON-018 a registration is sent whole, in CALIBRATION", async () => {
 
 test("SWR-CON-018 no registration is offered that nobody has written", async () => {
   await show("CALIBRATION");
-  expect(button("Register").disabled).toBe(true);
+  expect(orderButton("Register").disabled).toBe(true);
   expect(commander.acts()).toEqual([]);
 });
 
@@ -95,12 +85,12 @@ test("SWR-CON-018 a probe that was changed elsewhere is shown before it is sent"
 
 test("SWR-CON-044 each is offered where the server says it is taken", async () => {
   await show("TARGETING");
-  expect(button("Register").disabled).toBe(true);
+  expect(orderButton("Register").disabled).toBe(true);
   expect(screen.getByText(refusedHere)).toBeTruthy();
   cleanup();
   await show("CALIBRATION");
   write("Entry point, scanner", "1 2 3");
-  expect(button("Send entry").disabled).toBe(true);
+  expect(orderButton("Send entry").disabled).toBe(true);
 });
 
 test.each([
@@ -110,10 +100,10 @@ test.each([
   await show("TARGETING");
   for (const text of ["1 2", "1 2 3 4", "1 two 3"]) {
     write(label, text);
-    expect(button(name).disabled, text).toBe(true);
+    expect(orderButton(name).disabled, text).toBe(true);
   }
   write(label, "1.5, -2; 3");
-  fireEvent.click(button(name));
+  fireEvent.click(orderButton(name));
   expect(commander.acts().filter((act) => act.path !== PREVIEW)).toEqual([
     {
       path: `/api/v1/targeting/${path}`,
@@ -136,7 +126,7 @@ test.each([
 ])("SWR-CON-108 a target is sent as a pose: %s", async (text, aim) => {
   await show("TARGETING");
   write("Target point, scanner", text);
-  fireEvent.click(button("Send target"));
+  fireEvent.click(orderButton("Send target"));
   expect(commander.acts().at(-1)).toEqual({
     path: "/api/v1/targeting/target",
     body: { id: 1, ...aim },
@@ -155,16 +145,16 @@ test.each([
 ])("SWR-CON-108 what can be read in two ways is no pose: %s", async (text) => {
   await show("TARGETING");
   write("Target point, scanner", text);
-  expect(button("Send target").disabled).toBe(true);
+  expect(orderButton("Send target").disabled).toBe(true);
 });
 
 test("SWR-CON-018 the lengths of the probe are sent together", async () => {
   await show("TARGETING");
   write("Probe needle_tip, 150 to 350 mm", "long");
-  expect(button("Change probe").disabled).toBe(true);
+  expect(orderButton("Change probe").disabled).toBe(true);
   screen.getByText("Write a number for needle_tip.");
   write("Probe needle_tip, 150 to 350 mm", "260.5");
-  fireEvent.click(button("Change probe"));
+  fireEvent.click(orderButton("Change probe"));
   expect(commander.acts()).toEqual([
     {
       path: "/api/v1/targeting/probe",
@@ -191,8 +181,8 @@ test("SWR-CON-018 a proposed entry is accepted as it is shown", async () => {
   screen.getByText(
     "Proposed entry 1.00, 2.00, 3.00, from crtk 10.0.0.8:40001, 12 s ago",
   );
-  fireEvent.click(button("Accept"));
-  fireEvent.click(button("Withdraw"));
+  fireEvent.click(orderButton("Accept"));
+  fireEvent.click(orderButton("Withdraw"));
   expect(commander.acts()).toEqual([
     { path: "/api/v1/targeting/entry", body: { id: 1, point_mm: [1, 2, 3] } },
     {
@@ -215,15 +205,15 @@ test("SWR-CON-107 a proposed registration is shown with its rotation and accepte
     },
   };
   await show("TARGETING", { proposals });
-  expect(button("Accept registration").disabled).toBe(true);
+  expect(orderButton("Accept registration").disabled).toBe(true);
   cleanup();
   await show("CALIBRATION", { proposals });
   const area = screen.getByLabelText<HTMLTextAreaElement>(
     "Proposed registration, from crtk 10.0.0.8:40001, 12 s ago",
   );
   expect(area.value).toBe("0 -1 0 5\n1 0 0 6\n0 0 1 7\n0 0 0 1");
-  fireEvent.click(button("Accept registration"));
-  fireEvent.click(button("Withdraw registration"));
+  fireEvent.click(orderButton("Accept registration"));
+  fireEvent.click(orderButton("Withdraw registration"));
   expect(commander.acts()).toEqual([
     {
       path: "/api/v1/targeting/registration",

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: expected membranes are typed in as depths, and shown with what became of them.
-import { cleanup, fireEvent, render, screen } from "@testing-library/react";
-import { afterEach, expect, test, vi } from "vitest";
+import { cleanup, fireEvent, screen } from "@testing-library/react";
+import { afterEach, expect, test } from "vitest";
 import type { Membranes } from "@interface";
-import {
-  makeCommander,
-  makeOutlook,
-  refusedHere,
-  type Commander,
-} from "../../testing/commander";
-import { makeRobot } from "../../testing/robot";
-import { Aim } from "./Aim";
-import { Targeting } from "./Targeting";
+import { leave, refusedHere, type Commander } from "../../testing/commander";
+import { orderButton, showTargeting, write } from "../../testing/targeting";
 
 let commander: Commander;
 const LABEL = "Membranes, mm below the entry point";
@@ -25,7 +18,7 @@ const membranes: Membranes = {
   left: 1,
   unexpected: 2,
   sight: "LOOKING",
-  says: "A puncture would be found now.",
+  says: "A puncture is looked for. One may be missed, and one may be invented.",
   depth_mm: 47.25,
   least_fall_mn: 169,
 };
@@ -40,47 +33,21 @@ const none: Membranes = {
   least_fall_mn: null,
 };
 
-async function show(given: Membranes | null, ...acts: string[]): Promise<void> {
-  commander = await makeCommander("OPERATOR");
-  const robot = makeRobot({ authority: commander.authority });
-  const targeting = { ...robot.targeting, membranes: given };
-  render(
-    <>
-      <Targeting targeting={targeting} />
-      <Aim
-        robot={{ ...robot, targeting }}
-        outlook={makeOutlook(...acts)}
-        operation={commander.operation}
-      />
-    </>,
-  );
-}
-
 function button(): HTMLButtonElement {
-  return screen.getByRole<HTMLButtonElement>("button", {
-    name: "Expect membranes",
-  });
+  return orderButton("Expect membranes");
 }
 
-function write(value: string): void {
-  fireEvent.change(screen.getByLabelText(LABEL), { target: { value } });
-}
-
-afterEach(() => {
-  commander.operation.session.stop();
-  cleanup();
-  vi.unstubAllGlobals();
-});
+afterEach(() => leave(commander));
 
 test("SWR-PUNCT-620 depths are sent as they are typed in", async () => {
-  await show(none, "MEMBRANES");
-  write("12.5, 30 −");
+  commander = await showTargeting({ membranes: none }, "MEMBRANES");
+  write(LABEL, "12.5, 30 −");
   expect(button().disabled).toBe(true);
-  write("1 2 3 4 5 6 7 8 9");
+  write(LABEL, "1 2 3 4 5 6 7 8 9");
   expect(button().disabled).toBe(true);
-  write("20,55");
+  write(LABEL, "20,55");
   expect(button().disabled).toBe(true);
-  write("12.5, 30");
+  write(LABEL, "12.5, 30");
   fireEvent.click(button());
   expect(commander.acts()).toEqual([
     {
@@ -91,20 +58,20 @@ test("SWR-PUNCT-620 depths are sent as they are typed in", async () => {
 });
 
 test("SWR-PUNCT-620 an empty field expects none", async () => {
-  await show(membranes, "MEMBRANES");
+  commander = await showTargeting({ membranes: membranes }, "MEMBRANES");
   expect(screen.getByLabelText<HTMLInputElement>(LABEL).value).toBe(
     "20.0 40.0 54.5",
   );
-  write("");
+  write(LABEL, "");
   fireEvent.click(button());
   expect(commander.acts()[0]?.body).toEqual({ id: 1, depths_mm: [] });
 });
 
 test("SWR-PUNCT-620 what became of each is shown, and what can be found", async () => {
-  await show(membranes);
+  commander = await showTargeting({ membranes: membranes });
   expect(
     screen.getByText(
-      "20.0 mm found at 20.3 mm, 40.0 mm missed, 54.5 mm ahead; 1 left; 2 unexpected. A puncture would be found now. " +
+      "20.0 mm found at 20.3 mm, 40.0 mm missed, 54.5 mm ahead; 1 left; 2 unexpected. A puncture is looked for. One may be missed, and one may be invented. " +
         "The needle is 47.3 mm deep; a force that falls by less than 169 mN is not found.",
     ),
   ).toBeTruthy();
@@ -113,14 +80,14 @@ test("SWR-PUNCT-620 what became of each is shown, and what can be found", async 
 });
 
 test("SWR-PUNCT-620 none expected is shown as such, and nothing of a robot without a force sensor", async () => {
-  await show(none);
+  commander = await showTargeting({ membranes: none });
   expect(
     screen.getByText(
       "none expected; 0 unexpected. No hand inserts the needle.",
     ),
   ).toBeTruthy();
   cleanup();
-  await show(null);
+  commander = await showTargeting({ membranes: null });
   expect(screen.queryByText("Membranes")).toBeNull();
   expect(screen.queryByLabelText(LABEL)).toBeNull();
 });

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: the steps that the server allows can be pressed by the page that commands, and no others.
-import { cleanup, fireEvent, render, screen } from "@testing-library/react";
-import { afterEach, expect, test, vi } from "vitest";
+import { fireEvent, render, screen } from "@testing-library/react";
+import { afterEach, expect, test } from "vitest";
 import type { Modes, Role, Status } from "@interface";
 import {
   makeCommander,
   makeOutlook,
   refusedHere,
   type Commander,
+  leave,
 } from "../../testing/commander";
 import { makeAuthority, makeStatus } from "../../testing/robot";
 import { Procedure } from "./Procedure";
@@ -34,11 +35,7 @@ function step(name: string): HTMLButtonElement {
   return screen.getByRole<HTMLButtonElement>("button", { name });
 }
 
-afterEach(() => {
-  commander.operation.session.stop();
-  cleanup();
-  vi.unstubAllGlobals();
-});
+afterEach(() => leave(commander));
 
 test("SWR-CON-016 a step that is allowed is commanded", async () => {
   await show(makeOutlook("PLANNING"));

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: curvature and direction of a steering are typed in, and shown with what the robot can do.
-import { cleanup, fireEvent, render, screen } from "@testing-library/react";
-import { afterEach, expect, test, vi } from "vitest";
+import { cleanup, fireEvent, screen } from "@testing-library/react";
+import { afterEach, expect, test } from "vitest";
 import type { SteeringMethod, Targeting as TargetingData } from "@interface";
-import {
-  makeCommander,
-  makeOutlook,
-  refusedHere,
-  type Commander,
-} from "../../testing/commander";
-import { makeRobot } from "../../testing/robot";
-import { Aim } from "./Aim";
-import { Targeting } from "./Targeting";
+import { leave, refusedHere, type Commander } from "../../testing/commander";
+import { orderButton, showTargeting, write } from "../../testing/targeting";
 
 let commander: Commander;
 const LABEL = "Curvature per m, and direction in degrees";
@@ -29,51 +22,24 @@ function steered(
   };
 }
 
-async function show(
-  given: Partial<TargetingData>,
-  ...acts: string[]
-): Promise<void> {
-  commander = await makeCommander("OPERATOR");
-  const robot = makeRobot({ authority: commander.authority });
-  const targeting = { ...robot.targeting, ...given };
-  render(
-    <>
-      <Targeting targeting={targeting} />
-      <Aim
-        robot={{ ...robot, targeting }}
-        outlook={makeOutlook(...acts)}
-        operation={commander.operation}
-      />
-    </>,
-  );
-}
-
 function button(): HTMLButtonElement {
-  return screen.getByRole<HTMLButtonElement>("button", { name: "Steer" });
+  return orderButton("Steer");
 }
 
 function choose(value: SteeringMethod): void {
   fireEvent.change(screen.getByLabelText("Steering"), { target: { value } });
 }
 
-function write(value: string): void {
-  fireEvent.change(screen.getByLabelText(LABEL), { target: { value } });
-}
-
-afterEach(() => {
-  commander.operation.session.stop();
-  cleanup();
-  vi.unstubAllGlobals();
-});
+afterEach(() => leave(commander));
 
 test("SWR-STEER-013 method, curvature and direction are sent as they are typed in", async () => {
-  await show(steered("NONE"), "STEER");
+  commander = await showTargeting(steered("NONE"), "STEER");
   choose("BIDIRECTIONAL");
   for (const wrong of ["1.2", "1.254 0", "-0.1 0", "1 361", "one two", ""]) {
-    write(wrong);
+    write(LABEL, wrong);
     expect(button().disabled).toBe(true);
   }
-  write("1.2 -45");
+  write(LABEL, "1.2 -45");
   fireEvent.click(button());
   expect(commander.acts()).toEqual([
     {
@@ -89,7 +55,7 @@ test("SWR-STEER-013 method, curvature and direction are sent as they are typed i
 });
 
 test("SWR-STEER-013 a needle that is steered no more needs no number", async () => {
-  await show(steered("UNIDIRECTIONAL"), "STEER");
+  commander = await showTargeting(steered("UNIDIRECTIONAL"), "STEER");
   expect(screen.getByLabelText<HTMLInputElement>(LABEL).value).toBe("1.2 -90");
   choose("NONE");
   fireEvent.click(button());
@@ -102,7 +68,7 @@ test("SWR-STEER-013 a needle that is steered no more needs no number", async () 
 });
 
 test("SWR-STEER-013 how the needle is steered is shown, and while it waits for its rotation", async () => {
-  await show(steered("BIDIRECTIONAL"));
+  commander = await showTargeting(steered("BIDIRECTIONAL"));
   expect(
     screen.getByText(
       "to and fro, 1.20 per m of at most 1.25 per m towards -90°",
@@ -110,17 +76,19 @@ test("SWR-STEER-013 how the needle is steered is shown, and while it waits for i
   ).toBeTruthy();
   expect(button().title || document.body.textContent).toContain(refusedHere);
   cleanup();
-  await show(steered("UNIDIRECTIONAL", { is_rotation_awaited: true }));
+  commander = await showTargeting(
+    steered("UNIDIRECTIONAL", { is_rotation_awaited: true }),
+  );
   expect(
     screen.getByText(/^on in one direction, .*waits for its rotation\.$/),
   ).toBeTruthy();
 });
 
 test("SWR-STEER-013 none is shown as such, and nothing of a robot whose needle is not steered", async () => {
-  await show(steered("NONE"));
+  commander = await showTargeting(steered("NONE"));
   expect(screen.getByText("none, at most 1.25 per m")).toBeTruthy();
   cleanup();
-  await show(steered("NONE", { steering_most_per_km: 0 }));
+  commander = await showTargeting(steered("NONE", { steering_most_per_km: 0 }));
   expect(screen.queryByLabelText("Steering")).toBeNull();
   expect(screen.queryByText("Steering")).toBeNull();
 });
