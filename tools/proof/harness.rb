@@ -24,6 +24,8 @@ module Proof
     # @satisfies SWR-TOOL-801
     def change(text)
       lines = says.map do |line|
+        # Each of them is proved itself; others are believed.
+        raise Refused, "an annotation of #{file} is no assert, lemma or loop: #{line}" unless line.match?(/\A(?:assert|ghost lemma_\w+\(|loop) ?/)
         raise Refused, "an annotation of #{file} ends its comment: #{line}" if line.include?('*/')
 
         "/*@ #{line} */\n"

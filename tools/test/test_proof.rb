@@ -164,10 +164,11 @@ class TestProof < Minitest::Test
     assert is_green, text
   end
 
-  def test_SWR_TOOL_801_an_annotation_without_its_place_or_with_code_is_refused
+  def test_SWR_TOOL_801_an_annotation_without_its_place_with_code_or_without_proof_is_refused
     annotation = { 'file' => 'core/half/half.c', 'before' => 'return', 'says' => ['assert 0 <= part;'] }
     { annotation.merge('before' => 'while') => 'core/half/half.c has the text of an annotation 0 times instead of once: while',
-      annotation.merge('says' => ['assert 0 <= part; */ part = 0; /*']) => 'an annotation of core/half/half.c ends its comment: assert' }
+      annotation.merge('says' => ['assert 0 <= part; */ part = 0; /*']) => 'an annotation of core/half/half.c ends its comment: assert',
+      annotation.merge('says' => ['admit part < value;']) => 'an annotation of core/half/half.c is no assert, lemma or loop: admit' }
       .each do |wrong, said|
       text, is_green = run_proof(proof: CONTRACT, unit: SHARE, row: REFUTED.merge('annotations' => [wrong]))
       refute is_green
