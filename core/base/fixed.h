@@ -30,6 +30,7 @@ fixed_direction_t fixed_direction(int32_t angle_bam);
  * half of the instructions, if the divisor has 32 bits.
  *
  * @satisfies SWR-FIX-003
+ * @satisfies SWR-PROOF-800
  */
 uint64_t fixed_divide(uint64_t numerator, uint64_t divisor);
 
@@ -112,10 +113,14 @@ static inline int64_t fixed_divide_by(int64_t value, uint32_t divisor)
  * `value / divisor` as C rounds it, towards zero; `divisor` above 0. By fixed_divide().
  *
  * @satisfies SWR-FIX-003
+ * @satisfies SWR-PROOF-800
  */
 int64_t fixed_divide_signed(int64_t value, int64_t divisor);
 
-/** `numerator / denominator` rounded half away from zero. Requires (contract 100) denominator > 0.
+/**
+ * `numerator / denominator` rounded half away from zero. Requires (contract 100) denominator > 0.
+ *
+ * @satisfies SWR-PROOF-800
  */
 int64_t fixed_divide_rounded(int64_t numerator, int64_t denominator);
 

@@ -50,10 +50,15 @@ bool profile_is_finished(const profile_t *self);
  * @return set-point of axis `axis` in this cycle, between start and end; the end when finished
  *
  * @satisfies SWR-MOTION-003
+ * @satisfies SWR-PROFILE-800
  */
 int32_t profile_position_ticks(const profile_t *self, uint32_t axis);
 
-/** @return set-point speed of axis `axis` in this cycle, signed; 0 at both ends */
+/**
+ * @return set-point speed of axis `axis` in this cycle, signed; 0 at both ends
+ *
+ * @satisfies SWR-PROFILE-800
+ */
 int32_t profile_speed_ticks_per_s_q8(const profile_t *self, uint32_t axis);
 
 #endif

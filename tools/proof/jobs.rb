@@ -39,6 +39,8 @@ module Proof
       checked = answer.properties.reject(&:possible?)
       Verdict.new(job: self, complaints: complaints(answer.properties), count: checked.size, seconds: answer.seconds,
                   functions: checked.map(&:function).uniq)
+    rescue Refused => e
+      Verdict.new(job: self, complaints: [e.message], count: 0, seconds: 0)
     end
 
     private

@@ -10,14 +10,13 @@ module Proof
   # its contract in the harness, calls of others by theirs alone. Of a broken contract some goal is not proved any more; no
   # input is found.
   class Wp
-    # Of a goal, counted by the solver and equal on every computer; the dearest goal takes 0.7 million, half a second on a free core.
+    # Of a goal, counted by the solver and equal on every computer; the dearest goal takes 1.5 million, a second on a free core.
     MOST_STEPS = 2_000_000
     GOAL_SECONDS = 120
-    MOST_SECONDS = 300
     FOLDER = 'build/proof/wp'
     # Ends with the server of Why3, which ends with Frama-C.
     SOLVER = "#!/bin/sh\nexec #{Cbmc::BOUND.join(' ')} z3 \"$@\"\n"
-    OPTIONS = %W[-machdep x86_64 -wp -wp-prover z3 -wp-par 1 -wp-steps #{MOST_STEPS} -wp-timeout #{GOAL_SECONDS}].freeze
+    OPTIONS = %W[-machdep x86_64 -wp -wp-prover z3 -wp-par 1 -wp-steps #{MOST_STEPS}].freeze
     SMOKE = %w[-wp-smoke-tests -wp-smoke-timeout 2].freeze
     GOAL = /^\[wp\] \[(?<verdict>[^\]]+)\] (?<kind>Goal|Smoke-test) (?<name>\w+)(?: : (?<answer>\w+))?/.freeze
     SUMMARY = %r{^\[wp\] (?:Proved goals: +\d+ / \d+|Warning: No goal generated)$}.freeze
@@ -40,9 +39,9 @@ module Proof
     private_class_method :write_provers
 
     # proof: a function of the harness, which calls the first of what is proved; functions: those whose contracts are proved.
-    # broken: the only function that is looked at.
-    def initialize(file, proof, functions, includes:, broken: nil)
-      @command = ['frama-c', *OPTIONS, "-cpp-extra-args=#{includes.map { |folder| "-I#{folder}" }.join(' ')}"]
+    # broken: the only function that is looked at; seconds: of the solver, most of a goal.
+    def initialize(file, proof, functions, includes:, seconds:, broken: nil)
+      @command = ['frama-c', *OPTIONS, '-wp-timeout', seconds.to_s, "-cpp-extra-args=#{includes.map { |folder| "-I#{folder}" }.join(' ')}"]
       @file = file
       @proof = proof
       @functions = [proof, *functions]
@@ -73,13 +72,13 @@ module Proof
     def answer(*options)
       # Frama-C finds its files by what the shell says of where it is.
       environment = { 'WHY3CONFIG' => Wp.provers, 'PWD' => Dir.pwd }
-      text, = Open3.capture2e(environment, *Cbmc::BOUND, 'timeout', MOST_SECONDS.to_s, *Cbmc::BOUND, *@command, *options, @file)
+      text, = Open3.capture2e(environment, *Cbmc::BOUND, *Cbmc::LIMIT, *@command, *options, @file)
       text
     end
 
     def trouble(text)
       said = text.lines.drop_while { |line| !line.match?(/error/i) }.first(3)
-      said.empty? ? "no answer within #{MOST_SECONDS} s" : said.join.split.join(' ')
+      said.empty? ? "no answer within #{Cbmc::MOST_SECONDS} s" : said.join.split.join(' ')
     end
 
     def properties(text)

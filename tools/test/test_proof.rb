@@ -39,6 +39,22 @@ class TestProof < Minitest::Test
   SLOW_RUN = 'Proof::Run.new([Proof::Harness.new(JSON.parse(ARGV[0]))], $stdout, at_night: false).call'
   MUTANT = { 'by' => 'prove_SWR_HALF_001_it_is_smaller', 'file' => 'core/half/half.c', 'before' => '/ 2', 'after' => '* 2' }.freeze
   ROW = { 'file' => 'half/prove_half.c', 'sources' => ['core/half/half.c'], 'proves' => ['half'], 'mutants' => [MUTANT] }.freeze
+  RUN = <<~C
+    #include "every.h"
+
+    #include "half/half.c"
+
+    void prove_SWR_HALF_001_it_is_smaller(void)
+    {
+        int larger = 0;
+        for (int value = 1; value < 1000; value++) {
+            larger |= (half(value) < value) ? 0 : 1;
+        }
+        POSSIBLE(half(13) > 5, "a large half");
+        PROVE(larger == 0, "SWR-HALF-001: smaller");
+    }
+  C
+  RUN_ROW = ROW.except('proves').merge('sources' => [], 'run' => true).freeze
   SHARE = "int half(int value, int part)\n{\n    return (part > 50) ? value - 1 : 0;\n}\n"
   CONTRACT = <<~C
     /*@ requires 1 <= value <= 1000 && 0 <= part <= 100;
@@ -63,7 +79,9 @@ class TestProof < Minitest::Test
     #include "half/half.c"
   C
   BROKEN = MUTANT.merge('in' => 'half', 'before' => '- 1', 'after' => '+ 1').freeze
-  BY_CONTRACT = ROW.except('proves').merge('by_contract' => ['half'], 'mutants' => [BROKEN]).freeze
+  BY_CONTRACT = ROW.except('proves').merge('by_contract' => ['half'], 'seconds' => 5, 'mutants' => [BROKEN]).freeze
+  # Where a goal must not be proved, the solver would look for it as long as it may.
+  REFUTED = BY_CONTRACT.merge('seconds' => 2, 'mutants' => []).freeze
 
   def test_SWR_TOOL_201_a_proof_that_holds_is_counted_with_its_properties
     text, is_green = run_proof
@@ -118,7 +136,7 @@ class TestProof < Minitest::Test
   end
 
   def test_SWR_TOOL_621_what_does_not_hold_is_named_by_its_function
-    text, is_green = run_proof(proof: CONTRACT, unit: SHARE.sub('value - 1', 'value / (part - 60)'), row: BY_CONTRACT.merge('mutants' => []))
+    text, is_green = run_proof(proof: CONTRACT, unit: SHARE.sub('value - 1', 'value / (part - 60)'), row: REFUTED)
     refute is_green
     assert_includes text, 'verification/proof/half/prove_half.c: does not hold: SWR-HALF-001: half_ensures_SWR_HALF_001'
     assert_includes text, 'verification/proof/half/prove_half.c: does not hold: half_assert_rte_division_by_zero'
@@ -131,6 +149,50 @@ class TestProof < Minitest::Test
     assert_match(/^    syntax error/, text)
   end
 
+  def test_SWR_TOOL_800_a_lemma_function_that_does_not_hold_is_named
+    lemma = "/*@ requires 0 <= a <= 100;\n    assigns \\nothing;\n    ensures a <= 99;\n*/\nstatic void lemma_smaller(int a)\n{\n}\n\n"
+    text, is_green = run_proof(proof: CONTRACT.sub('static int value;', "#{lemma}static int value;"), unit: SHARE, row: REFUTED)
+    refute is_green
+    assert_includes text, 'verification/proof/half/prove_half.c: does not hold: lemma_smaller_ensures'
+  end
+
+  def test_SWR_TOOL_801_an_annotation_helps_and_changes_no_code
+    loops = "int half(int value, int part)\n{\n    int is = 0;\n    while (is < part) {\n        is++;\n    }\n    return value - 1;\n}\n"
+    says = ['loop invariant 0 <= is <= part; loop assigns is; loop variant part - is;']
+    row = REFUTED.merge('annotations' => [{ 'file' => 'core/half/half.c', 'before' => 'while (is < part) {', 'says' => says }])
+    text, is_green = run_proof(proof: CONTRACT, unit: loops, row: row)
+    assert is_green, text
+  end
+
+  def test_SWR_TOOL_801_an_annotation_without_its_place_with_code_or_without_proof_is_refused
+    annotation = { 'file' => 'core/half/half.c', 'before' => 'return', 'says' => ['assert 0 <= part;'] }
+    { annotation.merge('before' => 'while') => 'core/half/half.c has the text of an annotation 0 times instead of once: while',
+      annotation.merge('says' => ['assert 0 <= part; */ part = 0; /*']) => 'an annotation of core/half/half.c ends its comment: assert',
+      annotation.merge('says' => ['admit part < value;']) => 'an annotation of core/half/half.c is no assert, lemma or loop: admit' }
+      .each do |wrong, said|
+      text, is_green = run_proof(proof: CONTRACT, unit: SHARE, row: REFUTED.merge('annotations' => [wrong]))
+      refute is_green
+      assert_includes text, said
+    end
+  end
+
+  def test_SWR_TOOL_802_a_harness_that_is_run_is_judged_by_what_it_says
+    text, is_green = run_proof(proof: RUN, row: RUN_ROW)
+    assert is_green, text
+    assert_match(/^1 of 1 proofs hold with 1 properties, 1 of 1 mutants are refuted$/, text)
+    text, is_green = run_proof(proof: RUN.sub('value = 1', 'value = 0'), row: RUN_ROW.merge('mutants' => []))
+    refute is_green
+    assert_includes text, 'verification/proof/half/prove_half.c:12: does not hold: SWR-HALF-001: smaller'
+  end
+
+  def test_SWR_TOOL_802_a_harness_that_is_no_program_or_does_not_end_by_itself_is_named
+    { 'value = 1' => 'value == nonsense', 'value++' => 'value += (*(volatile int *)0)' }.each do |before, after|
+      text, is_green = run_proof(proof: RUN.sub(before, after), row: RUN_ROW.merge('mutants' => []))
+      refute is_green
+      assert_match(/^    (verification.*nonsense|ended by signal 11)/, text)
+    end
+  end
+
   def test_SWR_TOOL_202_a_fault_that_breaks_no_contract_is_named
     text, is_green = run_proof(proof: CONTRACT, unit: SHARE, row: BY_CONTRACT.merge('mutants' => [BROKEN.merge('after' => '- 1 + 0')]))
     refute is_green
@@ -138,7 +200,7 @@ class TestProof < Minitest::Test
   end
 
   def test_SWR_TOOL_203_assumptions_of_a_contract_that_contradict_each_other_are_named
-    text, is_green = run_proof(proof: CONTRACT.gsub('1 <= value <= 1000', '1 <= value <= 0'), unit: SHARE, row: BY_CONTRACT.merge('mutants' => []))
+    text, is_green = run_proof(proof: CONTRACT.gsub('1 <= value <= 1000', '1 <= value <= 0'), unit: SHARE, row: REFUTED)
     refute is_green
     assert_includes text, 'never happens: possible: prove_SWR_HALF_001_it_is_smaller'
   end
@@ -257,7 +319,7 @@ class TestProof < Minitest::Test
     Dir.mktmpdir do |folder|
       FileUtils.mkdir_p(["#{folder}/verification/proof/half", "#{folder}/core/half"])
       FileUtils.ln_s("#{ROOT}/.tools", "#{folder}/.tools")
-      FileUtils.cp("#{ROOT}/verification/proof/prove.h", "#{folder}/verification/proof")
+      FileUtils.cp(%w[prove.h every.h].map { |name| "#{ROOT}/verification/proof/#{name}" }, "#{folder}/verification/proof")
       File.write("#{folder}/verification/proof/half/prove_half.c", proof)
       File.write("#{folder}/core/half/half.c", unit)
       Dir.chdir(folder, &block)
