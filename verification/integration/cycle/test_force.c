@@ -21,7 +21,9 @@
 #define SETTLED_CYCLES 200U
 #define TREMBLE_N 0.02 /* Two counts, of which the largest of some are four times as many. */
 #define TREMBLE 8U
-#define QUIET_N 0.004 /* Noise of less than a count: what stands still then is not called stuck. */
+#define QUIET_N                                                                                    \
+    0.004 /* Noise of less than a count: what stands still then is not called stuck.               \
+           */
 #define RESTED_CYCLES 500U
 #define NOT_ZEROED force_doubt_bit(FORCE_DOUBT_NOT_ZEROED)
 

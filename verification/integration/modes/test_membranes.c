@@ -20,7 +20,7 @@
 
 #define NOWHERE_UM 40000
 #define NEAR_UM 1000
-#define QUIET_N 0.004 /* Noise of less than a count. */
+#define QUIET_N 0.004      /* Noise of less than a count. */
 #define LATE_UM 400        /* From a puncture to its report. */
 #define AFTER_CYCLES 2000U /* Behind the end of an insertion nothing is driven. */
 

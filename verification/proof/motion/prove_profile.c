@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The profile that axes share, of every way, speed and acceleration that the robot compiler accepts,
- * in any cycle and the next, for Frama-C's WP. The cycles are any that are long enough for way,
- * speed and acceleration of the axis; that profile_plan() makes them so is shown by its tests, and
- * so is the contract of the division. The lemma functions show what the solver does not find on its
- * own: products of several unknown numbers. */
+/* The profile that axes share, of every way, speed and acceleration that the robot compiler
+ * accepts, in any cycle and the next, for Frama-C's WP. The cycles are any that are long enough for
+ * way, speed and acceleration of the axis; that profile_plan() makes them so is shown by its tests.
+ * The lemma functions show what the solver does not find on its own: products of several unknown
+ * numbers. */
 #include "motion/profile.h"
 
 #include "base/contract.h"
@@ -23,7 +23,8 @@
 #define LARGEST_NUMERATOR INT64_C(4611686018427387904)
 #define LARGEST_SPEED INT64_C(1000000000)
 /* In 1/10000 ticks/s: the fastest axis at all of the speed that a profile may have. */
-#define LARGEST_SPEED_E4 (INT64_C(100) * LIMIT_PROFILE_SPEED_PERCENT * LIMIT_AXIS_SPEED_MOST_TICKS_PER_S)
+#define LARGEST_SPEED_E4                                                                           \
+    (INT64_C(100) * LIMIT_PROFILE_SPEED_PERCENT * LIMIT_AXIS_SPEED_MOST_TICKS_PER_S)
 #define Q8_PER_S INT64_C(256000)
 
 /* clang-format off */
