@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whole procedures by what a user sees and presses, the pedal by the drawer of the simulated box, on the running system
-// of verification/system/http/test_console_workflow.rb. The parts go on from one another. Needed from the environment:
+// of verification/system/punctual/test_console_workflow.rb. The parts go on from one another. Needed from the environment:
 //   BORESIGHT_URL        where the console is served
 //   BORESIGHT_ROBOT      which robot it is
 //   BORESIGHT_ENGINEER, BORESIGHT_OPERATOR  name and password, with a space between them

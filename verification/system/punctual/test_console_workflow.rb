@@ -2,7 +2,8 @@
 # frozen_string_literal: true
 
 # Rule under test: with nothing but the browser a needle comes to its target, positions are saved and restored, command
-# passes from one to another, any page stops, and a page outlives its server.
+# passes from one to another, any page stops, and a page outlives its server. A page that is starved loses authority, as it
+# must, so the machine is left to it.
 # app/console/e2e/workflow.e2e.ts runs once, its parts in order; each test here is the verdict of its part for one
 # requirement. With BORESIGHT_PICTURES=FOLDER it leaves the pictures of the documents there; `make pictures` does so.
 # With BORESIGHT_ROBOT=prostate the needle of the ProstateRobot goes to its target, which takes minutes, and nothing else is
