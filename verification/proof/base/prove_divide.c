@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Division by the reciprocal, of every numerator and divisor, for Frama-C's WP. What it relies on
- * is shown elsewhere: the reciprocal by every_reciprocal.c, lift() and magnitude() by prove_bits.c.
+ * is shown elsewhere: the reciprocal by prove_reciprocal.c, lift() and magnitude() by prove_bits.c.
  * What the solver does not find of a loop or a value stands as annotations in proofs.yml. */
 #include "base/fixed.h"
 
@@ -54,7 +54,7 @@ void contract_broken(const char *module, uint32_t id);
 */
 static inline uint32_t lift(uint64_t *value, uint32_t bits);
 
-/* Shown by every_reciprocal.c. */
+/* Shown by prove_reciprocal.c. */
 /*@ requires 0x80000000 <= value_q32;
     assigns \nothing;
     ensures \result * value_q32 <= TWO_63;
