@@ -4,7 +4,7 @@
 require 'fileutils'
 require 'psych'
 require_relative 'cbmc'
-require_relative 'every'
+require_relative 'exhaustive'
 require_relative 'wp'
 
 module Proof
@@ -138,7 +138,7 @@ module Proof
     def prover(sources, function, folder, broken: nil, checks: true)
       includes = within(folder)
       case tool
-      when 'run' then Every.new(@file, function, includes: includes, folder: folder)
+      when 'run' then Exhaustive.new(@file, function, includes: includes, folder: folder)
       when 'cbmc' then Cbmc.new(sources, function, includes: includes, unwind: @unwind, checks: checks)
       else Wp.new(@file, function, lemmas + @by_contract, includes: includes, seconds: @seconds, broken: broken)
       end

@@ -40,7 +40,7 @@ class TestProof < Minitest::Test
   MUTANT = { 'by' => 'prove_SWR_HALF_001_it_is_smaller', 'file' => 'core/half/half.c', 'before' => '/ 2', 'after' => '* 2' }.freeze
   ROW = { 'file' => 'half/prove_half.c', 'sources' => ['core/half/half.c'], 'proves' => ['half'], 'mutants' => [MUTANT] }.freeze
   RUN = <<~C
-    #include "every.h"
+    #include "exhaustive.h"
 
     #include "half/half.c"
 
@@ -319,7 +319,7 @@ class TestProof < Minitest::Test
     Dir.mktmpdir do |folder|
       FileUtils.mkdir_p(["#{folder}/verification/proof/half", "#{folder}/core/half"])
       FileUtils.ln_s("#{ROOT}/.tools", "#{folder}/.tools")
-      FileUtils.cp(%w[prove.h every.h].map { |name| "#{ROOT}/verification/proof/#{name}" }, "#{folder}/verification/proof")
+      FileUtils.cp(%w[prove.h exhaustive.h].map { |name| "#{ROOT}/verification/proof/#{name}" }, "#{folder}/verification/proof")
       File.write("#{folder}/verification/proof/half/prove_half.c", proof)
       File.write("#{folder}/core/half/half.c", unit)
       Dir.chdir(folder, &block)

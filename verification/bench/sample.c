@@ -3,13 +3,13 @@
 
 #include <string.h>
 
-const robot_t *sample_robot(const robot_t *robot, bool is_handless)
+const robot_t *sample_robot(const robot_t *robot, bool is_sensorless)
 {
-    static robot_t handless;
-    if (!is_handless) {
+    static robot_t sensorless;
+    if (!is_sensorless) {
         return robot;
     }
-    handless = *robot;
-    (void)memset(&handless.force, 0, sizeof handless.force);
-    return &handless;
+    sensorless = *robot;
+    (void)memset(&sensorless.force, 0, sizeof sensorless.force);
+    return &sensorless;
 }

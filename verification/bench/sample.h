@@ -24,7 +24,7 @@ typedef struct {
     uint32_t inputs_size;     /**< sizeof(controller_inputs_t). */
     uint32_t outputs_size;    /**< sizeof(controller_outputs_t). */
     uint32_t robot_crc;
-    uint32_t is_handless; /**< Played by sample_robot() without its force sensor: 0 or 1. */
+    uint32_t is_sensorless; /**< Played by sample_robot() without its force sensor: 0 or 1. */
     char robot[SAMPLES_ROBOT_SIZE]; /**< Its name. */
 } samples_header_t;
 
@@ -36,6 +36,6 @@ typedef struct {
 } sample_t;
 
 /** @return `robot` as it is, or a copy whose file names no force sensor; the cards are the same */
-const robot_t *sample_robot(const robot_t *robot, bool is_handless);
+const robot_t *sample_robot(const robot_t *robot, bool is_sensorless);
 
 #endif

@@ -4,11 +4,11 @@
  * bench-samples: plays one scene with the real controller on the simulated control box, in
  * simulated time, and keeps single cycles of it. The same bytes on every run.
  *
- *     bench-samples SAMPLES ROBOT [hand|handless]
+ *     bench-samples SAMPLES ROBOT [hand|sensorless]
  *
  * The NeuroRobot is seen from its start on. Any other robot has been homed before: it goes to a
  * target, retracts, and, where an axis has waves, is swept. With `hand` it rests, and a hand and
- * then the robot alone insert its needle; with `handless` it rests in the same way, and its file
+ * then the robot alone insert its needle; with `sensorless` it rests in the same way, and its file
  * names no force sensor.
  *
  * Kept is every SAMPLES_DISTANCE-th cycle and every one with a command, an answer or an event.
@@ -408,14 +408,14 @@ int main(int count, char **arguments)
     robot = ((count == 3) || (count == 4)) ? robots_find(arguments[2]) : NULL;
     file = (robot != NULL) ? fopen(arguments[1], "wb") : NULL;
     if (file == NULL) {
-        (void)fprintf(stderr, "usage: bench-samples SAMPLES ROBOT [hand|handless]\nrobots: %s\n",
+        (void)fprintf(stderr, "usage: bench-samples SAMPLES ROBOT [hand|sensorless]\nrobots: %s\n",
                       robot_names_list());
         return EXIT_FAILURE;
     }
     UnityBegin("samples.c");
     samples.robot_crc = robot->crc;
-    samples.is_handless = (strcmp(play, "handless") == 0) ? 1U : 0U;
-    robot = sample_robot(robot, samples.is_handless != 0U);
+    samples.is_sensorless = (strcmp(play, "sensorless") == 0) ? 1U : 0U;
+    robot = sample_robot(robot, samples.is_sensorless != 0U);
     (void)snprintf(samples.robot, sizeof samples.robot, "%s", robot->name);
     if (fwrite(&samples, sizeof(samples), 1U, file) != 1U) {
         fail("the header cannot be written");

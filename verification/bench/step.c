@@ -50,7 +50,7 @@ static bool read_header(FILE *file)
                           (samples.outputs_size == sizeof(controller_outputs_t)) &&
                           (samples.robot_crc == robot->crc);
     if (is_sound) {
-        robot = sample_robot(robot, samples.is_handless != 0U);
+        robot = sample_robot(robot, samples.is_sensorless != 0U);
     }
     return is_sound;
 }

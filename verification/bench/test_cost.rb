@@ -31,7 +31,7 @@ class TestCost < Minitest::Test
 
   def test_SWR_FORCE_760_a_force_sensor_costs_little_at_rest_and_an_insertion_by_hand_little_more_than_one_without
     with = Cost.medians_by_mode('prostate', 'hand')
-    without = Cost.medians_by_mode('prostate', 'handless')
+    without = Cost.medians_by_mode('prostate', 'sensorless')
     assert_operator with.fetch('NONE'), :>, without.fetch('NONE'), 'the robot without a sensor has one'
     assert_operator with.fetch('NONE') - without.fetch('NONE'), :<=, LIMITS.fetch('force_rest_instructions')
     assert_operator with.fetch('COOPERATE') - with.fetch('MOVE'), :<=, LIMITS.fetch('hand_instructions')

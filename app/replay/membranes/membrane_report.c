@@ -205,8 +205,8 @@ static void write_event(const membrane_report_t *self, const membrane_event_t *e
     (void)printf("\n");
 }
 
-/* Those that the needle has passed by less than their window, too, and none that it did not reach.
- */
+/* A membrane that the needle has passed by less than its window is missed, too; one that it has not
+ * reached is not. */
 static void end_insertion(membrane_report_t *self, membrane_list_t *list, int32_t deepest_um,
                           double time_ms)
 {

@@ -167,7 +167,7 @@ static bool has_name(const run_file_t *file, const char *name)
     return (name == NULL) || (strncmp(own, name, strlen(name)) == 0);
 }
 
-/* The newest file of those; NULL: none exists. */
+/* The newest of these files; NULL: none exists. */
 static const run_file_t *find_newest(const run_t *self, const char *name)
 {
     const run_file_t *newest = NULL;

@@ -4,6 +4,7 @@
  * Rule under test: a force is believed only after its zero was taken with the needle out and
  * everything at rest, it is doubted by name, and no motion that follows no force waits for it.
  */
+#include "integration/support/by_hand.h"
 #include "integration/support/rig.h"
 
 #include "unity.h"
@@ -21,9 +22,6 @@
 #define SETTLED_CYCLES 200U
 #define TREMBLE_N 0.02 /* Two counts, of which the largest of some are four times as many. */
 #define TREMBLE 8U
-#define QUIET_N                                                                                    \
-    0.004 /* Noise of less than a count: what stands still then is not called stuck.               \
-           */
 #define RESTED_CYCLES 500U
 #define NOT_ZEROED force_doubt_bit(FORCE_DOUBT_NOT_ZEROED)
 
@@ -36,7 +34,7 @@ static void calm_cells(void)
     for (uint32_t i = 0U; i < (uint32_t)SIM_CELLS; i++) {
         phantom.cells[i] = (sim_load_cell_config_t){.noise_n = TREMBLE_N};
     }
-    phantom.cells[NEEDLE].noise_n = QUIET_N;
+    phantom.cells[NEEDLE].noise_n = BY_HAND_QUIET_N; /* What stands still is not called stuck. */
     box_force_lay(&rig.box.force, &phantom);
 }
 

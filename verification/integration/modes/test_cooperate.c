@@ -4,6 +4,7 @@
  * Rule under test: the needle follows the hand that pushes it, under the pedal and up to its depth,
  * whatever the hand does; and nothing moves by a force that is doubtful.
  */
+#include "integration/support/by_hand.h"
 #include "integration/support/rig.h"
 
 #include "unity.h"
@@ -29,7 +30,6 @@
 #define PUSH_CYCLES 5000U
 #define STOP_CYCLES 100U
 #define PULL_MN 5000
-#define QUIET_N 0.004 /* Noise of less than half a count. */
 
 static uint64_t random_state;
 
@@ -232,7 +232,7 @@ void test_SWR_COOP_016_a_stuck_sensor_moves_the_true_needle_a_short_way(void)
 static void start_quiet(void)
 {
     align();
-    rig.box.force.cells[SIM_CELL_HAND].config.noise_n = QUIET_N;
+    rig.box.force.cells[SIM_CELL_HAND].config.noise_n = BY_HAND_QUIET_N;
     zero_force();
     TEST_ASSERT_LESS_OR_EQUAL_UINT32(
         LIMIT_FORCE_STILL_NOISE, rig.controller.force.sealed.channels[FORCE_CHANNEL_HAND].noise_q8);

@@ -20,7 +20,6 @@
 
 #define NOWHERE_UM 40000
 #define NEAR_UM 1000
-#define QUIET_N 0.004      /* Noise of less than a count. */
 #define LATE_UM 400        /* From a puncture to its report. */
 #define AFTER_CYCLES 2000U /* Behind the end of an insertion nothing is driven. */
 
@@ -299,7 +298,7 @@ void test_SWR_PUNCT_613_relaxation_of_the_tissue_is_no_membrane(void)
 void test_SWR_PUNCT_613_a_reading_that_stands_still_blinds_it(void)
 {
     sim_phantom_file_t phantom = rig.box.force.phantom;
-    phantom.cells[SIM_CELL_NEEDLE].noise_n = QUIET_N;
+    phantom.cells[SIM_CELL_NEEDLE].noise_n = BY_HAND_QUIET_N;
     box_force_lay(&rig.box.force, &phantom);
     by_hand_zero(&rig);
     begin();

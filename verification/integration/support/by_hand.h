@@ -9,6 +9,7 @@
 #include <stdint.h>
 
 #define BY_HAND_NEEDLE 4U       /**< Its axis. */
+#define BY_HAND_QUIET_N 0.004   /**< Noise of a cell of less than a count. */
 #define BY_HAND_OFF_CYCLES 200U /**< In them the hand is seen off. */
 
 /** The base stands at a target, the needle out; entry point and target are at these z. */

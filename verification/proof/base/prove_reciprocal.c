@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The reciprocal of base/prove_divide.c, of every number of a half to one. */
-#include "every.h"
+#include "exhaustive.h"
 
 #include "base/fixed.c"
 

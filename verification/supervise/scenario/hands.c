@@ -23,7 +23,7 @@
 #define BREAK_PARTS 2500U /* In one of so many cycles of a motion a cell breaks. */
 #define MEND_CYCLES 4000U
 #define JERK_CYCLES 12U
-#define JUMP_MN 4500 /* Less than a step that is doubted. */
+#define JUMP_MN ((int32_t)LIMIT_FORCE_STEP_MN * 9 / 10) /* Less than a step that is doubted. */
 
 static uint32_t below(hands_t *self, uint32_t bound)
 {
@@ -81,7 +81,19 @@ static void align(rig_t *rig, const robot_t *robot)
     rig_release(rig);
 }
 
-void hands_start(rig_t *rig, const robot_t *robot, uint32_t seed)
+/* Two stiff layers in front of the target, the membrane of each where a hand comes. */
+static void lay_tissue(hands_t *self, rig_t *rig)
+{
+    sim_phantom_file_t phantom = sim_phantom_usual;
+    phantom.tissue.surface_mm = (double)between(self, 1000, 5000) / UM_PER_MM;
+    phantom.tissue.layers[0].thickness_mm = (double)between(self, 4000, 7000) / UM_PER_MM;
+    for (uint32_t i = 0U; i < phantom.tissue.layer_count; i++) {
+        phantom.tissue.layers[i].stiffness_n_per_mm = (double)between(self, 500, 2000) / MN_PER_N;
+    }
+    box_force_lay(&rig->box.force, &phantom);
+}
+
+void hands_start(hands_t *self, rig_t *rig, const robot_t *robot, uint32_t seed)
 {
     static rig_t aligned;
     static const robot_t *of;
@@ -96,6 +108,7 @@ void hands_start(rig_t *rig, const robot_t *robot, uint32_t seed)
     for (uint32_t i = 0U; i < (uint32_t)SIM_CELLS; i++) {
         rig->box.force.cells[i].random = (sim_random_t){seed + i};
     }
+    lay_tissue(self, rig);
 }
 
 static void press(hands_t *self, rig_t *rig, int32_t least_mn, int32_t most_mn)
@@ -118,18 +131,6 @@ static void swing(hands_t *self, rig_t *rig)
     self->swing_cycles = 20U + below(self, 150U);
     const int32_t um_per_s = um * MS_PER_S / (int32_t)self->swing_cycles;
     self->um_per_s = (um_per_s < BOX_WISH_MOST_UM_PER_S) ? um_per_s : BOX_WISH_MOST_UM_PER_S;
-}
-
-/* Two stiff layers in front of the target, the membrane of each where a hand comes. */
-static void lay_tissue(hands_t *self, rig_t *rig)
-{
-    sim_phantom_file_t phantom = sim_phantom_usual;
-    phantom.tissue.surface_mm = (double)between(self, 1000, 5000) / UM_PER_MM;
-    phantom.tissue.layers[0].thickness_mm = (double)between(self, 4000, 7000) / UM_PER_MM;
-    for (uint32_t i = 0U; i < phantom.tissue.layer_count; i++) {
-        phantom.tissue.layers[i].stiffness_n_per_mm = (double)between(self, 500, 2000) / MN_PER_N;
-    }
-    box_force_lay(&rig->box.force, &phantom);
 }
 
 /* Another phantom, or the membranes of this one again. */
@@ -243,10 +244,6 @@ static void let_cells_break(hands_t *self, rig_t *rig)
 
 void hands_play(hands_t *self, rig_t *rig)
 {
-    if (!self->has_tissue) {
-        lay_tissue(self, rig);
-        self->has_tissue = true;
-    }
     let_cells_break(self, rig);
     if (self->wait_cycles > 0U) {
         self->wait_cycles--;

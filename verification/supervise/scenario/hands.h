@@ -17,7 +17,6 @@ typedef struct {
     uint32_t swung_cycles; /**< Of that half. */
     int32_t um_per_s;      /**< Speed of the swing. */
     uint32_t mend_cycles;  /**< Until the cells work again; 0: they do. */
-    bool has_tissue;       /**< The one of this scene is laid. */
     bool is_brittle;       /**< Cells break in this scene. */
     bool is_careful;       /**< Nobody touches the handle while the sensor is zeroed. */
 } hands_t;
@@ -25,8 +24,9 @@ typedef struct {
 /** The hand of the scene `seed`. */
 void hands_begin(hands_t *self, uint32_t seed);
 
-/** Sets the rig of the scene `seed`: aligned at a target, the needle out, nothing zeroed. */
-void hands_start(rig_t *rig, const robot_t *robot, uint32_t seed);
+/** Sets the rig of the scene `seed`: aligned at a target, the needle out, nothing
+ * zeroed, tissue in front of it. */
+void hands_start(hands_t *self, rig_t *rig, const robot_t *robot, uint32_t seed);
 
 /** One cycle. */
 void hands_play(hands_t *self, rig_t *rig);

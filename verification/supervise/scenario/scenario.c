@@ -112,7 +112,7 @@ void scenario_begin(scenario_t *self, rig_t *rig, const robot_t *robot, play_t p
         begin_late(self, rig, seed);
     } else if (play == PLAY_HANDS) {
         hands_begin(&self->hands, seed);
-        hands_start(rig, robot, seed);
+        hands_start(&self->hands, rig, robot, seed);
     } else {
         start_targeted(self, rig);
     }

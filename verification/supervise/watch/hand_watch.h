@@ -27,21 +27,22 @@ typedef enum {
 
 /** At first all zero. */
 typedef struct {
-    bool is_untrue;        /**< A load cell is or was broken, or was zeroed under a force, since
-                                all of them were zeroed whole and untouched. */
-    bool is_touched;       /**< A hand has touched the handle while it is zeroed. */
-    bool is_zeroing;       /**< It was zeroed in the cycle before. */
-    bool is_vibrating;     /**< The answer to a puncture has begun, and not ended. */
-    int32_t speed_q8;      /**< Of the needle's set-point in the cycle before. */
-    double stop_ticks;     /**< So deep a needle goes that stops since the puncture. */
-    bool is_insertion;     /**< The last order that was accepted is one. */
-    uint32_t armed;        /**< Insertions that were accepted. */
-    int32_t target_ticks;  /**< Depth of its target. */
-    uint32_t idle_cycles;  /**< No hand has truly pushed for so long. */
-    uint32_t ghost_cycles; /**< The needle has been driven for so long meanwhile. */
-    uint32_t off_cycles;   /**< It has not been driven for so long. */
-    double deepest_ticks;  /**< The deepest place of the true needle in this insertion. */
-    double turned_ticks;   /**< Where the true rotation had turned last, */
+    bool is_untrue;  /**< A load cell is or was broken, or was zeroed under a force, since
+                          all of them were zeroed whole and untouched. */
+    bool is_touched; /**< Since a zeroing began, a hand has touched the handle or a cell was broken.
+                      */
+    bool is_zeroing; /**< It was zeroed in the cycle before. */
+    bool is_vibrating;          /**< The answer to a puncture has begun, and not ended. */
+    int32_t speed_q8;           /**< Of the needle's set-point in the cycle before. */
+    double stop_ticks;          /**< So deep a needle goes that stops since the puncture. */
+    bool is_insertion;          /**< The last order that was accepted is one. */
+    uint32_t armed;             /**< Insertions that were accepted. */
+    int32_t target_ticks;       /**< Depth of its target. */
+    uint32_t idle_cycles;       /**< No hand has truly pushed for so long. */
+    uint32_t ghost_cycles;      /**< The needle has been driven for so long meanwhile. */
+    uint32_t off_cycles;        /**< It has not been driven for so long. */
+    double deepest_ticks;       /**< The deepest place of the true needle in this insertion. */
+    double turned_ticks;        /**< Where the true rotation had turned last, */
     double turned_needle_ticks; /**< and where the true needle was then. */
 } hand_watch_t;
 

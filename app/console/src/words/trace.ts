@@ -41,7 +41,7 @@ interface Line {
   expected: readonly Membrane[];
   /** Depths of punctures that were none of them. */
   unexpected: readonly number[];
-  /** Depths of those punctures that were answered by a vibration. */
+  /** Depths of the punctures that a vibration has answered. */
   vibrations: readonly number[];
 }
 

@@ -7,7 +7,7 @@ require_relative 'cbmc'
 
 module Proof
   # A function of a harness that looks at every value by itself: it is compiled and run in place of a prover.
-  class Every
+  class Exhaustive
     # A harness includes a whole source: what it does not reach is left out.
     COMPILER = %w[gcc -std=c99 -O3 -Wall -Wextra -Werror -ffunction-sections -Wl,--gc-sections].freeze
     LINE = /\A(?<holds>[01]) (?<line>\d+) (?<text>.*)\z/.freeze
