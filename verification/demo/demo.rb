@@ -319,8 +319,8 @@ def demonstrate(name)
   abort 'demo: a target was missed' unless demo.hit?
   abort 'demo: homing or a move took too long' unless demo.punctual?
   abort 'demo: an axis lost its place, or the needle did not end out' unless demo.whole?
-  abort 'demo: a membrane was missed, invented or not answered' unless demo.felt? || !demo.by_cooperation?
-  abort 'demo: a push was reported otherwise than it was' unless demo.pushed? || !demo.by_hand?
+  abort 'demo: a membrane was missed, invented or not answered' unless !demo.by_cooperation? || demo.felt?
+  abort 'demo: a push was reported otherwise than it was' unless !demo.by_hand? || demo.pushed?
 end
 
 demonstrate(ARGV.fetch(0)) if $PROGRAM_NAME == __FILE__
