@@ -17,13 +17,13 @@
 
 #define SILENT_US UINT64_C(2000000)
 #define LOOK_US 200000U
-#define STOP_STEP_NS 2000000L
+#define STOP_STEP_US 2000U
 
 /* Together less than LIMIT_STOP_TIME_US, in the time of the board; the recorder has its own time.
  */
 #define STOP_CLIENTS_US UINT64_C(300000)
-#define STOP_CONTROL_US UINT64_C(900000) /* It may just be waiting for the box. */
-#define STOP_RECORDER_LOOKS 250U         /* Without a sign of life. */
+#define STOP_CONTROL_US UINT64_C(900000)                   /* It may just be waiting for the box. */
+#define STOP_RECORDER_LOOKS (LIMIT_HANG_US / STOP_STEP_US) /* Without a sign of life. */
 #define STOP_COMPANIONS_US UINT64_C(200000)
 
 static bool init_member(process_group_t *self, member_t member, const char *name,
@@ -285,7 +285,7 @@ static void ask_to_stop(const process_group_t *self, const member_t *members, ui
 
 static void rest(void)
 {
-    const struct timespec step = {.tv_sec = 0, .tv_nsec = STOP_STEP_NS};
+    const struct timespec step = {.tv_sec = 0, .tv_nsec = (long)STOP_STEP_US * 1000L};
 
     (void)nanosleep(&step, NULL);
 }

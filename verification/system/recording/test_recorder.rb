@@ -119,6 +119,26 @@ class TestRecorder < SystemTest
     refute_match(/follow no checkpoint|lost|cut short/i, text + boresight.output)
   end
 
+  # It is held again each time that the supervisor lets it go on, for a second after control has ended.
+  def hold_at_the_end(pid)
+    ended = nil
+    until ended && Boresight.now > ended + 1
+      Process.kill('STOP', pid)
+      ended ||= Boresight.now unless boresight.pids.key?('control')
+    end
+  end
+
+  def test_SWR_SUP_013_a_recorder_that_stands_still_for_a_second_writes_the_whole_run_before_it_ends
+    boresight(arguments: Boresight::FAST)
+    pid = boresight.pid_of('recorder')
+    boresight.wait_until('1000 cycles have passed') { boresight.status['cycle'] > 1000 }
+    Process.kill('TERM', boresight.pid)
+    hold_at_the_end(pid)
+    boresight.let_go(pid)
+    boresight.wait_for_end
+    assert_match(/^(\d+) of \1 cycles replayed, every output equal$/, replay(boresight.recordings).first)
+  end
+
   # No file of the recorder may become larger, as on a full disk.
   def limit_files(bytes)
     skip 'prlimit is missing' unless system('command -v prlimit > /dev/null')
