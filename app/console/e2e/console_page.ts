@@ -20,7 +20,7 @@ export function variable(name: string): string {
   const value = process.env[name];
   if (value === undefined) {
     throw new Error(
-      `${name} is not set; run verification/system/http/test_console.rb or test_console_stop.rb`,
+      `${name} is not set; run test_console.rb or test_console_stop.rb of verification/system`,
     );
   }
   return value;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // STOP by the console of a running system, from each page and browser, and the command that a page takes and gives up, in a
-// real browser. verification/system/http/test_console_stop.rb starts the system. The environment that console_page.ts names
+// real browser. verification/system/punctual/test_console_stop.rb starts the system. The environment that console_page.ts names
 // is needed, and:
 //   BORESIGHT_LOGIN_CODE  code of the first login
 import { type BrowserContext, type Page, type Request } from "playwright-core";
