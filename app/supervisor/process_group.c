@@ -22,9 +22,12 @@
 /* Together less than LIMIT_STOP_TIME_US, in the time of the board; the recorder has its own time.
  */
 #define STOP_CLIENTS_US UINT64_C(300000)
-#define STOP_CONTROL_US UINT64_C(900000)                   /* It may just be waiting for the box. */
-#define STOP_RECORDER_LOOKS (LIMIT_HANG_US / STOP_STEP_US) /* Without a sign of life. */
 #define STOP_COMPANIONS_US UINT64_C(200000)
+
+/* Looks without a sign of life. A pause of the machine, in which control cannot run either, is one
+ * look; control may just be waiting for the box. */
+#define STOP_CONTROL_LOOKS (900000U / STOP_STEP_US)
+#define STOP_RECORDER_LOOKS ((uint32_t)LIMIT_HANG_US / STOP_STEP_US)
 
 static bool init_member(process_group_t *self, member_t member, const char *name,
                         const options_t *options, char *error, uint32_t error_size)
@@ -310,23 +313,24 @@ static void stop(process_group_t *self, const member_t *members, uint32_t count,
     make_end(self, members, count);
 }
 
-/* Cycles that wait for it are recorded first; it gives a sign of life with each cycle. */
-static void stop_recorder(process_group_t *self, const exchange_t *exchange)
+/* One that gives a sign of life with each cycle: control ends after the cycle under way, the
+ * recorder after those that wait for it. */
+static void stop_living(process_group_t *self, const exchange_t *exchange, member_t member,
+                        uint32_t most_looks)
 {
-    static const member_t recorder[] = {MEMBER_RECORDER};
     const uint64_t end_us = clock_monotonic_us() + LIMIT_RECORDER_END_US;
-    uint32_t heard = exchange_beats(exchange, EXCHANGE_RECORDER);
+    uint32_t heard = exchange_beats(exchange, processes[member]);
     uint32_t looks = 0U;
 
-    ask_to_stop(self, recorder, 1U);
-    while (is_running(self, recorder, 1U) && (looks < STOP_RECORDER_LOOKS) &&
+    ask_to_stop(self, &member, 1U);
+    while (is_running(self, &member, 1U) && (looks < most_looks) &&
            (clock_monotonic_us() < end_us)) {
         rest();
-        const uint32_t beats = exchange_beats(exchange, EXCHANGE_RECORDER);
+        const uint32_t beats = exchange_beats(exchange, processes[member]);
         looks = (beats != heard) ? 0U : (looks + 1U);
         heard = beats;
     }
-    make_end(self, recorder, 1U);
+    make_end(self, &member, 1U);
 }
 
 /* After a crash its last cycle may be in no recording. */
@@ -339,17 +343,16 @@ static bool has_ended_in_order(const child_t *control)
 void process_group_stop(process_group_t *self, exchange_t *exchange)
 {
     static const member_t clients[] = {MEMBER_IGTL, MEMBER_HTTP};
-    static const member_t control[] = {MEMBER_CONTROL};
     member_t companions[BOARD_COMPANIONS];
 
     for (uint32_t i = 0U; i < BOARD_COMPANIONS; i++) {
         companions[i] = (member_t)i;
     }
     stop(self, clients, 2U, STOP_CLIENTS_US);
-    stop(self, control, 1U, STOP_CONTROL_US * self->slowness);
+    stop_living(self, exchange, MEMBER_CONTROL, STOP_CONTROL_LOOKS * self->slowness);
     if (has_ended_in_order(&self->members[MEMBER_CONTROL])) {
         exchange_note_control_ended(exchange);
     }
-    stop_recorder(self, exchange);
+    stop_living(self, exchange, MEMBER_RECORDER, STOP_RECORDER_LOOKS);
     stop(self, companions, BOARD_COMPANIONS, STOP_COMPANIONS_US * self->slowness);
 }

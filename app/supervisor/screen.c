@@ -9,7 +9,6 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#define REPEAT_US UINT64_C(5000000)
 #define DEFAULT_COLUMNS 80U
 
 /* As https://no-color.org asks for. */
@@ -119,8 +118,7 @@ void screen_show_status(screen_t *self, const status_parts_t *status, uint64_t n
             (void)snprintf(self->status, sizeof self->status, "%s", line);
             draw_status(self);
         }
-    } else if ((self->shown_us == 0U) || ((now_us - self->shown_us) >= REPEAT_US)) {
-        self->shown_us = now_us;
+    } else if (status_repeat_is_due(&self->repeat, status, now_us)) {
         (void)printf("%s\n", line);
         (void)fflush(stdout);
     } else {

@@ -3,8 +3,7 @@
  * @file
  * The operator's view: lines, and below them one line of status. On a terminal it is rewritten
  * in place, as wide as the terminal at most and coloured unless NO_COLOR is set; elsewhere it is
- * whole, and repeated every five seconds. The programs' own lines come in through pipes
- * and stand above it.
+ * whole, and repeated. The programs' own lines come in through pipes and stand above it.
  */
 #ifndef BORESIGHT_SCREEN_H
 #define BORESIGHT_SCREEN_H
@@ -23,7 +22,7 @@ typedef struct {
     bool is_coloured;
     const char *awaited;           /**< Line that one of the programs is to print; NULL: none. */
     bool is_heard;                 /**< It has. */
-    uint64_t shown_us;             /**< When the status was last written. */
+    status_repeat_t repeat;        /**< Where it is no terminal. */
     char status[SCREEN_LINE_SIZE]; /**< On the terminal now; "" when none. */
 } screen_t;
 

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#define REPEAT_US UINT64_C(5000000)
 #define BETWEEN " | "
 #define LEFT_OUT " ..."
 #define MOST_COLUMNS 100000U
@@ -32,6 +33,20 @@ void status_parts_add(status_parts_t *self, status_tone_t tone, const char *form
         part->tone = tone;
         self->count++;
     }
+}
+
+bool status_repeat_is_due(status_repeat_t *self, const status_parts_t *parts, uint64_t now_us)
+{
+    const uint32_t bad_before = self->bad;
+
+    self->bad = 0U;
+    for (uint32_t i = 0U; i < parts->count; i++) {
+        self->bad += (parts->parts[i].tone == STATUS_BAD) ? 1U : 0U;
+    }
+    const bool is_due = (self->bad > bad_before) || (self->shown_us == 0U) ||
+                        ((now_us - self->shown_us) >= REPEAT_US);
+    self->shown_us = is_due ? now_us : self->shown_us;
+    return is_due;
 }
 
 void status_parts_add_room(status_parts_t *self, uint32_t minutes)

@@ -30,6 +30,12 @@ typedef struct {
     uint32_t count;
 } status_parts_t;
 
+/** What a log has seen of the line; begins as 0. */
+typedef struct {
+    uint64_t shown_us; /**< When it was last written. */
+    uint32_t bad;      /**< Parts that were bad at the last look. */
+} status_repeat_t;
+
 /** Adds a part behind the others; one too many is left out, a long one is cut. */
 void status_parts_add(status_parts_t *self, status_tone_t tone, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
@@ -48,6 +54,10 @@ void status_parts_add_room(status_parts_t *self, uint32_t minutes);
  * @satisfies SWR-CTRL-030
  */
 void status_parts_add_lateness(status_parts_t *self, const snapshot_t *shown);
+
+/** Whether a log is to have the line now: every five seconds, and at once where one more part is
+ * bad than at the last look. @satisfies SWR-SUP-014 */
+bool status_repeat_is_due(status_repeat_t *self, const status_parts_t *parts, uint64_t now_us);
 
 /**
  * Writes the parts that fit into `columns`, each whole and in their order, and "..." for those that

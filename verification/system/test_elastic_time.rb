@@ -138,7 +138,9 @@ class TestElasticTime < SystemTest
     boresight.log.select { |event| event['name'] == 'RECORDING_RESUMED' }.map { |event| event['value'] }
   end
 
+  # In fast time the lane is full long before a recorder that is held counts as hanging and is replaced.
   def test_SWR_REC_019_a_motion_outlives_a_recorder_that_is_held
+    boresight(arguments: Boresight::FAST)
     boresight.press_and_command('START_UP')
     boresight.while_stopped('recorder') { sleep 1 }
     assert_equal 0, boresight.status['counts']['cycles_lost']
@@ -146,7 +148,7 @@ class TestElasticTime < SystemTest
     boresight.wait_for_homing
     assert_empty trouble
     wait_until('a second has passed') { boresight.status['cycle'] > resumed + 1000 }
-    assert_equal [boresight.status['counts']['cycles_lost']], gaps
+    wait_until('the figures have the gap') { [boresight.status['counts']['cycles_lost']] == gaps }
     expect_files_with_a_gap_of(*gaps)
   end
 

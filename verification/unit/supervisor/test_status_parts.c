@@ -129,3 +129,29 @@ void test_SWR_CTRL_030_a_loop_that_was_late_too_often_names_stage_and_figures(vo
     status_parts_add_lateness(&parts, &shown);
     TEST_ASSERT_EQUAL_UINT32(0U, parts.count);
 }
+
+void test_SWR_SUP_004_a_log_has_the_line_every_five_seconds(void)
+{
+    status_repeat_t repeat = {.shown_us = 0U};
+    uint32_t lines = 0U;
+
+    for (uint64_t i = 1U; i < 11U; i++) {
+        lines += status_repeat_is_due(&repeat, &parts, i * UINT64_C(1000000)) ? 1U : 0U;
+    }
+    TEST_ASSERT_EQUAL_UINT32(2U, lines);
+}
+
+void test_SWR_SUP_014_a_log_has_each_trouble_as_it_begins(void)
+{
+    status_repeat_t repeat = {.shown_us = 0U};
+
+    TEST_ASSERT_TRUE(status_repeat_is_due(&repeat, &parts, 1U));
+    TEST_ASSERT_FALSE(status_repeat_is_due(&repeat, &parts, 2U));
+    status_parts_add(&parts, STATUS_BAD, "7 cycles NOT RECORDED");
+    TEST_ASSERT_TRUE(status_repeat_is_due(&repeat, &parts, 3U));
+    TEST_ASSERT_FALSE(status_repeat_is_due(&repeat, &parts, 4U));
+    parts.count--;
+    TEST_ASSERT_FALSE(status_repeat_is_due(&repeat, &parts, 5U));
+    status_parts_add(&parts, STATUS_BAD, "8 cycles NOT RECORDED");
+    TEST_ASSERT_TRUE(status_repeat_is_due(&repeat, &parts, 6U));
+}
