@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "mode/move/move_mode.h"
 
+#include "base/fixed.h"
 #include "safety/needle.h"
 
 #include <string.h>
@@ -95,6 +96,14 @@ static void begin_insertion(const move_mode_t *self, leg_t *leg, const mode_fram
     leg->lent = rotation;
 }
 
+static bool is_at_depth(const move_mode_t *self, const mode_frame_t *frame)
+{
+    const uint32_t needle = frame->robot->needle_axis % ROBOT_AXIS_MAX;
+    const int64_t way = (int64_t)self->target_ticks[needle] -
+                        (int64_t)frame->axes[needle].sealed.encoder.position_ticks;
+    return fixed_magnitude(way) <= (int64_t)frame->robot->axes[needle].deadband_ticks;
+}
+
 /* The needle goes in while its rotation follows its law, and stands otherwise. It is never drawn
  * out for a base that has moved: it waits until that stands at the target again. */
 static void insert_steered(const move_mode_t *self, leg_t *leg, steer_t *steer,
@@ -127,7 +136,11 @@ static bool may_begin(const move_mode_t *self, const leg_t *leg, const mode_fram
 void move_mode_step(const move_mode_t *self, leg_t *leg, steer_t *steer, const mode_frame_t *frame,
                     mode_result_t *result)
 {
-    if (steer_is_turning(steer) || may_begin(self, leg, frame)) {
+    const bool begins = !steer_is_turning(steer) && may_begin(self, leg, frame);
+    if (begins && is_at_depth(self, frame)) {
+        mode_rest(frame, result);
+        result->progress = MODE_DONE;
+    } else if (begins || steer_is_turning(steer)) {
         insert_steered(self, leg, steer, frame, result);
     } else {
         steer_stop(steer);

@@ -32,11 +32,12 @@ void move_mode_go(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame
 
 /**
  * One cycle, as move_mode_go(); the last leg of a needle that is steered goes on only while its
- * rotation follows its law.
+ * rotation follows its law. At its depth it is not turned any more.
  *
  * @satisfies SWR-DEMO-001
  * @satisfies SWR-MOTION-002
  * @satisfies SWR-STEER-008
+ * @satisfies SWR-STEER-015
  */
 void move_mode_step(const move_mode_t *self, leg_t *leg, steer_t *steer, const mode_frame_t *frame,
                     mode_result_t *result);

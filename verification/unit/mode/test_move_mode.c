@@ -221,6 +221,22 @@ void test_SWR_STEER_007_an_insertion_that_has_waited_too_long_is_given_up(void)
     }
 }
 
+/* INSERT again once it has arrived: nothing moves, whatever place the rotation has. */
+void test_SWR_STEER_015_a_needle_at_its_depth_is_not_turned(void)
+{
+    insert_steered(0U);
+    world_put(robot.needle_axis, move.target_ticks[robot.needle_axis]);
+    world_put(PROSTATE_AXIS_ROTATION, 4000);
+    mode_clear(&result);
+    move_mode_step(&move, &leg, &steer, &frame, &result);
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    TEST_ASSERT_EQUAL_INT32(4000, axes[PROSTATE_AXIS_ROTATION].sealed.setpoint_ticks);
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, result.requests[i].mode);
+    }
+    TEST_ASSERT_FALSE(steer_is_turning(&steer));
+}
+
 /* While it waits, a base that stands beside its place keeps it waiting. */
 void test_SWR_STEER_007_it_goes_on_once_the_base_stands_at_its_place_again(void)
 {
