@@ -93,16 +93,26 @@ uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s
     return (above > span) ? config->maximum_duty : (config->minimum_duty + (uint32_t)above);
 }
 
+/* Below the smallest word the motor sticks; the largest saturates. */
+static int64_t magnitude_speed_q8(const axis_config_t *config, uint32_t duty)
+{
+    const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
+    const int64_t slowest_q8 = slowest_of(full_q8);
+    const int64_t span = (int64_t)config->maximum_duty - (int64_t)config->minimum_duty;
+    const int64_t above = (int64_t)duty - (int64_t)config->minimum_duty;
+    if (above < 0) {
+        return 0;
+    }
+    return clamp(slowest_q8 + fixed_divide_signed((full_q8 - slowest_q8) * above, span), full_q8);
+}
+
 int64_t motor_model_steady_q8(const axis_config_t *config, const card_drive_t *drive)
 {
     int64_t speed_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
     if (has_waves(config)) {
         speed_q8 = wave_speed_q8(config, drive->duty);
     } else if (motor_model_has_magnitudes(config)) {
-        const int64_t span = (int64_t)config->maximum_duty - (int64_t)config->minimum_duty;
-        const int64_t above = (int64_t)drive->duty - (int64_t)config->minimum_duty;
-        const int64_t slowest_q8 = slowest_of(speed_q8);
-        speed_q8 = slowest_q8 + fixed_divide_signed((speed_q8 - slowest_q8) * above, span);
+        speed_q8 = magnitude_speed_q8(config, drive->duty);
     } else {
         /* It runs. */
     }

@@ -56,11 +56,13 @@ static inline int64_t motor_model_step_q16(motor_model_t *self, const axis_confi
 uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s_q8);
 
 /**
- * @return the speed that `drive`, which is not off, settles to, without its sign; 0, unknown, for
- * waves slower than the axis' slowest by more than LIMIT_SWEEP_MARGIN_WORDS, which only a sweep
- * drives with
+ * @return the speed that `drive`, which is not off, settles to, without its sign, 0 to that of
+ * full_speed_ticks_per_s for any word: full speed from maximum_duty on; 0 in the dead zone, below
+ * minimum_duty, where the motor sticks; 0, unknown, for waves slower than the axis' slowest by more
+ * than LIMIT_SWEEP_MARGIN_WORDS, which only a sweep drives with
  *
  * @satisfies SWR-SWEEP-009
+ * @satisfies SWR-AXIS-019
  */
 int64_t motor_model_steady_q8(const axis_config_t *config, const card_drive_t *drive);
 

@@ -34,13 +34,9 @@ typedef struct {
                               otherwise have been free, and without it the answer may be another. */
 } solution_t;
 
-/** `ticks` of `axis` are more than `way_nm`, or of a turning axis than `way_bam`. */
-static inline bool joints_is_beyond(const axis_config_t *axis, int64_t ticks, uint32_t way_nm,
-                                    uint32_t way_bam)
-{
-    const int64_t way = (int64_t)((axis->unit == (uint8_t)AXIS_UNIT_MM) ? way_nm : way_bam);
-    return (ticks * axis->unit_per_tick_q16) > (way * 65536);
-}
+/** 2^17 - 1. The product of at most as many ticks and a unit_per_tick_q16 below 2^46 fits in 63
+ * bits; the coarsest scale of a robot's file, one tick a radian, is below 2^46. */
+#define JOINTS_PRODUCT_TICKS INT64_C(131071)
 
 /** The whole ticks of `axis` within `way_nm`, or of a turning axis within `way_bam`. */
 static inline int64_t joints_ticks_within(const axis_config_t *axis, uint32_t way_nm,
@@ -48,6 +44,22 @@ static inline int64_t joints_ticks_within(const axis_config_t *axis, uint32_t wa
 {
     const int64_t way = (int64_t)((axis->unit == (uint8_t)AXIS_UNIT_MM) ? way_nm : way_bam);
     return (way * 65536) / axis->unit_per_tick_q16;
+}
+
+/**
+ * `ticks` of `axis`, of any sign and size, are more than `way_nm`, or of a turning axis than
+ * `way_bam`; never if they are negative. Few ticks cost no division.
+ *
+ * @satisfies SWR-FIX-004
+ */
+static inline bool joints_is_beyond(const axis_config_t *axis, int64_t ticks, uint32_t way_nm,
+                                    uint32_t way_bam)
+{
+    const int64_t way = (int64_t)((axis->unit == (uint8_t)AXIS_UNIT_MM) ? way_nm : way_bam);
+    if (ticks > JOINTS_PRODUCT_TICKS) {
+        return ticks > joints_ticks_within(axis, way_nm, way_bam);
+    }
+    return (ticks > 0) && ((ticks * axis->unit_per_tick_q16) > (way * 65536));
 }
 
 /** `ticks` of `axis` are more than what is taken for noise where it moves no tip: `floor_ticks`, of

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Rule under test: the model makes the way that the motor of the simulated box makes. */
+/* Rule under test: the model makes the way that the motor of the simulated box makes, at any word.
+ */
 #include "unity.h"
 
 #include "card/card_frame.h"
@@ -46,6 +47,12 @@ static void expect_one_way(double within_share)
     const double way = motor.position_ticks;
     TEST_ASSERT_DOUBLE_WITHIN(((way < 0.0) ? -way : way) * within_share, way, way_ticks);
     TEST_ASSERT_TRUE(way != 0.0);
+}
+
+static int64_t steady_q8(const axis_config_t *config, uint32_t duty)
+{
+    const card_drive_t drive = {CARD_DRIVE_PWM, 1U, duty, 0U};
+    return motor_model_steady_q8(config, &drive);
 }
 
 void test_SWR_AXIS_019_the_model_goes_where_the_motor_goes(void)
@@ -106,6 +113,49 @@ void test_SWR_AXIS_019_the_model_goes_where_a_slowed_motor_goes(void)
         run(config, (card_drive_t){CARD_DRIVE_PWM, 1U, config->minimum_duty, 0U}, 30U);
     }
     expect_one_way(0.03);
+}
+
+void test_SWR_AXIS_019_below_its_smallest_word_the_model_stands_as_the_motor_does(void)
+{
+    const axis_config_t *const config = &robot_neuro.axes[NEURO_AXIS_INSERTION];
+    const card_drive_t fast = {CARD_DRIVE_PWM, 1U, config->maximum_duty, 0U};
+    const uint32_t words[] = {0U, 1U, config->minimum_duty / 2U, config->minimum_duty - 1U};
+    for (uint32_t i = 0U; i < (sizeof words / sizeof words[0]); i++) {
+        start(config);
+        run(config, (card_drive_t){CARD_DRIVE_PWM, 1U, words[i], 0U}, 100U);
+        TEST_ASSERT_TRUE(motor.position_ticks == 0.0);
+        TEST_ASSERT_TRUE(way_ticks == 0.0);
+        run(config, fast, 100U);
+        run(config, (card_drive_t){CARD_DRIVE_PWM, 1U, words[i], 0U}, 1U);
+        TEST_ASSERT_EQUAL_INT64(0, model.speed_ticks_per_s_q8);
+    }
+}
+
+void test_SWR_AXIS_019_the_smallest_word_is_the_slowest_speed_and_the_largest_saturates(void)
+{
+    const axis_config_t *const config = &robot_neuro.axes[NEURO_AXIS_INSERTION];
+    const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
+    TEST_ASSERT_EQUAL_INT64(full_q8 / 10, steady_q8(config, config->minimum_duty));
+    TEST_ASSERT_EQUAL_INT64(full_q8, steady_q8(config, config->maximum_duty));
+    TEST_ASSERT_EQUAL_INT64(full_q8, steady_q8(config, config->maximum_duty + 1U));
+    TEST_ASSERT_EQUAL_INT64(full_q8, steady_q8(config, UINT32_MAX));
+}
+
+/* Of a table with a wide dead zone and a narrow range, too. */
+void test_SWR_AXIS_019_a_word_that_grows_is_never_slower_and_never_beyond_full_speed(void)
+{
+    axis_config_t config = robot_neuro.axes[NEURO_AXIS_INSERTION];
+    const int64_t full_q8 = (int64_t)config.full_speed_ticks_per_s * 256;
+    const uint32_t least[] = {1U, 13107U, 65536U, 131070U};
+    for (uint32_t i = 0U; i < (sizeof least / sizeof least[0]); i++) {
+        int64_t before_q8 = 0;
+        config.minimum_duty = least[i];
+        for (uint32_t duty = 0U; duty <= (config.maximum_duty + 10U); duty++) {
+            const int64_t speed_q8 = steady_q8(&config, duty);
+            TEST_ASSERT_TRUE((speed_q8 >= before_q8) && (speed_q8 <= full_q8));
+            before_q8 = speed_q8;
+        }
+    }
 }
 
 void test_SWR_AXIS_019_a_late_cycle_ends_at_the_steady_speed(void)
