@@ -55,8 +55,12 @@ void status_parts_add_room(status_parts_t *self, uint32_t minutes);
  */
 void status_parts_add_lateness(status_parts_t *self, const snapshot_t *shown);
 
-/** Whether a log is to have the line now: every five seconds, and at once where one more part is
- * bad than at the last look. @satisfies SWR-SUP-014 */
+/**
+ * Whether a log is to have the line now: every five seconds, and at once where one more part is bad
+ * than at the last look.
+ *
+ * @satisfies SWR-SUP-014
+ */
 bool status_repeat_is_due(status_repeat_t *self, const status_parts_t *parts, uint64_t now_us);
 
 /**
