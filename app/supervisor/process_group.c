@@ -22,12 +22,17 @@
 /* Together less than LIMIT_STOP_TIME_US, in the time of the board; the recorder has its own time.
  */
 #define STOP_CLIENTS_US UINT64_C(300000)
+#define STOP_CONTROL_US 900000U /* Of cycles, or of looks in a row without one. */
 #define STOP_COMPANIONS_US UINT64_C(200000)
 
-/* Looks without a sign of life. A pause of the machine, in which control cannot run either, is one
- * look; control may just be waiting for the box. */
-#define STOP_CONTROL_LOOKS (900000U / STOP_STEP_US)
+/* Looks in a row without a sign of life. A pause of the machine, in which no program can run, is
+ * one look; control may just be waiting for the box. */
+#define STOP_CONTROL_LOOKS (STOP_CONTROL_US / STOP_STEP_US)
 #define STOP_RECORDER_LOOKS ((uint32_t)LIMIT_HANG_US / STOP_STEP_US)
+
+/* Signs of life until it has to have ended: one each cycle. */
+#define STOP_CONTROL_BEATS (STOP_CONTROL_US / LIMIT_CYCLE_US)
+#define STOP_RECORDER_BEATS UINT32_MAX
 
 static bool init_member(process_group_t *self, member_t member, const char *name,
                         const options_t *options, char *error, uint32_t error_size)
@@ -316,15 +321,16 @@ static void stop(process_group_t *self, const member_t *members, uint32_t count,
 /* One that gives a sign of life with each cycle: control ends after the cycle under way, the
  * recorder after those that wait for it. */
 static void stop_living(process_group_t *self, const exchange_t *exchange, member_t member,
-                        uint32_t most_looks)
+                        uint32_t most_looks, uint32_t most_beats)
 {
     const uint64_t end_us = clock_monotonic_us() + LIMIT_RECORDER_END_US;
-    uint32_t heard = exchange_beats(exchange, processes[member]);
+    const uint32_t first = exchange_beats(exchange, processes[member]);
+    uint32_t heard = first;
     uint32_t looks = 0U;
 
     ask_to_stop(self, &member, 1U);
     while (is_running(self, &member, 1U) && (looks < most_looks) &&
-           (clock_monotonic_us() < end_us)) {
+           ((heard - first) < most_beats) && (clock_monotonic_us() < end_us)) {
         rest();
         const uint32_t beats = exchange_beats(exchange, processes[member]);
         looks = (beats != heard) ? 0U : (looks + 1U);
@@ -349,10 +355,11 @@ void process_group_stop(process_group_t *self, exchange_t *exchange)
         companions[i] = (member_t)i;
     }
     stop(self, clients, 2U, STOP_CLIENTS_US);
-    stop_living(self, exchange, MEMBER_CONTROL, STOP_CONTROL_LOOKS * self->slowness);
+    stop_living(self, exchange, MEMBER_CONTROL, STOP_CONTROL_LOOKS * self->slowness,
+                STOP_CONTROL_BEATS);
     if (has_ended_in_order(&self->members[MEMBER_CONTROL])) {
         exchange_note_control_ended(exchange);
     }
-    stop_living(self, exchange, MEMBER_RECORDER, STOP_RECORDER_LOOKS);
+    stop_living(self, exchange, MEMBER_RECORDER, STOP_RECORDER_LOOKS, STOP_RECORDER_BEATS);
     stop(self, companions, BOARD_COMPANIONS, STOP_COMPANIONS_US * self->slowness);
 }

@@ -30,7 +30,7 @@ typedef struct {
     uint32_t count;
 } status_parts_t;
 
-/** What a log has seen of the line; begins as 0. */
+/** How a log repeats the line; at first all zero. */
 typedef struct {
     uint64_t shown_us; /**< When it was last written. */
     uint32_t bad;      /**< Parts that were bad at the last look. */

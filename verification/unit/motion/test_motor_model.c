@@ -141,7 +141,7 @@ void test_SWR_AXIS_019_the_smallest_word_is_the_slowest_speed_and_the_largest_sa
     TEST_ASSERT_EQUAL_INT64(full_q8, steady_q8(config, UINT32_MAX));
 }
 
-/* Of a table with a wide dead zone and a narrow range, too. */
+/* The dead zone is narrow at first, and at last wide with few words above it. */
 void test_SWR_AXIS_019_a_word_that_grows_is_never_slower_and_never_beyond_full_speed(void)
 {
     axis_config_t config = robot_neuro.axes[NEURO_AXIS_INSERTION];
